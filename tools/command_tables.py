@@ -5,27 +5,30 @@ from __future__ import annotations
 import re
 from pathlib import Path
 
-from poppet.cli.commands import COMMANDS
+from poppet.cli.commands import COMMANDS, REPORT
 from poppet.cli.parser import Command
 from poppet.core.command_options import QUIET, SET, WITH
 
 PAGE = Path(__file__).parents[1] / "docs" / "cli.md"
 HEAD = "| option | meaning |\n|---|---|\n"
-COMMON = (WITH, SET, QUIET)
+COMMON = (REPORT, WITH, SET)
 
 
 def option_table(command: Command) -> str:
-    """Return the table of the options of a command, or nothing if it has common options only; these share a row."""
+    """Return the table of the options of a command, or nothing if it has common options only.
+
+    Common options share a row. `--quiet`, which every command has, is omitted.
+    """
 
     def usage(text: str) -> str:
         return ", ".join(f"`{name}`" for name in text.removesuffix(" ...").split(", "))
 
     named = [option for option in command.options if option.names]
-    rows = [f"| {usage(option.usage)} | {option.meaning} |" for option in named if option not in COMMON]
+    rows = [f"| {usage(option.usage)} | {option.meaning} |" for option in named if option not in (*COMMON, QUIET)]
     if not rows:
         return ""
     common = ", ".join(usage(option.usage) for option in COMMON if option in named)
-    return HEAD + "\n".join([*rows, f"| {common} | as above |"]) + "\n"
+    return HEAD + "\n".join([*rows, *([f"| {common} | as above |"] if common else [])]) + "\n"
 
 
 def with_tables(text: str) -> str:

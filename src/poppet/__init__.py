@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import importlib
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from poppet.core.notebook import HtmlMixin
 from poppet.core.version import __version__
@@ -117,7 +117,7 @@ def _html(shown: HtmlMixin) -> str | None:
 HtmlMixin.renderer = _html
 
 
-def __getattr__(name: str) -> Any:
+def __getattr__(name: str) -> object:
     # Names are imported on first use: `import poppet` stays fast.
     if name in _MODULES:
         return importlib.import_module(f"poppet.{_MODULES[name]}")

@@ -28,9 +28,9 @@ LISTED = (
 
 
 class _ListedNames(type):
-    """Metaclass that restricts the names that editors suggest to those in `LISTED`.
+    """Metaclass that limits the names that editors suggest to those in `LISTED`.
 
-    Editors inspect the class and its objects, so the restriction applies to both.
+    Editors inspect the class and its objects, so the limit applies to both.
     """
 
     def __dir__(cls) -> list[str]:

@@ -34,7 +34,10 @@ def test_assumptions_of_the_circuit_are_noted(poppet, tanks):
     tanks.write_text(tanks.read_text().replace("critical_ratio = 0.3\n", ""))
     code, _, err = poppet("check", "tanks.toml")
     assert code == 0
-    assert err == "note: hole.critical_ratio = 0.3 is assumed, because sonic_conductance alone does not determine it.\n"
+    assert err == (
+        "note: The critical back-pressure ratio hole.critical_ratio = 0.3 is assumed, "
+        "because sonic_conductance alone does not determine this ratio.\n"
+    )
 
 
 def test_one_note_reports_an_assumption_of_many_parts(poppet, tanks):

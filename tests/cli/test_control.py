@@ -80,7 +80,7 @@ def test_the_command_of_the_docs_for_a_valve_without_its_overlap(poppet):
     arguments = [argument.replace("examples", str(EXAMPLES)) for argument in shlex.split(command)[1:]]
     code, out, err = poppet(*arguments)
     assert code == 0
-    assert "note: slide.friction: lugre" in err
+    assert "note: slide.friction: the lugre friction" in err
     assert "100 mm, command" in out
     refused = poppet(*arguments[: arguments.index("--set")])
     assert refused.code == 2
@@ -108,7 +108,7 @@ def test_a_position_loop_is_tuned_and_compared_in_millimetres(poppet, tmp_path):
         shutil.copy(EXAMPLES / name, tmp_path)
     code, out, err = poppet("control", "tune", "position_control.toml", "-o", "gains.toml")
     assert code == 0
-    assert "note: slide.friction: lugre" in err
+    assert "note: slide.friction: the lugre friction" in err
     for text in ("60 mm, command", "140 mm, back", "at 60, 100, 140 mm, at rest"):
         assert text in out
     gains = tomllib.loads((tmp_path / "gains.toml").read_text())["parts"]["position"]

@@ -195,7 +195,7 @@ def test_a_spline_reports_that_the_data_reject_its_constraint(poppet, bench):
     path.write_text(path.read_text().replace('"polynomial"', '"spline"'))
     code, out, _ = poppet("identify", "characteristic", str(path))
     assert code == 0
-    assert "- The data contradict a C(x) that never falls" in out
+    assert "- The data contradict a conductance C(x) that never falls" in out
 
 
 # Results and options ----------------------------------------------------------------------------------------------
@@ -488,8 +488,8 @@ def rising(rows):
 REFUSED = [
     (with_pressure("nan"), "contains no numbers"),
     (with_pressure("ERROR"), "contains text such as"),
-    (backwards, "the time must not decrease"),
-    (lambda rows: rows[:5], "has 5 samples; at least 8 are required"),
+    (backwards, "must not decrease"),
+    (lambda rows: rows[:5], "has only 5 samples, but at least 8 are required"),
     (lambda rows: [], "contains no lines of numbers"),
 ]
 RECORDINGS = [("fit", "discharge.csv"), ("tank", "tank_discharge.csv"), ("characteristic", "strokes/240.csv")]
@@ -516,8 +516,8 @@ def test_empty_files_are_refused(poppet, bench, way, file):
 @pytest.mark.parametrize(
     ("change", "message"),
     [
-        (with_pressure("5.0"), "is nearly constant"),
-        (rising, "which is not a discharge"),
+        (with_pressure("5.0"), "is almost constant"),
+        (rising, 'which contradicts direction = "discharge"'),
         (with_pressure("nan"), "contains no numbers"),
     ],
 )
@@ -539,7 +539,7 @@ def test_a_tank_fuller_than_its_supply_is_refused(poppet, bench):
 @pytest.mark.parametrize(
     ("change", "message"),
     [
-        (lambda rows: rows[:2], "are too few to check a fit of 2 free parameters"),
+        (lambda rows: rows[:2], "are too few for a fit of 2 free parameters"),
         (with_pressure("nan"), "pressure_1"),
         (lambda rows: [[row[0], row[2], row[1], row[3]] for row in rows], "pressure_2"),
     ],
@@ -585,9 +585,9 @@ def test_a_rising_pressure_in_a_discharge_gives_a_finding(bench):
 def test_gauge_read_as_absolute_gives_a_finding(bench):
     path = bench / "fit.toml"
     path.write_text(path.read_text().replace('"bar g"', '"bar"'))
-    assert "If it is a gauge pressure" in " ".join(doubtful(path).findings)
+    assert "If the channel is a gauge pressure" in " ".join(doubtful(path).findings)
 
 
 def test_repeated_stamps_are_merged_and_counted(bench):
     rewrite(bench / "discharge.csv", lambda rows: [row for row in rows for _ in range(2)])
-    assert "301 samples with repeated times were merged" in " ".join(identify_fit(bench / "fit.toml").findings)
+    assert "301 samples have the same time as another sample" in " ".join(identify_fit(bench / "fit.toml").findings)

@@ -93,23 +93,23 @@ def test_every_example_can_be_parsed(name):
 
 
 @pytest.mark.parametrize(
-    ("arguments", "code", "nearest"),
+    ("arguments", "code", "address", "nearest"),
     [
-        (("simualte", "x.toml"), "cli.command.unknown", "simulate"),
-        (("frobnicate",), "cli.command.unknown", ""),
-        (("simulate", "x.toml", "--duratoin", "5 s"), "cli.option.unknown", "--duration"),
-        (("simulate", "--hepl"), "cli.option.unknown", "--help"),
-        (("simulate", "x.toml", "--dur", "5 s"), "cli.option.unknown", "--duration"),
-        (("--verison",), "cli.option.unknown", "--version"),
-        (("simulate",), "cli.usage", ""),
-        (("simulate", "x.toml", "-o"), "cli.usage", ""),
-        (("simulate", "x.toml", "y.toml"), "cli.argument.extra", ""),
+        (("simualte", "x.toml"), "names.unknown", "simualte", "simulate"),
+        (("frobnicate",), "names.unknown", "frobnicate", ""),
+        (("simulate", "x.toml", "--duratoin", "5 s"), "names.unknown", "--duratoin", "--duration"),
+        (("simulate", "--hepl"), "names.unknown", "--hepl", "--help"),
+        (("simulate", "x.toml", "--dur", "5 s"), "names.unknown", "--dur", "--duration"),
+        (("--verison",), "names.unknown", "--verison", "--version"),
+        (("simulate",), "cli.usage", "", ""),
+        (("simulate", "x.toml", "-o"), "cli.usage", "", ""),
+        (("simulate", "x.toml", "y.toml"), "cli.argument.extra", "", ""),
     ],
 )
-def test_a_misspelt_name_has_a_suggestion(poppet, arguments, code, nearest):
+def test_a_misspelt_name_has_a_suggestion(poppet, arguments, code, address, nearest):
     answer = poppet(*arguments)
     assert answer.code == 2
-    assert answer.errors == [(code, "", None, nearest)]
+    assert answer.errors == [(code, address, None, nearest)]
 
 
 def test_the_version_needs_no_command(poppet):
@@ -159,7 +159,7 @@ def test_an_old_name_of_an_option_is_accepted_with_a_note(poppet, tanks):
     old = poppet("live", str(tanks), "--number=low.volume=10 l..30 l", "-o", "old.html")
     assert (old.code, old.err) == (
         0,
-        "note: --number is now --parameter; the old name is accepted until version 1.0.\n",
+        "note: The option --number is now called --parameter. The old name works until version 1.0.\n",
     )
     new = poppet("live", str(tanks), "--parameter", "low.volume=10 l..30 l", "-o", "new.html")
     assert (new.code, new.err) == (0, "")

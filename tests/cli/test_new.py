@@ -30,7 +30,7 @@ def test_a_template_is_written_checked_and_run(poppet, tmp_path, name):
     assert "The run is complete" in out.partition("\n")[0] or name == "emptying"
     recording = house.Recording.read("out.csv")
     assert np.all(np.isfinite(recording.values))
-    assert not any("not conserved" in note for note in recording.notes)
+    assert not any("balance of" in note for note in recording.notes)
 
 
 def test_the_regulator_template_regulates(poppet):

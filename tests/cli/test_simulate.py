@@ -100,7 +100,10 @@ def test_missing_matplotlib_is_reported_before_the_run(poppet, tanks, monkeypatc
 
 def test_set_on_a_driven_input_replaces_its_signal_with_a_note(poppet, tanks):
     code, _, err = poppet("simulate", "tanks.toml", "--set", "hole.opening=0.5", "-o", "out.csv")
-    assert (code, err) == (0, "note: hole.opening is set to 0.5; the signal of the file is ignored.\n")
+    assert (code, err) == (
+        0,
+        "note: hole.opening is set to 0.5 by this command, so the signal in the file is not used.\n",
+    )
     assert set(house.Recording.read("out.csv")["hole.opening"]) == {0.5}
 
 
@@ -138,7 +141,9 @@ def test_stop_conditions_add_up(poppet, tanks):
 def test_notes_go_to_stderr(poppet, tanks):
     code, out, err = poppet("simulate", "tanks.toml", "--duration", "0.5 s", "--quiet")
     assert (code, out) == (0, "")
-    assert err == "note: hole.opening: 1 of 2 steps are at or after the end of the run, t = 0.5 s.\n"
+    assert err == (
+        "note: hole.opening: 1 of 2 steps have no effect, because they are at or after the end of the run, t = 0.5 s.\n"
+    )
 
 
 MISSING = """
@@ -252,7 +257,7 @@ def test_plot(poppet, tanks, tmp_path, suffix):
         (("--units", "bra"), "unit.misspelt", "", ""),
         (("--units", "V"), "series.no_such_quantity", "", ""),
         (("--units", "high.pressure=K"), "series.other_quantity", "", ""),
-        (("--select", "high.presure"), "series.unknown", "", "high.pressure"),
+        (("--select", "high.presure"), "names.unknown", "high.presure", "high.pressure"),
         (("--start-from", "missing.csv"), "files.unreadable", "", ""),
     ],
 )
@@ -365,9 +370,11 @@ def test_the_summary_of_a_load_begins_with_strokes_and_energy(poppet, tmp_path):
     rows = [line.split() for line in done.out.splitlines()]
     strokes = [row for row in rows if row[:1] == ["slide"] and "mm/s" in row]
     assert [float(row[4]) for row in strokes] == [pytest.approx(s.duration, rel=1e-3) for s in figures.strokes]
-    assert [float(row[-2]) for row in strokes] == [
+    assert [float(row[9]) for row in strokes] == [
         pytest.approx(1e3 * abs(figures.met(s).velocity), rel=1e-3) for s in figures.strokes
     ]
+    assert [float(row[11]) for row in strokes] == [pytest.approx(s.from_command, rel=1e-3) for s in figures.strokes]
+    assert [row[12:] for row in strokes] == [["valve_cap.command", "at", time, "s"] for time in ("0.1", "2.1")]
     assert float(next(row for row in rows if row[:2] == ["air", "used"])[2]) == pytest.approx(
         1e3 * figures.air_used, rel=1e-3
     )

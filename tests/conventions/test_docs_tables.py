@@ -33,13 +33,22 @@ def section(title: str) -> str:
 
 
 def documented(title: str) -> dict[str, Row]:
-    rows = re.findall(r"^\| `([\w.]+)` \| (.*?) \| (.*?) \| (.*?) ?\| (.+?) \|$", section(title), re.MULTILINE)
-    return {name: (unit, default, limits) for name, unit, default, limits, _ in rows}
+    """Return the rows of a section by field; a row has one or more fields, or refers to those of another section."""
+    rows = re.findall(
+        r"^\| ((?:`[\w.]+`(?:, )?)+) \| (.*?) \| (.*?) \| (.*?) ?\| (.+?) \|$", section(title), re.MULTILINE
+    )
+    fields = [(name.strip("`"), row) for names, *row in rows for name in names.split(", ")]
+    assert len(fields) == len(dict(fields)), f"a field of {title} has two rows"
+    found: dict[str, Row] = {}
+    for name, (unit, default, limits, meaning) in fields:
+        other = re.fullmatch(r"as in \[(`\w+`)\]\(#\w+\)", meaning)
+        found[name] = documented(other[1])[name] if other and not unit else (unit, default, limits)
+    return found
 
 
 def limits(spec: NumberSpec) -> str:
-    low = f"at least {spec.low:g}" if spec.low > -math.inf else f"> {spec.above:g}"
-    high = f"at most {spec.high:g}" if spec.high < math.inf else f"< {spec.below:g}"
+    low = f"≥ {spec.low:g}" if spec.low > -math.inf else f"> {spec.above:g}"
+    high = f"≤ {spec.high:g}" if spec.high < math.inf else f"< {spec.below:g}"
     return ", ".join(text for text in (low, high) if "inf" not in text) or "any"
 
 
@@ -56,7 +65,7 @@ def declared(kind: Any, prefix: str = "", from_data: bool | None = None) -> Iter
             yield f"{prefix}{name}", ("one of", spec.choices[0], choices)
         elif isinstance(spec, PortSpec):
             need = "optional" if spec.optional else "required"
-            yield f"{prefix}{name}", ("port", need, "a store or `ambient`")
+            yield f"{prefix}{name}", ("port", need, "")
         elif isinstance(spec, BodySpec):
             yield f"{prefix}{name}", ("body", "required", "a mass, joint or guide")
         elif isinstance(spec, MemberSpec) and spec.part.kind not in KINDS:  # which stands nowhere else

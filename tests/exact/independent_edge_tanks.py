@@ -45,6 +45,9 @@ def flow(conductance: float, ratio: float, drop: float, upstream: float, tempera
     """Return the mass flow rate at a pressure difference `drop` [kg/s]."""
     if drop <= 0.0:
         return 0.0
+    if drop < EQUAL * upstream:
+        # Linear to 0: the solver stalls at the infinite slope of equal pressures.
+        return flow(conductance, ratio, EQUAL * upstream, upstream, temperature) * drop / (EQUAL * upstream)
     choked = conductance * DENSITY_ANR * upstream * np.sqrt(TEMPERATURE_ANR / temperature)
     distance = (1.0 - drop / upstream - ratio) / (1.0 - ratio)
     return float(choked if distance <= 0.0 else choked * np.sqrt((1.0 - distance) * (1.0 + distance)))

@@ -192,7 +192,8 @@ def _steps(made: IndependentValve) -> None:
     made.truth |= {
         "delay": made.dead + reaches(0.1), "rise_time_up": reaches(0.9) - reaches(0.1),
         "rise_time_down": reaches(0.9) - reaches(0.1), "response_time_up": made.dead + reaches(0.9),
-        "response_time_down": made.dead + reaches(0.9), "settling_time": made.dead + last, "overshoot": 100.0 * max(float(np.max(part)) - 1.0, 0.0),
+        "response_time_down": made.dead + reaches(0.9), "settling_time": made.dead + last,
+        "overshoot": 100.0 * max(float(np.max(part)) - 1.0, 0.0),
     }  # fmt: skip
 
 

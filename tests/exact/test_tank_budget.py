@@ -13,6 +13,7 @@ import numpy as np
 import pytest
 from scipy.stats import binom
 
+from exact.independent_edge_tanks import EdgeTank, simulate
 from exact.independent_tanks import AIR, ROOM, Tank, drawn, recorded
 from poppet.core.errors import InputError
 from poppet.identify import Result, TankTest, identify_tank, read_result
@@ -108,11 +109,63 @@ def test_supply_moves_estimate_by_its_share() -> None:
     assert share == pytest.approx(abs(shifted.parameters[C].value - result.parameters[C].value), rel=0.1)
 
 
+DISCHARGE = EdgeTank(
+    *(False, 20e-3, 7e-8, 0.35, 300.0, 7.5e5, 1e5, 1e5, 293.15, 8.0, 12.0, 600, 200.0),
+    leak=0.02 * 7e-8,
+)
+"""Discharge with a leak of 2 % of C."""
+
+
+def identify_discharge(tank: EdgeTank, rest: float = 0.0, **changes: Any) -> Result:
+    """Identify a discharge that begins after a rest at constant pressure, of `rest` times its duration."""
+    time = np.linspace(0.0, tank.duration, tank.samples)
+    count = round(rest * tank.samples)
+    pressure = np.append(np.full(count, tank.begin), simulate(tank, time))
+    noise = np.random.default_rng(2404).normal(0.0, tank.noise, pressure.size)
+    opens = count * float(time[1])
+    times = {"time": time[1] * np.arange(pressure.size), "opens": opens, "closes": opens + tank.closes}
+    return identify_tank(
+        TankTest(
+            recordings={"test": {"tank.pressure": pressure + noise, **times}},
+            volume=tank.volume,
+            ambient_temperature=tank.temperature,
+            **changes,
+        )
+    )
+
+
+def test_interval_of_discharge_covers_leak() -> None:
+    with_leak, tight = identify_discharge(DISCHARGE), identify_discharge(DISCHARGE, uncertainties={"leak": 0})
+    estimate = with_leak.parameters[C]
+    assert estimate.verdict == "determined"
+    assert estimate.low <= DISCHARGE.conductance <= estimate.high
+    assert not tight.parameters[C].low <= DISCHARGE.conductance <= tight.parameters[C].high
+    assert estimate.value == tight.parameters[C].value
+
+
+def test_rest_before_discharge_excludes_leak() -> None:
+    tank = replace(DISCHARGE, leak=0.0)
+    shares = [
+        identify_discharge(tank, rest).comparison["uncertainty"][C]["sources"]["leak"] / tank.conductance
+        for rest in (0.0, 0.3)
+    ]
+    assert shares[0] == pytest.approx(0.015, rel=0.2)
+    assert shares[1] < 0.1 * shares[0]
+
+
+@pytest.mark.parametrize("leak", ["free", 0.02 * 7e-8])
+def test_free_or_stated_leak_is_no_source(leak: Any) -> None:
+    result = identify_discharge(DISCHARGE, leak_conductance=leak)
+    (note,) = (note for note in result.remarks if note.code == "finding.budget")
+    assert note.facts["leak"] == 0.0
+    assert not any("leak" in row["sources"] for row in result.comparison["uncertainty"].values())
+
+
 def test_budget_is_always_shown(tmp_path: Any) -> None:
     _, result, without = pair(0)
     (note,) = (note for note in result.remarks if note.code == "finding.budget")
     assert sum(note.facts["shares"].values()) == pytest.approx(1.0)
-    assert set(note.facts["assumed"]) == {"volume", "supply pressure", "gauge scale", "gauge zero"}
+    assert set(note.facts["assumed"]) == {"volume", "supply pressure", "leak", "gauge scale", "gauge zero"}
     assert str(note) in result_summary(result, 0)
     assert "finding.budget" not in {note.code for note in without.remarks}
     result.save(tmp_path / "result.toml")
@@ -133,6 +186,8 @@ def test_absolute_values_equal_fractions() -> None:
     [
         ({"volumes": "1 %"}, "fields.unknown", "uncertainties.volumes"),
         ({"volume": "-1 %"}, "fields.out_of_range", "uncertainties.volume"),
+        ({"leak": "-1 %"}, "fields.out_of_range", "uncertainties.leak"),
+        ({"leak": "1e-10 m^3/(s Pa)"}, "quantity.other_quantity", "uncertainties.leak"),
         ({"gauge_scale": "60 %"}, "fields.out_of_range", "uncertainties.gauge_scale"),
         ({"gauge_zero": "1 K"}, "quantity.other_quantity", "uncertainties.gauge_zero"),
     ],

@@ -4,18 +4,20 @@ from __future__ import annotations
 
 from dataclasses import replace
 from functools import cache
+from typing import Any
 
 import numpy as np
 import pytest
+from scipy.stats import binom
 
 from exact.independent_edge_tanks import COARSE_CHARGE, LEAKY_ISOTHERMAL, Array, EdgeTank, draw, record, simulate
 from poppet.identify import Result, TankTest, identify_tank
 
-C, HA = "valve.sonic_conductance", "tank.wall_conductance"
+C, B, HA = "valve.sonic_conductance", "valve.critical_ratio", "tank.wall_conductance"
 CLEAN_CHARGES = (1, 4, 6, 13)
 
 
-def identify(tank: EdgeTank, time: Array, pressure: Array) -> Result:
+def identify(tank: EdgeTank, time: Array, pressure: Array, **changes: Any) -> Result:
     """Identify a recording with the stated quantities of a tank."""
     return identify_tank(
         TankTest(
@@ -26,6 +28,7 @@ def identify(tank: EdgeTank, time: Array, pressure: Array) -> Result:
             ambient_pressure=tank.room,
             ambient_temperature=tank.temperature,
             initial_temperature=tank.temperature,
+            **changes,
         )
     )
 
@@ -35,11 +38,11 @@ def true_pressure(tank: EdgeTank) -> Array:
     return simulate(tank, np.linspace(0.0, tank.duration, tank.samples))
 
 
-def identify_repeat(tank: EdgeTank, seed: int) -> Result:
+def identify_repeat(tank: EdgeTank, seed: int, **changes: Any) -> Result:
     """Identify one of several recordings of the same test, which differ in their noise."""
     shown = true_pressure(tank) + np.random.default_rng([24, seed]).normal(0.0, tank.noise, tank.samples)
     rounded = tank.step * np.round(shown / tank.step) if tank.step else shown
-    return identify(tank, np.linspace(0.0, tank.duration, tank.samples), rounded)
+    return identify(tank, np.linspace(0.0, tank.duration, tank.samples), rounded, **changes)
 
 
 @pytest.mark.parametrize("seed", [2, 3, 5, 7])
@@ -64,6 +67,19 @@ def test_small_leak_does_not_select_a_thermal_limit(seed: int) -> None:
     assert note.facts["leak"] == pytest.approx(100.0 * LEAKY_ISOTHERMAL.leak / LEAKY_ISOTHERMAL.conductance, rel=0.2)
 
 
+def test_leak_is_fraction_of_conductance_of_each_limit() -> None:
+    """A leak of 2.9 % of the isothermal C is 4 % of the adiabatic C."""
+    tank = draw(2867)
+    estimate = identify(tank, *record(tank, 2867)).parameters[C]
+    assert estimate.verdict != "determined"
+    assert estimate.low <= tank.conductance <= estimate.high
+
+
+def test_exact_leak_and_supply_leave_one_limit() -> None:
+    result = identify_repeat(LEAKY_ISOTHERMAL, 0, uncertainties={"leak": 0, "supply_pressure": 0})
+    assert "finding.optima.leak" not in {note.code for note in result.remarks}
+
+
 @pytest.mark.parametrize("seed", CLEAN_CHARGES)
 def test_clean_charge_remains_determined(seed: int) -> None:
     tank = replace(draw(seed, 2401), step=0.0, leak=0.0, stated_supply=None)
@@ -80,3 +96,20 @@ def test_wrong_verdicts_of_repeated_charges(tank: EdgeTank, limit: int) -> None:
     determined = [e for e in estimates if e.verdict == "determined"]
     print(f"{len(determined)} of 40 determined, {sum(e.low <= tank.conductance <= e.high for e in determined)} covered")
     assert sum(not e.low <= tank.conductance <= e.high for e in determined) <= limit
+
+
+@pytest.mark.slow
+def test_intervals_of_random_tests_cover_truth() -> None:
+    """Half of the tanks leak up to 3 % of C, and half of the charges have a supply that is off by up to 0.5 %."""
+    held: dict[str, list[bool]] = {C: [], B: [], HA: []}
+    for seed in range(2000, 2100):
+        tank = draw(seed)
+        parameters = identify(tank, *record(tank, seed)).parameters
+        for name, truth in ((C, tank.conductance), (B, tank.ratio), (HA, tank.wall)):
+            estimate = parameters[name]
+            if estimate.verdict == "determined":
+                assert abs(estimate.value - truth) < 5.0 * estimate.standard_error
+                held[name].append(estimate.low <= truth <= estimate.high)
+    for name, values in held.items():
+        print(f"{name}: {sum(values)} of {len(values)} determined values covered")
+        assert sum(values) >= binom.ppf(0.001, len(values), 0.93)

@@ -36,7 +36,7 @@ MOST_ATTEMPTS = 1_500_000
 
 @dataclass(frozen=True)
 class SineResponse:
-    """Response of an output to a sinusoidal input."""
+    """Response of an output to a sinusoidal input, as gain and phase."""
 
     gain: complex  # fundamental of the output per amplitude of the input, in the units of both
     mean: float  # mean of the output, in the unit of the output
@@ -45,7 +45,7 @@ class SineResponse:
 
 
 class SineRig:
-    """Circuit with sampled parts for repeated responses to sines and steps, from a settled state.
+    """Sampled circuit for repeated runs with sines and steps, from one settled state.
 
     Each run starts from the steady state `rest`. Without `rest`, it starts from the state after `settling` seconds with
     constant inputs. `input` and `output` are addresses of the driven input and of the observed output.
@@ -83,14 +83,17 @@ class SineRig:
         return self.point.clock.sample_time
 
     def started_at(self, v: Array) -> SineRig:
-        """Return a copy of the rig that starts from other states and discrete states `v`."""
+        """Return a copy of the object whose runs start from another state `v`.
+
+        `v` contains states and discrete states.
+        """
         rig = copy(self)
         (rig.x, rig.p), rig.begin = self.point.at_clock(v), self.point.clock.start
         return rig
 
     @property
     def level(self) -> float:
-        """Value of the output at the start, in the unit of the output."""
+        """Value of the output in the start state, in the unit of the output."""
         y = np.empty(len(self.kernel.model.outputs))
         self.kernel.call("outputs", np.array([self.begin]), self.x, self.u, self.p, y)
         return float(y[self.output])
@@ -100,7 +103,8 @@ class SineRig:
     ) -> Problem:
         """Return the definition of a run from a given time and state.
 
-        `coefficients` define the inputs, and `grid` the output times [s]. The sampled controllers keep their clocks.
+        `coefficients` define the inputs, and `grid` contains the output times [s]. The sampled controllers keep their
+        clocks.
         """
         return Problem(
             self.kernel, p.copy(), x.copy(), np.array([begin]), np.zeros(1, dtype=np.int64), coefficients,
@@ -108,7 +112,7 @@ class SineRig:
         )  # fmt: skip
 
     def run(self, amplitude: float, frequency: float, grid: Array) -> RawRun:
-        """Run with a sine added to the constant value of the driven input.
+        """Simulate a sine that is added to the constant value of the driven input.
 
         `grid` contains the output times after the start [s].
         """
@@ -119,10 +123,10 @@ class SineRig:
     def response(
         self, amplitude: float, frequency: float, *, rows: int = ROWS, attempts: int = ATTEMPTS
     ) -> SineResponse:
-        """Return the settled response to a sine of given amplitude and frequency [Hz].
+        """Return the response to a sine after the transient has decayed.
 
-        `rows` is the number of samples per period. At most `attempts` runs take place, each twice
-        as long as the previous one, until the transient has decayed.
+        `frequency` is that of the sine [Hz]. `rows` is the number of samples per period. At most `attempts` runs take
+        place, each twice as long as the previous one.
         """
         periods = max(PERIODS, int(np.ceil(SAMPLES * self.sample_time * frequency)))
         for k in range(attempts):
@@ -140,7 +144,7 @@ class SineRig:
         return SineResponse(second[0] / amplitude, second[1], second[2], is_steady)
 
     def rise(self, change: float, expected: float, part: float, longest: float) -> float:
-        """Return the time from a step of the input until the output has responded [s].
+        """Return the time in which the output responds to a step [s].
 
         `change` is the step of the input, `expected` the complete change of the output, and `part` the fraction of it
         to reach. The result is NaN if this takes longer than `longest` [s].
@@ -156,7 +160,7 @@ class SineRig:
 
 
 def fundamental(time: Array, values: Array, frequency: float) -> tuple[complex, float, float]:
-    """Return the sine of one frequency in a series, the mean and the relative residual.
+    """Return the sine of one frequency that a series contains.
 
     The result is the complex amplitude, the mean, and the rms of the residual relative to the rms of the sine. A Hann
     window separates sampling sidebands and slow drift from the sine.
@@ -193,7 +197,7 @@ _OPTIONS = {"pilot_stage": {"drive": "averaged"}}
 
 @dataclass(frozen=True)
 class Agreement:
-    """Range of amplitudes in which the nonlinear model follows the linear model."""
+    """Range of amplitudes in which the nonlinear model behaves like the linear model."""
 
     # Limits of the input amplitudes for which the models agree, in the unit of the input. `low` is 0 if they agree for
     # the smallest tested amplitude, `high` is infinite if they agree for the largest; both are NaN without agreement.
@@ -206,7 +210,10 @@ class Agreement:
 
 
 def without_bands(circuit: BaseCircuit) -> BaseCircuit:
-    """Return the circuit with averaged solenoids, without controller bands, delays and quantisation."""
+    """Return the circuit with a continuous controller: without dead bands, hold bands, delays and quantisation.
+
+    The flow of each pulsed solenoid is replaced by its mean over a period.
+    """
     changes: dict[str, float | str] = {}
     for name, part in circuit.parts.items():
         members = part.members if isinstance(part, Compound) else {"": part}
@@ -220,7 +227,7 @@ def without_bands(circuit: BaseCircuit) -> BaseCircuit:
 def agreement(
     rig: SineRig, linear: LinearModel, frequency: float, amplitudes: tuple[float, float], *, tolerance: float = 0.1
 ) -> Agreement:
-    """Find the range of amplitudes in which a circuit follows its linear model.
+    """Find the range of amplitudes in which a circuit behaves like its linear model.
 
     `amplitudes` are the limits of the search, and `tolerance` is the largest relative difference of the complex gains.
     """
@@ -240,16 +247,18 @@ def agreement(
     edges = np.flatnonzero(np.diff(np.concatenate([[0], (differences <= tolerance).astype(int), [0]])))
     if edges.size:
         first, end = max(zip(edges[::2], edges[1::2], strict=True), key=lambda run: run[1] - run[0])
-        low = 0.0 if first == 0 else _edge(difference, candidates[first], candidates[first - 1], tolerance)
-        high = np.inf if end == SCANNED else _edge(difference, candidates[end - 1], candidates[end], tolerance)
+        low = 0.0 if first == 0 else _end_of_agreement(difference, candidates[first], candidates[first - 1], tolerance)
+        high = (
+            np.inf if end == SCANNED else _end_of_agreement(difference, candidates[end - 1], candidates[end], tolerance)
+        )
     return Agreement(low, high, frequency, tolerance, tuple(candidates.tolist()), tuple(differences.tolist()))
 
 
-def _edge(difference: Callable[[float], float], inside: float, outside: float, tolerance: float) -> float:
-    """Return the limit of agreement between an agreeing amplitude and one that does not agree.
+def _end_of_agreement(difference: Callable[[float], float], inside: float, outside: float, tolerance: float) -> float:
+    """Return the amplitude at which the agreement with the linear model ends.
 
-    `difference` is the deviation from the linear model. `inside` agrees with it, `outside` does not; the search is a
-    bisection.
+    `difference` is a function that returns the deviation from the linear model. The bisection starts with the amplitude
+    `inside`, which agrees, and `outside`, which does not.
     """
     for _ in range(BISECTIONS):
         middle = float(np.sqrt(inside * outside))

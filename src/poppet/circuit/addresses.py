@@ -9,7 +9,7 @@ import dataclasses
 from collections import defaultdict
 from collections.abc import Iterable, Mapping, Sequence
 from difflib import get_close_matches
-from typing import Any
+from typing import TYPE_CHECKING, Any, TypeVar
 
 from poppet.core.errors import ErrorCollector, InputError, NameSuggestion
 from poppet.core.provenance import Number, Source
@@ -17,12 +17,17 @@ from poppet.core.units import quantity
 from poppet.parts.fields import GroupSpec, MemberSpec, Spec, attribute, specs
 from poppet.parts.part import Part
 
+if TYPE_CHECKING:
+    from _typeshed import DataclassInstance
+
+_Owner = TypeVar("_Owner", bound="DataclassInstance")
+
 
 def change_values(owners: Mapping[str, Any], values: Mapping[str, Any]) -> dict[str, Any]:
-    """Return a copy of parts and sections with new values of some fields.
+    """Return copies of the parts and sections of a circuit with changed fields.
 
-    `owners` maps names to parts and sections (ambient, gas, run). `values` maps addresses such as `tank.volume` to new
-    values. Owners without a new value are returned unchanged.
+    `owners` maps names to parts, and to the sections `ambient`, `gas` and `run`. `values` maps addresses such as
+    `tank.volume` to new values. Parts and sections without a new value are returned unchanged.
     """
     if not isinstance(values, Mapping):
         raise InputError("address.no_mapping", values=values)
@@ -54,11 +59,11 @@ def change_values(owners: Mapping[str, Any], values: Mapping[str, Any]) -> dict[
     return result
 
 
-def _change_owner(owner: Any, name: str, changes: Mapping[str, Any], inherited: Sequence[str] = ()) -> Any:
-    """Return a copy of a part or section with new values of some fields.
+def _change_owner(owner: _Owner, name: str, changes: Mapping[str, Any], inherited: Sequence[str] = ()) -> _Owner:
+    """Return a copy of a part or section with changed fields.
 
-    `changes` maps paths of fields, without the name of the owner, to new values. Fields in `inherited` cannot change,
-    because the enclosing part sets them.
+    `owner` is the part or section, and `name` its name. `changes` maps paths such as `volume`, which do not contain
+    this name, to new values. Fields in `inherited` cannot change, because the enclosing part sets them.
     """
     changes_by_field: dict[str, dict[str, Any]] = defaultdict(dict)
     for path, value in changes.items():
@@ -76,10 +81,12 @@ def _change_owner(owner: Any, name: str, changes: Mapping[str, Any], inherited: 
         raise error.within(name) from None
 
 
-def _change_field(owner: Any, name: str, field: str, changes: Mapping[str, Any], inherited: Sequence[str]) -> Any:
-    """Return the new value of one field after all changes in it.
+def _change_field(owner: Any, name: str, field: str, changes: Mapping[str, Any], inherited: Sequence[str]) -> object:
+    """Return the new value of one field of a part.
 
-    The key of a change is the path inside the field, or empty for the whole field.
+    `changes` maps paths inside the field to new values. An empty path replaces the whole field. `owner` is the part
+    with the address `name` that contains the field. `inherited` are the names of fields whose values come from the
+    enclosing compound part, so they cannot be changed here.
     """
     if field in inherited:
         raise InputError("address.told", f"{name}.{field}", whole=name.rpartition(".")[0])
@@ -106,10 +113,11 @@ def _change_field(owner: Any, name: str, field: str, changes: Mapping[str, Any],
     return current
 
 
-def _change_nested(current: Any, spec: Spec, name: str, path: str, value: Any) -> Any:
-    """Return a copy of a group or characteristic with one changed parameter.
+def _change_nested(current: Any, spec: Spec, name: str, path: str, value: Any) -> object:
+    """Return a copy of a group or characteristic in which one parameter is changed.
 
-    `current` is the present value of the field, and None if the group is omitted. `path` is the name of the parameter.
+    `current` is the present group or characteristic, or None if the part has none. `path` is the name of the parameter
+    inside it, and `spec` is the declaration of the field.
     """
     if hasattr(current, "with_numbers"):
         numbers = current.numbers()

@@ -26,6 +26,7 @@ from poppet.circuit.wiring import (
     check_starts,
     check_wiring,
     connect_tube_cells,
+    find_drives,
 )
 from poppet.core.codes import Note
 from poppet.core.errors import ErrorCollector, InputError, SimulationError
@@ -51,9 +52,9 @@ RUNS = 4
 
 
 class Origin(NamedTuple):
-    """Content of the circuit file from which a circuit was read, and its folder.
+    """Circuit file from which a circuit was read: its tables and its folder.
 
-    The relative paths in the file refer to the folder.
+    Relative paths in the file refer to this folder.
     """
 
     tables: Mapping[str, Any]
@@ -125,7 +126,7 @@ class BaseCircuit(HtmlMixin):
             signals = {a: signal for a, signal in self.signals.items() if a.partition(".")[0] not in checked}
             check_signals(errors, signals, self.inputs, self.parameters)
 
-    def __reduce__(self) -> Any:
+    def __reduce__(self) -> tuple[type[Self], tuple[Any, ...]]:
         # Copies and other processes get only the fields and derive the rest.
         values = (getattr(self, f.name) for f in fields(self) if f.init)
         return type(self), tuple(dict(value) if isinstance(value, MappingProxyType) else value for value in values)
@@ -148,7 +149,10 @@ class BaseCircuit(HtmlMixin):
 
     @cached_property
     def parameters(self) -> dict[str, float]:
-        """Mapping from parameter addresses to run-time values (SI; pressures absolute)."""
+        """Mapping from the address of each parameter to its value in a run.
+
+        The values are in SI units, and pressures are absolute.
+        """
         values = {address: value for part in self._placed.values() for address, value in part.parameters.items()}
         s = self.surroundings
         # Includes the factors of the gas on C and b, which no section of the file contains.
@@ -170,14 +174,18 @@ class BaseCircuit(HtmlMixin):
 
     @cached_property
     def inputs(self) -> dict[str, Input]:
-        """Mapping from addresses of inputs to their declarations, including connected inputs."""
+        """Mapping from the address of each input to its declaration.
+
+        Inputs that are connected to an output are included.
+        """
         return {address: item for part in self._placed.values() for address, item in part.inputs.items()}
 
     @cached_property
     def domains(self) -> dict[str, tuple[Any, tuple[float, float]]]:
-        """Mapping from stroke addresses to pairs of characteristic and end stops.
+        """Mapping from the address of a stroke to its characteristic and end stops.
 
-        It contains only strokes whose characteristic is limited to a range of strokes.
+        It contains only strokes whose characteristic is limited to a range of strokes (the domain). The end stops are
+        the lowest and the highest position.
         """
         return {address: curve for part in self._placed.values() for address, curve in part.domains.items()}
 
@@ -185,21 +193,30 @@ class BaseCircuit(HtmlMixin):
     def _wiring(self) -> dict[str, PartWiring]:
         return {name: part.wired for name, part in self._placed.items()}
 
+    def drives(self) -> dict[str, dict[str, bool]]:
+        """Return a mapping from each body to the inputs with signals that can move it.
+
+        The value of an input is True if it is a command.
+        """
+        driven = {address: item for address, item in self.inputs.items() if address in self.signals}
+        found = find_drives(self._wiring, self.connections, driven)
+        return {body: {address: driven[address].is_command for address in drives} for body, drives in found.items()}
+
     @cached_property
     def structure(self) -> Hashable:
-        """Hashable key of the equations of the circuit.
+        """Hashable key that determines the equations of the circuit.
 
-        It contains kinds and options of parts, wiring and names, but no parameter values. Circuits with equal keys
-        share one compiled model.
+        The key contains kinds, options, names and connections of the parts, but no parameter values. Circuits with
+        equal keys share one compiled model.
         """
         parts = tuple(part.structure for part in self._placed.values())
         return parts, tuple(sorted(self.connections.items()))
 
     @cached_property
     def static_notes(self) -> tuple[Note, ...]:
-        """Notes that do not depend on a run.
+        """Notes that are known before a run.
 
-        They concern the values of parameters, signals and the gas, and are part of all results.
+        They concern the values of parameters, the signals and the gas. Every result of the circuit contains them.
         """
         placed = self._placed.values()
         gas_notes = self.gas.notes()
@@ -234,10 +251,9 @@ class BaseCircuit(HtmlMixin):
         return tuple(notes)
 
     def _real_gas_notes(self, series: Series) -> Iterator[Note]:
-        """Yield notes on gas nodes whose state deviates from an ideal gas.
+        """Yield notes on volumes in which the gas deviates considerably from an ideal gas.
 
-        `series` is a function from the address of an output to its values. It provides the pressures and temperatures
-        of the gas nodes.
+        `series` is a function that returns the values of an output over time for its address.
         """
         gas = self.gas.of_library()
         for name, part in self.parts.items():
@@ -330,7 +346,7 @@ class BaseCircuit(HtmlMixin):
     def kernel(self) -> Kernel:
         """Compiled model of the circuit.
 
-        The compilation takes place at first use. Circuits that differ only in values share one kernel.
+        The model is compiled when it is first needed. Circuits that differ only in values share one kernel.
         """
         from poppet.circuit.trace import trace
         from poppet.engine.kernel import KERNELS, compile_kernel
@@ -365,7 +381,7 @@ class BaseCircuit(HtmlMixin):
         )
 
     def result_notes(self, series: Series) -> Iterator[Note]:
-        """Yield notes on the results of a run, from the gas and the parts.
+        """Yield notes on the results of a run, concerning the gas and the parts.
 
         Parameters
         ----------
@@ -497,7 +513,9 @@ class BaseCircuit(HtmlMixin):
         return steady_state(self.instance, inputs)
 
     def linearise(self, inputs: Mapping[str, Any] | None = None, *, at: Recording | None = None) -> LinearModel:
-        r"""Return the linear model at the steady state, or at the end of a recording, from exact derivatives.
+        r"""Return the linear model at the steady state or at the end of a recording.
+
+        The matrices are exact derivatives of the rates f and the outputs g.
 
         .. math::
             A = \frac{\partial f}{\partial x}, \quad B = \frac{\partial f}{\partial u}, \quad

@@ -37,12 +37,18 @@ CircuitT = TypeVar("CircuitT", bound=BaseCircuit)
 
 
 def load(path: str | Path) -> BaseCircuit:
-    """Read a circuit file; see `poppet.load`."""
+    """Read a circuit file.
+
+    The public function `poppet.load` describes the argument.
+    """
     return read_circuit(TomlFile.read(path, "parts"), BaseCircuit)
 
 
 def loads(text: str, *, name: str = "circuit", folder: Path | None = None) -> BaseCircuit:
-    """Read a circuit from text; see `poppet.loads`."""
+    """Read a circuit from text.
+
+    The public function `poppet.loads` describes the arguments.
+    """
     return read_circuit(TomlFile(text, name, folder or Path()), BaseCircuit)
 
 
@@ -100,9 +106,9 @@ def _table(errors: ErrorCollector, name: str, value: Any) -> Mapping[str, Any]:
 
 
 class _Parts:
-    """Parts of a circuit file, with inputs, parameters and wiring.
+    """Parts of a circuit file, with their inputs, parameters and connections.
 
-    An invalid part contributes only its wiring, so the other parts can be checked.
+    If a part is invalid, only its connections are used. The other parts can then still be checked.
     """
 
     def __init__(
@@ -129,10 +135,11 @@ class _Parts:
                 # Last, because a gauge value below vacuum raises an error here.
                 self.numbers |= {f"{name}.{key}": value for key, value in part.parameters(surroundings).items()}
 
-    def _value(self, key: str, value: Any) -> Any:
+    def _value(self, key: str, value: object) -> object:
         # Paths are relative to the folder of the file, as for signals.
-        is_path = key == "characteristic" and isinstance(value, str) and value.endswith(".toml")
-        return str(self.folder / value) if is_path else value
+        if key == "characteristic" and isinstance(value, str) and value.endswith(".toml"):
+            return str(self.folder / value)
+        return value
 
     def signals(self, tables: Mapping[str, Any]) -> dict[str, Any]:
         """Return a mapping from input addresses to the signals of the file."""
@@ -165,7 +172,8 @@ def _kind(table: Any) -> type[Part]:
 def _flatten(tables: Mapping[str, Any], prefix: str = "") -> list[tuple[str, Any]]:
     """Return pairs of input address and signal table from nested tables.
 
-    The header [signals.valve.pilot_pressure] without quotes creates nested tables, for example.
+    Without quotes, a header such as [signals.valve.pilot_pressure] creates nested tables. `prefix` is the part of the
+    address that has been read so far.
     """
     signals: list[tuple[str, Any]] = []
     for key, table in tables.items():

@@ -30,10 +30,10 @@ STATE_CODES = ("gas.not_ideal", "gas.no_gas")
 
 
 def real_gas_notes(name: str, pressures: Array, temperatures: Array, gas: Gas) -> Iterator[Note]:
-    """Yield a note if the gas of a node is too far from ideal.
+    """Yield a note if the gas in a node deviates considerably from an ideal gas.
 
-    The pressures and temperatures of the gas node are arrays over time, (n_times,). The note reports the largest
-    deviation.
+    `name` is the address of the gas node. `pressures` and `temperatures` are its states over time, (n_times,). The note
+    reports the largest deviation.
     """
     low, high = TEMPERATURES
     if pressures.max() <= MAX_PRESSURES.get(gas.name, 0.0) and low <= temperatures.min() and temperatures.max() <= high:

@@ -33,9 +33,9 @@ TIES = 8
 
 
 class Drive:
-    """Signals of a circuit, and their division into segments.
+    """Signals of a circuit, divided into segments for the integrator.
 
-    The segments are cached for each duration. Circuits with the same signals share them.
+    The segments are stored for each duration, and circuits with the same signals share them.
     """
 
     def __init__(self, signals: Mapping[str, Signal]) -> None:
@@ -43,9 +43,10 @@ class Drive:
         self._cache: LruCache[MergedSegments] = LruCache(LENGTHS)
 
     def segments(self, inputs: tuple[InputInfo, ...], delays: tuple[float, ...], duration: float) -> MergedSegments:
-        """Return the segments of all input signals for a run of the given duration [s].
+        """Return the segments of all input signals for a run of given duration [s].
 
-        `delays` are the delays of the inputs [s]. An input without a signal is zero. The arrays are read-only.
+        `inputs` are the declarations of the inputs, and `delays` are their delays [s]. An input without a signal is
+        zero. The arrays are read-only.
         """
 
         def table(item: InputInfo, delay: float) -> SegmentTable:
@@ -64,17 +65,23 @@ class Drive:
 
 
 class CircuitVariants(Protocol):
-    """Interface of a circuit for its `Instance`: modified copies, and notes on results."""
+    """Interface through which an `Instance` requests modified copies of its circuit, and notes."""
 
     @property
     def instance(self) -> Instance:
         """Compiled model with the parameter values and signals of this circuit."""
 
+    def drives(self) -> Mapping[str, Mapping[str, bool]]:
+        """Return the inputs with signals that can move each body; the value is True for commands."""
+
     def with_values(self, values: Mapping[str, Any]) -> Self:
         """Return a copy of the circuit with other values at the given addresses."""
 
     def with_signals(self, signals: Mapping[str, Signal]) -> Self:
-        """Return a copy of the circuit in which the given signals replace all previous signals."""
+        """Return a copy of the circuit with other signals.
+
+        The signals in `signals` replace all present signals.
+        """
 
     def resumed(self, recording: Recording) -> Self:
         """Return a copy of the circuit that starts in the final state of a recording."""
@@ -85,9 +92,10 @@ class CircuitVariants(Protocol):
 
 @dataclass(frozen=True, eq=False)
 class Instance:
-    """Compiled model with parameter values, signals and surroundings.
+    """Compiled model with parameter values, signals and ambient conditions.
 
-    Unlike a circuit, it contains no parts. `circuit` creates copies whose changes concern the parts.
+    Unlike a circuit, an instance contains no parts. For changes that affect the parts, `circuit` creates a changed
+    copy.
     """
 
     kernel: Kernel
@@ -126,13 +134,14 @@ class Instance:
         return np.array(list(self.parameters.values()), dtype=np.float64)
 
     def place(self, address: str) -> int:
-        """Return the index of a parameter in the parameter vector p."""
+        """Return the index of the parameter with a given address in the parameter vector p."""
         return self.model.parameters.index(address)
 
     def start(self) -> tuple[Array, Array]:
-        """Return the initial state vector x, with quadratures, and the vector p.
+        """Return the initial state vector x and the vector p of a run.
 
-        Vector p contains the parameters, then the initial discrete state.
+        x ends with the quadratures (integrals of flows for balances). p contains the parameters, followed by the
+        initial discrete states.
         """
         numbers = self.numbers()
         # The gas in a guided cylinder starts with the volume at t = 0. The parameter gets the value of the signal: the
@@ -152,13 +161,17 @@ class Instance:
         return self.circuit.with_values({**self.changes, **values}).instance
 
     def with_signals(self, signals: Mapping[str, Signal]) -> Instance:
-        """Return an instance in which the given signals replace all previous signals."""
+        """Return a copy of the instance with other signals.
+
+        The signals in `signals` replace all present signals.
+        """
         return self._changed_circuit().with_signals(signals).instance
 
     def with_numbers(self, numbers: Mapping[str, float]) -> Instance:
-        """Return an instance with other parameter values (SI, absolute), without checks or notes.
+        """Return a copy of the instance with other parameter values, which are not checked.
 
-        Dependent parameters are not updated: if a parameter is `tied`, use `with_values`.
+        `numbers` maps addresses to values in SI units, absolute. Parameters that depend on the changed ones keep their
+        values. If there are such parameters (see `tied`), use `with_values` instead.
         """
         return replace(self, parameters={**self.parameters, **numbers}, changes={**self.changes, **numbers})
 
@@ -170,9 +183,9 @@ class Instance:
         return self.circuit.with_values(self.changes) if self.changes else self.circuit
 
     def tied(self, changes: Mapping[str, float]) -> frozenset[str]:
-        """Return the candidate parameters whose change also changes other parameters.
+        """Return the parameters on whose values other parameters depend.
 
-        The keys of `changes` are the addresses of the candidates; each value must differ from the present value.
+        `changes` maps the address of each parameter to test to another value than its present one.
         """
 
         def has_dependents(values: dict[str, float]) -> bool:
@@ -189,10 +202,10 @@ class Instance:
     # Inputs ------------------------------------------------------------------------------------------------------
 
     def held_inputs(self, values: Mapping[str, Any]) -> Array:
-        """Return the constant input vector of a steady state or linear model.
+        """Return the constant input vector for a steady state or a linear model.
 
-        An input in `values` (SI, or text with a unit) has that value. Any other input has the value of its signal at t
-        = 0, or the default value if it has no signal.
+        `values` maps addresses of inputs to values in SI units, or to texts with a unit. Any other input has the value
+        of its signal at t = 0, or its default if it has no signal.
         """
         inputs = {item.name: item for item in self.model.inputs}
         u: list[float] = []

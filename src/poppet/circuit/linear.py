@@ -38,7 +38,7 @@ SLOW_GAS_STEPS = 2_000
 def steady_state(instance: Instance, inputs: Mapping[str, Any] | None = None) -> SteadyState:
     """Return the steady state of an instance with constant inputs.
 
-    See `Circuit.steady_state` for the method.
+    The public method `Circuit.steady_state` describes the method and the arguments.
     """
     u = instance.held_inputs(inputs or {})
     if instance.model.memory:
@@ -79,7 +79,7 @@ def linearise(
 ) -> LinearModel:
     """Return the linear model of an instance at an operating point.
 
-    See `Circuit.linearise`.
+    The public method `Circuit.linearise` describes the arguments.
     """
     if instance.model.memory:
         if at is not None:
@@ -98,9 +98,9 @@ def linearise(
 
 
 class _LinearisationPoint:
-    """Instance with constant inputs, which evaluates rates, outputs and derivatives.
+    """Circuit with constant inputs, for which rates, outputs and derivatives are evaluated.
 
-    The methods take a state x, (n,), without quadratures.
+    Argument x of the methods contains the states, (n,), without the quadratures (integrals of flows).
     """
 
     def __init__(self, instance: Instance, u: Array) -> None:
@@ -119,11 +119,14 @@ class _LinearisationPoint:
         return [f.ravel(), y.ravel(), *matrices]
 
     def padded(self, x: Array) -> Array:
-        """Return a copy of a state with a zero for each quadrature at its end."""
+        """Return the states x, extended by a zero for each quadrature.
+
+        Quadratures are integrals of flows, which do not affect the rates.
+        """
         return np.concatenate([x, np.zeros(self.model.n_quadratures)])
 
     def scaled(self, x: Array) -> tuple[Array, Array]:
-        """Return the rates of the states and their Jacobian."""
+        """Return the rates and their Jacobian, in units of the size of each state."""
         f, _, jacobian, *_ = self.linear(x)
         return f / self.size, jacobian * self.size[None, :] / self.size[:, None]
 
@@ -135,9 +138,9 @@ class _LinearisationPoint:
 
 
 def _run_slow_gas(point: _LinearisationPoint) -> Array:
-    """Return the final state of a transient with slowed gas and unchanged mechanics.
+    """Return the final state of a transient in which only the gas is slowed down.
 
-    It has the same steady states. Slow gas prevents the oscillation of fast mechanics.
+    The steady states are unchanged. With slow gas, fast mechanical parts do not cause oscillations.
     """
     from scipy.integrate import Radau
 

@@ -35,7 +35,7 @@ class ControlSystem(Protocol):
     state_labels: list[str]
 
     def dynamics(self, t: float, x: Array, u: Array, params: dict[str, float] | None = None) -> Array:
-        """Return the state derivatives, or in discrete time the next state."""
+        """Return the derivatives of the states, or the next states of a discrete-time system."""
 
     def output(self, t: float, x: Array, u: Array, params: dict[str, float] | None = None) -> Array:
         """Return the output vector of the system."""
@@ -93,7 +93,7 @@ class SteadyState:
 
     @property
     def message(self) -> str:
-        """Text of the notes in `found`."""
+        """Text of the notes on how the steady state was found."""
         return " ".join(map(str, self.found))
 
 
@@ -138,7 +138,7 @@ class LinearModel(HtmlMixin):
     """Names of additional attributes of a subclass that files contain."""
 
     def eigenvalues(self) -> NDArray[np.complex128]:
-        """Return the eigenvalues of A, in order of increasing speed."""
+        """Return the eigenvalues of A, the slowest first."""
         # Without balancing, rounding errors of the largest elements exceed slow eigenvalues.
         scale = balancing_scale(self.A)
         values = np.linalg.eigvals(self.A * scale[None, :] / scale[:, None]).astype(np.complex128)
@@ -189,9 +189,10 @@ class LinearModel(HtmlMixin):
 
 
 def index_of(names: tuple[str, ...], name: str, kind: str) -> int:
-    """Return the index of an address in a list of names.
+    """Return the index of an address in a list of addresses.
 
-    `kind` is the meaning of the names, for example input. An unknown address raises InputError with a suggestion.
+    An unknown address raises InputError with a suggestion. `kind` is the word for the address in this error, for
+    example "input".
     """
     if name not in names:
         suggestion = NameSuggestion(name, names)
@@ -200,9 +201,9 @@ def index_of(names: tuple[str, ...], name: str, kind: str) -> int:
 
 
 def balancing_scale(matrix: Array) -> Array:
-    """Return scale factors of states that balance the rows and columns of a matrix.
+    """Return scale factors of the states that balance rows and columns of a matrix.
 
-    The elements of A differ by ten orders of magnitude, because the states are pressures, masses and strokes.
+    The scaling is necessary because pressures, masses and strokes in SI units differ by ten orders of magnitude.
     """
     from scipy.linalg import matrix_balance
 

@@ -36,7 +36,11 @@ Both are in units of the sizes of the variables."""
 
 
 def scaled_residual(scaled: ScaledRates, v: Array, size: Array) -> tuple[Array, Array]:
-    """Return the rate of each variable and its limit for a steady state [1/s]."""
+    """Return the rate of each variable, and its limit for a steady state [1/s].
+
+    `scaled` is a function that returns the rates and their Jacobian. `v` contains the variables, and `size` their
+    typical sizes.
+    """
     f, jacobian = scaled(v)
     return np.abs(f), STEADY_RATE + ROUNDING * np.abs(jacobian) @ (np.abs(v) / size)
 
@@ -44,11 +48,12 @@ def scaled_residual(scaled: ScaledRates, v: Array, size: Array) -> tuple[Array, 
 def refine_steady_state(
     scaled: ScaledRates, v: Array, size: Array, positive: NDArray[np.bool_], *, conserves: bool
 ) -> Array:
-    """Return a point closer to a steady state, by damped Newton steps.
+    """Improve an approximate steady state by damped Newton steps.
 
-    The Newton steps keep positive variables positive. If `conserves` is True, conserved quantities such as the gas in
-    a closed network keep their values: they are the left null space of the Jacobian. If it is False, each Newton step
-    has minimum length, so neutral variables such as an integral within its band can change.
+    `scaled` is a function that returns rates and Jacobian, `v` the start point, and `size` the typical sizes. Variables
+    marked in `positive` stay positive. If `conserves` is True, conserved quantities such as the gas in a closed network
+    keep their values: they correspond to the left null space of the Jacobian. If it is False, each step has minimum
+    length, so variables without effect on the rates can change.
     """
     f, jacobian = _limit(scaled(v))
     # Weights [s] convert rates of fast and slow equations to changes; conserved quantities need unweighted rates.

@@ -18,9 +18,10 @@ from poppet.timeseries.recording import Recording
 
 
 def make_recording(instance: Instance, problem: Problem, raw: RawRun) -> Recording:
-    """Return the recording of a run, also of a failed one.
+    """Return the recording of a run, even if the run failed.
 
-    Residuals and notes are computed on first use: together they cost a quarter of a short run.
+    `raw` contains the result arrays of the solver. Balance residuals and notes are computed when they are first needed,
+    because they take a quarter of the time of a short run.
     """
     names, units = problem.kernel.model.columns
     balances = lru_cache(maxsize=1)(partial(residuals, problem, raw))
@@ -41,9 +42,9 @@ def make_recording(instance: Instance, problem: Problem, raw: RawRun) -> Recordi
 
 
 def _run_notes(instance: Instance, problem: Problem, raw: RawRun, balances: tuple[Residual, ...]) -> Iterator[Note]:
-    """Yield all notes of a run.
+    """Yield all notes on a run.
 
-    They are the notes of the circuit, then those on signals, limits of characteristics, parts and balances.
+    Notes of the circuit come first. Notes on signals, limits of characteristics, parts and balances follow.
     """
     # Notes on gas states at the start are replaced by notes on the gas states of the run.
     yield from (note for note in instance.notes if not (raw.time.size and note.code in STATE_CODES))

@@ -40,7 +40,10 @@ ABOUT_CONDUCTANCES = ("options.conductances_from_air", "options.conductances_as_
 
 
 class _OptionSection:
-    """Base class of sections, which have the same field declarations as parts."""
+    """Base class of the sections `ambient`, `gas` and `run` of a circuit file.
+
+    The fields of a section are declared in the same way as those of parts.
+    """
 
     def numbers(self) -> dict[str, Number]:
         """Return a mapping from field names to values with unit and source."""
@@ -116,9 +119,9 @@ class GasChoice(_OptionSection):
 
     @classmethod
     def of(cls, gas: library.Gas) -> GasChoice:
-        """Return the section for a gas object.
+        """Return the gas section of a circuit for a gas object.
 
-        A gas of the library is stored by its name, any other gas by its values.
+        A gas of the library is stored by its name. Any other gas is stored by its values.
         """
         if gas in library.gases.GASES.values():
             return cls(name=gas.name)
@@ -130,9 +133,9 @@ class GasChoice(_OptionSection):
         return cls(gas_constant=with_note(gas.gas_constant), isentropic_exponent=with_note(gas.isentropic_exponent))
 
     def values(self) -> tuple[float, float, float, float]:
-        """Return gas constant [J/(kg K)], isentropic exponent, factor on C, and shift of b.
+        """Return gas constant [J/(kg K)], isentropic exponent, and the conversion of C and b.
 
-        Factor and shift convert sonic conductances C and critical back-pressure ratios b of air to this gas.
+        The conversion consists of a factor on C and a shift of b, from air to this gas.
         """
         return self._values
 
@@ -164,7 +167,7 @@ class GasChoice(_OptionSection):
         return self.values()[:2] == (AIR_GAS_CONSTANT, AIR_ISENTROPIC_EXPONENT)
 
     def of_library(self) -> library.Gas | None:
-        """Return the library gas that corresponds to this section.
+        """Return the library gas that this section specifies, or None.
 
         Returns
         -------
@@ -220,7 +223,7 @@ class Run(_OptionSection):
 
     @property
     def stop_texts(self) -> tuple[str, ...]:
-        """Stop conditions as a tuple of texts."""
+        """Stop conditions of the run, each as text."""
         return self.stop_when or ()
 
     @property
@@ -234,9 +237,9 @@ class Run(_OptionSection):
         return math.inf if self.maximum_step is None else float(self.maximum_step)  # type: ignore[arg-type]
 
     def changed(self, **options: Any) -> Run:
-        """Return a copy of the run options with new values.
+        """Return a copy of the run options in which some options are replaced.
 
-        An option that is None keeps its value.
+        An argument that is None leaves the option unchanged.
 
         Parameters
         ----------

@@ -33,9 +33,9 @@ _UPPER_LIMITS = {"length": 200.0, "nominal_length": 20.0, "height": 20.0, "wall_
 
 @dataclass(frozen=True, slots=True, eq=False)
 class PlacedPart:
-    """Properties of a named part of a circuit.
+    """Part of a circuit, with properties that follow from its name and surroundings.
 
-    Copies of a circuit with an unchanged part share this object.
+    Copies of a circuit in which the part is unchanged share this object.
     """
 
     part: Part
@@ -52,7 +52,7 @@ class PlacedPart:
 
     @classmethod
     def of(cls, name: str, part: Part, surroundings: Surroundings) -> PlacedPart:
-        """Return the properties of a part with a name and surroundings.
+        """Return the properties of a part that follow from its name and the ambient conditions.
 
         A gauge value below vacuum raises InputError.
         """
@@ -82,9 +82,9 @@ class PlacedPart:
 
 
 def value_notes(numbers: Mapping[str, Number]) -> Iterator[Note]:
-    """Yield notes on unusual values without a unit.
+    """Yield notes on values without a unit whose size is unusual.
 
-    A unit is probably missing: the value 6 is 6 Pa, although 6 bar is probably meant.
+    Such a value probably lacks its unit: 6 is read as 6 Pa, although 6 bar is probably intended.
     """
     for address, number in numbers.items():
         low, high, intended_unit = _USUAL.get(number.unit, (0.0, math.inf, ""))

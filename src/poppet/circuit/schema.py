@@ -94,9 +94,10 @@ def circuit_schema() -> Schema:
 
 
 def by_kind(noun: str, definitions: dict[str, str], field: str = "kind") -> Schema:
-    """Return a schema in which one field, by default `kind`, selects the valid definition.
+    """Return a JSON schema in which one field, usually `kind`, selects the valid fields.
 
-    `noun` is the meaning of the object. `definitions` maps the values of the field to the names of definitions.
+    `noun` describes the object in texts. `definitions` maps each value of the field `field` to the name of a
+    definition.
     """
     branches = [
         {"if": {"properties": {field: {"const": kind}}, "required": [field]}, "then": {"$ref": f"#/$defs/{definition}"}}
@@ -130,7 +131,10 @@ def _section(kind: type, description: str) -> Schema:
 
 
 def closed(properties: Schema, required: Any = (), description: str = "") -> Schema:
-    """Return the schema of an object with the given fields and no others."""
+    """Return the JSON schema of an object that can have only the given fields.
+
+    `properties` maps the names of the fields to their schemas, and `required` contains the names of required fields.
+    """
     schema: Schema = {"type": "object", "properties": properties, "additionalProperties": False}
     if required:
         schema["required"] = list(required)
@@ -140,7 +144,7 @@ def closed(properties: Schema, required: Any = (), description: str = "") -> Sch
 def _field(name: str, spec: Spec, owner: type) -> Schema:
     match spec:
         case NumberSpec():
-            return _number(spec, owner)
+            return _number_schema(spec, owner)
         case OptionSpec(choices=choices) if choices == OFF_ON:
             return {"type": "boolean", "default": False, "description": spec.doc}
         case OptionSpec():
@@ -159,10 +163,10 @@ def _field(name: str, spec: Spec, owner: type) -> Schema:
     return _REFERENCES[name]() | {"description": spec.doc}
 
 
-def _number(spec: NumberSpec, owner: type) -> Schema:
-    """Return the schema of a numeric field.
+def _number_schema(spec: NumberSpec, owner: type) -> Schema:
+    """Return the JSON schema of a numeric field of the class `owner`.
 
-    A value is an SI number within limits, a text with a unit, or a table with value and source.
+    The field is a number in SI units within limits, a text with a unit, or a table with value and source.
     """
     if spec.varies is not None and hasattr(owner, "quantity"):
         # Another quantity has other units and limits.

@@ -19,14 +19,15 @@ _DIFFERENCE: dict[str, Kind] = {"pressure": "pressure_difference", "temperature"
 
 
 def fields_of(kind: str) -> tuple[tuple[str, ...], tuple[str, ...]]:
-    """Return the names of the required and the optional fields for a kind of signal."""
+    """Return the required and the optional field names of a kind of signal."""
     return _KINDS[kind].required, _KINDS[kind].optional
 
 
 def read_signal(table: Any, item: Input, ambient_pressure: float, folder: Path) -> Signal:
-    """Return the signal that a table of a circuit file declares.
+    """Convert a table of a circuit file to the signal that it declares.
 
-    `item` is the declaration of the input. Gauge values refer to the ambient pressure, and file names to the folder.
+    `item` is the declaration of the input. `ambient_pressure` is the reference of gauge values, and `folder` that of
+    file names.
     """
     table = check_signal_table(table)
     reader = _SignalReader(table, item, ambient_pressure, folder)
@@ -41,9 +42,9 @@ def _missing(field: str, kind: str) -> InputError:
 
 
 def check_signal_table(table: Any) -> Mapping[str, Any]:
-    """Check kind and field names of a signal table, and return it.
+    """Check the kind and the field names of a signal table, and return the table.
 
-    The values of the fields are not read.
+    The values of the fields are not checked.
     """
     if not isinstance(table, Mapping):
         table = {"kind": "constant", "value": table}
@@ -64,14 +65,17 @@ def check_signal_table(table: Any) -> Mapping[str, Any]:
 
 
 class _SignalReader:
-    """Reader of the fields of one signal table in the unit of one input."""
+    """Reader of the fields in one signal table, in the unit of one input."""
 
     def __init__(self, table: Mapping[str, Any], item: Input, ambient_pressure: float, folder: Path) -> None:
         self.table, self.item, self.ambient_pressure, self.folder = table, item, ambient_pressure, folder
         self.remarks: dict[str, Note] = {}  # the first note of each code
 
     def absolute(self, argument: Any, name: str) -> float:
-        """Return a value of the input in SI; a gauge pressure becomes absolute."""
+        """Return a value of the input in SI units.
+
+        A gauge pressure becomes absolute. `name` is the name of the field.
+        """
         # A gauge value refers to the ambient pressure of the file.
         read = quantity(argument, self.item.unit, kind=self.item.kind, name=name, is_told=True)  # type: ignore[arg-type]
         if self.item.kind == "mass_flow" and isinstance(argument, str):
@@ -83,7 +87,10 @@ class _SignalReader:
         return self.absolute(self.table[name], name)
 
     def difference(self, name: str) -> float:
-        """Return a field that is a difference of two input values, for example an amplitude."""
+        """Return a field that is a difference of input values, such as an amplitude.
+
+        `name` is the name of the field.
+        """
         kind = _DIFFERENCE.get(self.item.kind, self.item.kind)
         return quantity(self.table[name], self.item.unit, kind=kind, name=name).value  # type: ignore[arg-type]
 
@@ -109,7 +116,10 @@ class _SignalReader:
         return values
 
     def course(self, kind: Callable[..., Signal]) -> Signal:
-        """Return a signal that is declared by lists of times and values."""
+        """Return a signal that is declared by lists of times and values.
+
+        `kind` is the class of the signal.
+        """
         times = self.list_of("times", lambda argument, name: quantity(argument, "s", name=name).value)
         values = self.list_of("values", self.absolute)
         try:
@@ -157,7 +167,7 @@ def _read_pwm(reader: _SignalReader) -> Signal:
 
 
 class _SignalKind(NamedTuple):
-    """Fields of a kind of signal and the function that reads them."""
+    """Required and optional fields of one kind of signal, with the function that reads them."""
 
     required: tuple[str, ...]
     optional: tuple[str, ...]

@@ -59,9 +59,10 @@ def parse_stop_condition(text: str, outputs: Mapping[str, str], ambient_pressure
 
 
 def domain_conditions(address: str, limits: tuple[float, float], outputs: Mapping[str, str]) -> list[StopCondition]:
-    """Return stop conditions for a stroke that leaves the domain of its characteristic.
+    """Return conditions that stop a run if a stroke leaves the domain of its characteristic.
 
-    They are used for characteristics with edge = "error". `limits` are the ends of the domain.
+    They apply to characteristics with edge = "error". `address` is that of the stroke, and `limits` are the two ends of
+    the domain.
     """
     low, high = limits
     indices, reason = (list(outputs).index(address), -1), Note("run.left_domain", address)

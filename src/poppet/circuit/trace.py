@@ -9,7 +9,7 @@ from collections import defaultdict
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from graphlib import CycleError, TopologicalSorter
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from poppet.core.errors import ErrorCollector, InputError, NameSuggestion
 from poppet.engine.model import FlowInfo, InputInfo, Model, StateInfo, StoreInfo
@@ -33,6 +33,9 @@ from poppet.parts.part import (
     Surroundings,
 )
 
+if TYPE_CHECKING:
+    import casadi
+
 SURROUNDINGS = (
     "ambient.pressure",
     "ambient.temperature",
@@ -46,7 +49,10 @@ SURROUNDINGS = (
 def trace(
     parts: Mapping[str, Part], parameters: tuple[str, ...], connections: Mapping[str, str] | None = None
 ) -> Model:
-    """Return the symbolic model of a circuit."""
+    """Return the symbolic model of a circuit from the equations of its parts.
+
+    `parameters` are the addresses of all parameters, and `connections` maps inputs to outputs.
+    """
     return _Tracer(parts, connections or {}, parameters).model()
 
 
@@ -86,7 +92,7 @@ class _Tracer:
         return [(name, element) for name, part in self.parts.items() for element in getattr(part, kind)()]
 
     def scope(self, name: str, *, at_start: bool = False) -> Scope:
-        """Return the symbols that the equations of a part can use.
+        """Return all symbols that the equations of the part `name` can use.
 
         If `at_start` is True, states and discrete states are omitted, because initial values cannot depend on them.
         """
@@ -101,7 +107,10 @@ class _Tracer:
         return Scope(select(self.number), states, inputs, self.surroundings, memory, self.t, motion)
 
     def _motion(self, name: str | None, at_start: bool) -> BodyMotion | None:
-        """Return the motion of the named body; the result is None without a name."""
+        """Return the motion of the body with a given name.
+
+        The result is None without a name.
+        """
         if name is None:
             return None
         body = self.parts[name]
@@ -112,7 +121,8 @@ class _Tracer:
     def _ports(self, name: str) -> dict[str, str]:
         """Return a mapping from the ports of a part to addresses of gas nodes.
 
-        In a compound part, a gas node that begins with a dot is a member of the same compound part.
+        Inside a compound part, a port whose value begins with a dot, such as `.tank`, names a gas node of the same
+        compound part.
         """
         compound = name.rpartition(".")[0]
         ports = self.parts[name].ports().items()
@@ -194,13 +204,19 @@ class _Tracer:
         )
 
     def _shown(self, address: str) -> str:
-        """Return the public address of an element inside a compound part."""
+        """Return the public address of an element of a compound part.
+
+        A compound part is made of member parts, and its elements can have another address inside it.
+        """
         return self.shown.get(address, address)
 
     def _dynamics(
         self, scopes: Mapping[str, Scope], gas: Mapping[str, GasState]
     ) -> tuple[dict[str, BodyDynamics], dict[str, ActuatorForce]]:
-        """Return the dynamics of all bodies, and the forces of all actuators."""
+        """Return the equations of motion of all bodies, and the forces of all actuators.
+
+        `scopes` contains the symbols of each part, and `gas` the gas states.
+        """
         forces, dynamics = {}, {}
         for name, part in self.parts.items():
             if isinstance(part, Actuator):
@@ -222,9 +238,9 @@ class _Tracer:
     def _balances(
         self, scopes: Mapping[str, Scope], passages: Mapping[str, PassageFlows]
     ) -> tuple[dict[str, GasBalance], list[FlowInfo], list[StoreInfo], list[Any]]:
-        """Return the balances of all gas nodes, the flows and stores, and the rates of their integrals.
+        """Return the gas balances of all gas nodes, with flows and rates of integrals.
 
-        A flow has integrals of mass and enthalpy, a gas node with a mass those of heat and work.
+        A flow has integrals of mass and enthalpy. A gas node with a mass has integrals of heat and work.
         """
         arriving: dict[str, list[tuple[Any, Any]]] = defaultdict(list)
         flows, stores = [], []
@@ -258,7 +274,7 @@ class _Tracer:
     def _connected(self, all_outputs: Mapping[str, tuple[Any, str]], rates: Any) -> list[tuple[Any, Any]]:
         """Return pairs of symbol and expression for all connected inputs.
 
-        The expressions contain no symbols of other connected inputs.
+        The expressions do not contain symbols of other connected inputs. `rates` contains the state derivatives.
         """
         shown = [self._shown(name) for name in all_outputs]
         with ErrorCollector() as errors:
@@ -287,10 +303,7 @@ class _Tracer:
         return [*connected, *self._resolve(slopes)]
 
     def _resolve(self, expressions: Mapping[str, Any]) -> list[tuple[Any, Any]]:
-        """Substitute placeholders of connected inputs in each other's expressions.
-
-        The result contains each placeholder with an expression without placeholders.
-        """
+        """Substitute symbols of connected inputs until no expression contains such a symbol."""
         ca = self.ca
         dependencies = {
             target: [address for address in expressions if ca.depends_on(expression, self.joined[address])]
@@ -307,18 +320,19 @@ class _Tracer:
             resolved.append((self.joined[target], self._substitute(expressions[target], resolved)))
         return resolved
 
-    def _substitute(self, expression: Any, connected: Sequence[tuple[Any, Any]]) -> Any:
+    def _substitute(self, expression: casadi.SX, connected: Sequence[tuple[Any, Any]]) -> casadi.SX:
         """Return an expression in which connected inputs are replaced by their expressions."""
         if not connected or expression.is_empty():
             return expression
         symbols, values = zip(*connected, strict=True)
-        return self.ca.substitute([expression], list(symbols), list(values))[0]
+        substituted: casadi.SX = self.ca.substitute([expression], list(symbols), list(values))[0]
+        return substituted
 
-    def _update(self, scopes: Mapping[str, Scope], connected: Sequence[tuple[Any, Any]], fired: Any) -> Any:
-        """Return the discrete state after a sample instant.
+    def _update(self, scopes: Mapping[str, Scope], connected: Sequence[tuple[Any, Any]], fired: Any) -> casadi.SX:
+        """Return the discrete states after a sample instant.
 
-        `fired` is 1 for each timer that is due. The timers act one after the other, each on the result of the previous
-        one.
+        `fired` contains 1 for each timer that is due. The timers act one after the other, each on the result of the
+        previous one.
         """
         ca = self.ca
         index = {name: k for k, name in enumerate(self.memory_names)}
@@ -338,10 +352,10 @@ class _Tracer:
     # Indices and addresses ---------------------------------------------------------------------------------------
 
     def _starts(self, connected: Sequence[tuple[Any, Any]]) -> tuple[Any, Any]:
-        """Return expressions for the initial states and initial discrete states.
+        """Return expressions for the initial values of states and discrete states.
 
-        A start can depend on inputs. A free input has its default value, a connected input the initial value of its
-        output.
+        An initial value can depend on inputs. An input without a connection has its default value, and a connected
+        input has the initial value of the output.
         """
         ca = self.ca
         starts = {name: part.start(self.scope(name, at_start=True)) for name, part in self.parts.items()}
@@ -363,9 +377,9 @@ class _Tracer:
         return x, z
 
     def _outputs(self, all_outputs: Mapping[str, tuple[Any, str]]) -> dict[str, tuple[Any, str]]:
-        """Return the outputs of the circuit in file order.
+        """Return all outputs of the circuit, in the order of the circuit file.
 
-        Only the declared outputs of a compound part are included.
+        For a compound part, only the outputs that it declares are included.
         """
         address_of = {shown: address for address, shown in self.shown.items()}
         result: dict[str, tuple[Any, str]] = {}

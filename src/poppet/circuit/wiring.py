@@ -16,6 +16,7 @@ from poppet.circuit.options import Ambient, GasChoice, Run
 from poppet.core.errors import ErrorCollector, InputError, NameSuggestion
 from poppet.parts.fields import BodySpec, MemberSpec, PortSpec, attribute, specs
 from poppet.parts.part import AMBIENT, TUBE, Body, Input, Part, Passage, Store, is_port
+from poppet.parts.sources import Reservoir
 from poppet.timeseries.segments import Signal
 
 RESERVED = ("ambient", "gas", "run", "time", "title", "signals", "parts", "connections")
@@ -31,7 +32,7 @@ _MAPPINGS = {
 
 
 class PartWiring(NamedTuple):
-    """Ports, gas nodes and body of a part."""
+    """Ports, gas nodes and body of a part, for checks of the connections."""
 
     kind: type[Part]
     ports: Mapping[str, str]  # port to the address of the gas node
@@ -45,7 +46,7 @@ class PartWiring(NamedTuple):
 
     @classmethod
     def of_table(cls, kind: type[Part], table: Mapping[str, Any]) -> PartWiring:
-        """Return the wiring of an invalid part from its table in the circuit file."""
+        """Return the wiring of an invalid part from its table in the file."""
         texts = {name: value for name, value in table.items() if isinstance(value, str)}
         fields = specs(kind)
         ports = {name: texts[name] for name, spec in fields.items() if isinstance(spec, PortSpec) and name in texts}
@@ -138,7 +139,10 @@ def check_wiring(errors: ErrorCollector, wiring: Wiring) -> None:
 
 
 def connect_tube_cells(parts: Mapping[str, Part]) -> dict[str, Part]:
-    """Return parts whose ports at tube ends are joined to the end cells."""
+    """Return all parts, with ports at tube ends connected to the end cells.
+
+    An end cell is the first or the last cell of a tube.
+    """
     result = dict(parts)
     for name, part in parts.items():
         for end, cell in part.outer_ports().items():
@@ -164,6 +168,33 @@ def check_bodies(errors: ErrorCollector, wiring: Wiring) -> None:
                 errors.add("fields.not_an_option", address, value=part.body, meaning="body", near=suggestion)
         elif name in bodies and name not in driven:
             errors.add("wiring.unmoved", f"parts.{name}")
+
+
+def find_drives(wiring: Wiring, connections: Mapping[str, str], inputs: Mapping[str, Input]) -> dict[str, list[str]]:
+    """Return the addresses of the inputs that can move each body.
+
+    An input acts through connections, and from each part on the gas nodes at its ports. It does not act on the supply
+    of its part, nor on a reservoir, whose pressure is prescribed.
+    """
+    successors: dict[str, set[str]] = {name: set() for name in wiring}
+    for target, source in connections.items():
+        successors[source.partition(".")[0]].add(target.partition(".")[0])
+    for name, part in wiring.items():
+        nodes = {port: node.partition(".")[0] for port, node in part.ports.items() if node != AMBIENT}
+        for port, node in nodes.items():
+            successors[node].add(name)
+            if port != "supply" and wiring[node].kind is not Reservoir:
+                successors[name].add(node)
+        if part.body is not None:
+            successors[name].add(part.body)
+    drives: dict[str, list[str]] = {name: [] for name, part in wiring.items() if issubclass(part.kind, Body)}
+    for address in inputs:
+        reached = {address.partition(".")[0]}
+        while added := {after for name in reached for after in successors[name]} - reached:
+            reached |= added
+        for body in reached & drives.keys():
+            drives[body].append(address)
+    return drives
 
 
 def check_connections(
@@ -225,7 +256,10 @@ def check_signals(
 def check_starts(
     errors: ErrorCollector, parts: Mapping[str, Part], signals: Mapping[str, Signal], section: str = ""
 ) -> None:
-    """Collect an error for each actuator that cannot reach the initial position of its body."""
+    """Collect an error for each actuator that cannot reach the initial position of its body.
+
+    `signals` and `section` are the signals and the ambient section of the circuit.
+    """
     for name, part in parts.items():
         body = parts.get(part.body_name() or "")
         if not isinstance(body, Body):

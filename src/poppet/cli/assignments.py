@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 
 
 def read_value(text: str) -> float | str:
-    """Convert the text of a value to a float if it is a number without a unit.
+    """Convert the text of a value to a float if it is a plain number.
 
     Such a number is in SI units. Any other text is returned without its quotes.
 
@@ -39,7 +39,7 @@ def read_value(text: str) -> float | str:
 
 
 def read_assignments(texts: Sequence[str], option: str = "--set") -> dict[str, float | str]:
-    """Return the values of a repeated option such as --set, by address.
+    """Return a mapping from addresses to values for a repeated option such as --set.
 
     Examples
     --------
@@ -61,17 +61,17 @@ def read_assignments(texts: Sequence[str], option: str = "--set") -> dict[str, f
 
 
 def split_list(text: str | None) -> list[str]:
-    """Return the entries of a list in which commas separate the entries."""
+    """Split a text at its commas into list entries."""
     return [entry.strip() for entry in (text or "").split(",") if entry.strip()]
 
 
 def change_circuit(
     circuit: BaseCircuit, values: Mapping[str, float | str], result: str | None = None
 ) -> tuple[BaseCircuit, list[Note]]:
-    """Apply the identified parameters in the file `result`, then other values, to a circuit.
+    """Return a changed copy of a circuit, and notes on the changes.
 
-    The second result contains notes on parameters that are doubtful, and on signals that were removed because they
-    drove a changed input.
+    The parameters in the result file `result` are applied first, then `values`. The notes concern unreliable
+    parameters, and signals that were removed because they drove a changed input.
     """
     from dataclasses import replace
 
@@ -92,7 +92,7 @@ def change_circuit(
 def load_circuit(options: Namespace, path: str | None = None) -> tuple[BaseCircuit, list[Note]]:
     """Load a circuit file, and apply the options --with and --set.
 
-    The second result contains notes on the changes.
+    The result contains the circuit and notes on the changes.
     """
     from poppet.circuit.file import load
 
@@ -101,7 +101,7 @@ def load_circuit(options: Namespace, path: str | None = None) -> tuple[BaseCircu
 
 @dataclass(frozen=True)
 class OutputSelection:
-    """Selected outputs of a recording and their units, from the options --select and --units."""
+    """Outputs and units that the options --select and --units select."""
 
     patterns: tuple[str, ...] = ()  # names or patterns; empty for all outputs
     units: tuple[str, ...] = ()  # each for all outputs of its quantity
@@ -109,7 +109,7 @@ class OutputSelection:
 
     @classmethod
     def read(cls, select: str | None, units: str | None) -> OutputSelection:
-        """Read a selection from the texts of the options `--select` and `--units`."""
+        """Read the texts of the options `--select` and `--units`."""
         from poppet.core.units import check_unit
 
         # `bar,mm` is valid for all outputs of a quantity, `tank.pressure=psi` for one; a list can contain both.
@@ -131,7 +131,7 @@ class OutputSelection:
         return recording.converted(dict(self.unit_by_name)) if self.unit_by_name else recording
 
     def plot_units(self, recordings: Sequence[Recording]) -> dict[str, str] | tuple[str, ...] | None:
-        """Return the units in the form of `poppet.timeseries.plotting.plots.plot_recordings`."""
+        """Return the selected units as an argument of `plot_recordings`."""
         from poppet.core.units import same_dimension
 
         if not self.unit_by_name:

@@ -44,9 +44,9 @@ def run_bench_command(options: argparse.Namespace) -> int:
         collect([InputError("cli.bench.of_circuit", option=name) for name in unused])
     require_matplotlib(options.report)
     # Both files are read before the first run: an error in the second must not cost a bench of the first.
-    run = _prepare(options, Path(options.file or options.recording), options.values, is_comparison=False)
+    run = _result_provider(options, Path(options.file or options.recording), options.values, is_comparison=False)
     run_comparison = (
-        _prepare(options, Path(options.compare), [], is_comparison=True) if options.compare else lambda _: None
+        _result_provider(options, Path(options.compare), [], is_comparison=True) if options.compare else lambda _: None
     )
     with BenchProgress(is_quiet=options.quiet) as progress:
         result = run(progress)
@@ -63,12 +63,13 @@ def run_bench_command(options: argparse.Namespace) -> int:
     return {"failed": FAILED, "interrupted": INTERRUPTED}.get(result.outcome, 0)
 
 
-def _prepare(
+def _result_provider(
     options: argparse.Namespace, path: Path, values: list[str], *, is_comparison: bool
 ) -> Callable[[BenchProgress], BenchResult]:
     """Return a function that provides the bench result for a file.
 
-    The function returns the result of a result file or of recordings, or it runs the tests on a circuit.
+    The file at `path` can be a result file, a list of recordings, or a circuit, on which the function runs the tests.
+    `values` are changed parameters.
     """
     from poppet.bench.iso10094.bench_result import is_result, read_bench_result
     from poppet.bench.iso10094.run_bench import run_recordings
@@ -154,9 +155,10 @@ def _tests(options: argparse.Namespace) -> list[str]:
 
 
 def bench_summary(result: BenchResult) -> str:
-    """Return the characteristic values and the notes of a bench result as text.
+    """Return a bench result as text for a terminal.
 
-    The values of the valve with which it was compared are in a second column.
+    The text contains the characteristic values and the notes. A second column contains the values of the reference
+    valve, if there is one.
     """
     lines = [result.title]
     compared_rows = result.comparison.get("figures", {})
@@ -211,7 +213,10 @@ def find_bench_limits(options: argparse.Namespace) -> int:
 
 
 def limits_summary(result: Any) -> str:
-    """Return a table of bandwidths with the limiting parts, followed by the findings."""
+    """Return the dynamic limits of a valve as text for a terminal.
+
+    The text contains a table of bandwidths with the limiting parts, and the findings.
+    """
     plan = result.plan
     head = ["-3 dB [Hz]", *(f"{a / 1e3:.3g} kPa" for a in plan.amplitudes)]
     bandwidths, parts = result.grid("gain_frequency"), result.grid("limiting")

@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 
 
 def execute(options: argparse.Namespace) -> int:
-    """Tune a controller, or compare several controllers."""
+    """Run a `control` command: tune a controller, or compare several controllers."""
     return _tune(options) if options.action == "tune" else _compare(options)
 
 

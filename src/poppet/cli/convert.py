@@ -25,7 +25,7 @@ _SECOND_UNITS = {"C": "dm^3/(s bar)", "qNn": "m^3/s ANR", "area": "m^2"}
 
 
 def execute(options: argparse.Namespace) -> None:
-    """Convert a value to another unit, or to another flow capacity."""
+    """Run the command `convert`: convert a value to another unit or flow capacity."""
     from poppet.core.units import counted_at, with_state
 
     # A regular expression, because `float` would also accept `nan`, `inf` and `1_000`.
@@ -68,9 +68,9 @@ def execute(options: argparse.Namespace) -> None:
 
 
 def _capacity_of(unit: str) -> str | None:
-    """Return the flow capacity to which a unit or name belongs, such as `C` or `qNn`.
+    """Return the kind of flow capacity, such as `C`, for a unit or name.
 
-    The result is None if there is no such flow capacity.
+    The result is None if the text is neither.
     """
     from poppet.core.units import counted_at, same_dimension
 
@@ -86,7 +86,8 @@ def _capacity_of(unit: str) -> str | None:
 def _convert_unit(number: float, unit: str, to: str, ambient: float | None) -> list[str]:
     """Convert a value to another unit, and return the lines to print.
 
-    `ambient` is the ambient pressure for gauge values; None selects the default.
+    `unit` is the present unit, and `to` the requested one. `ambient` is the ambient pressure for gauge values; None
+    selects the default.
     """
     from poppet.core.units import ANR, NORMAL, check_unit, convert, counted_at, same_dimension
 
@@ -120,7 +121,7 @@ def _is_gauge(unit: str) -> bool:
 
 
 class _Context(NamedTuple):
-    """Options on which the conversion between flow capacities depends."""
+    """Options that affect the conversion between two kinds of flow capacity."""
 
     critical_ratio: float | None
     ambient: float | None
@@ -171,7 +172,10 @@ class _Context(NamedTuple):
 
 
 def _convert_capacity(number: float, source: tuple[str, str], target: tuple[str, str], context: _Context) -> list[str]:
-    """Convert a value to another flow capacity by way of C and b, and return the lines to print."""
+    """Convert a value between two kinds of flow capacity, and return the lines to print.
+
+    The value is first converted from `source` to C and b, and then to `target`.
+    """
     from poppet.core.units import ANR, convert
     from poppet.laws import iso6358
 
@@ -182,7 +186,7 @@ def _convert_capacity(number: float, source: tuple[str, str], target: tuple[str,
         return f"{convert(value, _SI[target_name], unit) if unit else value:.8g} {unit or target_name}"
 
     source_value = float(convert(number, source_unit, _SI[source_name])) if source_name in _SI else number
-    conductance = _conductance(source_name, source_value, context)
+    conductance = _convert_to_conductance(source_name, source_value, context)
     b = conductance.critical_ratio
     factor, shift = context.factors_from_air(target_name)
     target_conductance, target_ratio = conductance.sonic_conductance / factor, (b - shift) / (1.0 - shift)
@@ -198,7 +202,7 @@ def _convert_capacity(number: float, source: tuple[str, str], target: tuple[str,
     if target_unit == SIZES[target_name] and target_name in _SECOND_UNITS:
         texts.append(format_value(target_value, _SECOND_UNITS[target_name]))
     # The note of the inverse conversion states the definition and atmosphere of the target.
-    inverse_note = _conductance(target_name, target_value, context._replace(critical_ratio=b)).note
+    inverse_note = _convert_to_conductance(target_name, target_value, context._replace(critical_ratio=b)).note
     ratio_note = "" if conductance.critical_ratio_assumed else f"b = {b:.4g}"
     notes = dict.fromkeys(filter(None, (conductance.note, inverse_note, ratio_note)))
     if "C" in (source_name, target_name) and context.gas:
@@ -208,8 +212,11 @@ def _convert_capacity(number: float, source: tuple[str, str], target: tuple[str,
     return [f"{number:.10g} {source_unit} = {' = '.join(texts)}", *notes]
 
 
-def _conductance(capacity: str, value: float, context: _Context) -> Conductance:
-    """Convert a flow capacity in SI units to C and b, with a note on the conversion."""
+def _convert_to_conductance(capacity: str, value: float, context: _Context) -> Conductance:
+    """Convert a flow capacity in SI units to C and b, with a note.
+
+    `capacity` is the kind of flow capacity, such as `Kv`. The note describes the conversion.
+    """
     from poppet.laws import iso6358
 
     b = context.critical_ratio

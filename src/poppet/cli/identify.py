@@ -17,7 +17,7 @@ FINDINGS = 3
 
 
 def execute(options: argparse.Namespace) -> int:
-    """Run an identification method, and print or write the result."""
+    """Run the command `identify`, and print or write its result."""
     Field(unit="1", low=0.0, meaning="number of bootstrap fits").read(options.bootstrap, "--bootstrap")
     require_matplotlib(options.report)
     method = METHODS[options.method]

@@ -32,9 +32,9 @@ PROGRAM = Command(
 
 
 def run(arguments: Sequence[str] | None = None) -> int:
-    """Run the command line with the given arguments, and return the exit code.
+    """Run poppet with command-line arguments, and return the exit code.
 
-    The default arguments are those of the program.
+    By default, the arguments are those of the running program.
 
     Examples
     --------
@@ -67,24 +67,24 @@ def run(arguments: Sequence[str] | None = None) -> int:
             os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         return 0
     except KeyboardInterrupt:
-        return _report("interrupted.", INTERRUPTED)
+        return _print_error("interrupted.", INTERRUPTED)
     except InputError as error:
-        _report(str(error), error.exit_code)
+        _print_error(str(error), error.exit_code)
         # For a mistyped command line, --help is better than `explain`.
         codes = dict.fromkeys(problem.code for problem in error.problems if not problem.code.startswith("cli."))
         hint = f"poppet explain {' '.join(list(codes)[:3])}" if codes else ""
-        return _report(hint, error.exit_code, "more: ")
+        return _print_error(hint, error.exit_code, "more: ")
     except PoppetError as error:
-        return _report(str(error), error.exit_code)
+        return _print_error(str(error), error.exit_code)
     except OSError as error:
         name = f"{error.filename}: " if error.filename else ""
-        return _report(f"{name}{error.strerror or error}.", WRONG_INPUT)
+        return _print_error(f"{name}{error.strerror or error}.", WRONG_INPUT)
     except Exception as error:
         if os.environ.get("POPPET_DEBUG"):
             raise
         # One line, so that a log keeps it together.
         text = " ".join(str(error).splitlines())
-        return _report(
+        return _print_error(
             f"internal error: {type(error).__name__}: {text}. Please report it; POPPET_DEBUG=1 shows where.", FAILED
         )
     return code
@@ -98,7 +98,9 @@ def command_parser(name: str) -> CommandParser:
 
 
 def split_command(arguments: list[str]) -> tuple[str, list[str]]:
-    """Split arguments into the name of the command, of one or two words, and the remaining arguments.
+    """Split arguments into the name of the command and the remaining arguments.
+
+    The name of a command has one or two words.
 
     Examples
     --------
@@ -117,7 +119,7 @@ def _dispatch(arguments: list[str]) -> int:
         return _run_program(arguments)
     name, rest = split_command(arguments)
     if name not in COMMANDS and name not in (commands := all_commands()):
-        raise InputError("cli.command.unknown", name=name, near=NameSuggestion(name, commands))
+        raise InputError("names.unknown", name, meaning="a command of poppet", near=NameSuggestion(name, commands))
     parser = command_parser(name)
     try:
         options = parser.read(rest)
@@ -131,7 +133,10 @@ def _dispatch(arguments: list[str]) -> int:
 
 
 def _run_program(arguments: list[str]) -> int:
-    """Print the help or the version of the program, and return the exit code."""
+    """Run poppet without a command: print the help or the version.
+
+    The result is the exit code.
+    """
     parser, commands = CommandParser("", PROGRAM), all_commands()
     width = max(map(len, commands))
     lines = (f"{name:<{width}}  {command.summary}" for name, command in commands.items())
@@ -152,7 +157,7 @@ def _run_program(arguments: list[str]) -> int:
     return WRONG_INPUT
 
 
-def _report(text: str, code: int, prefix: str = "error: ") -> int:
+def _print_error(text: str, code: int, prefix: str = "error: ") -> int:
     """Print a message to the standard error, and return the exit code."""
     with contextlib.suppress(OSError):
         for line in text.splitlines():

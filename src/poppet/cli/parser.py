@@ -16,7 +16,10 @@ if TYPE_CHECKING:
 
 
 class Command(NamedTuple):
-    """Declaration of a command, from which its parser, help, documentation and tests are made."""
+    """Declaration of one command of the program.
+
+    The parser, the help, the documentation and some tests are made from this declaration.
+    """
 
     summary: str
     function: str  # `module:function` of `poppet.cli`; it takes the parsed options and returns an exit code or None
@@ -31,7 +34,10 @@ class Command(NamedTuple):
 
 
 class CommandParser(argparse.ArgumentParser):
-    """Parser of one command, or of the program itself if the name is empty."""
+    """Parser of the arguments of one command.
+
+    If the name of the command is empty, it parses the arguments of the program itself.
+    """
 
     def __init__(self, name: str, command: Command) -> None:
         self.command, self.options = name, command.options if name else tuple(command.arguments)
@@ -71,7 +77,7 @@ class CommandParser(argparse.ArgumentParser):
             # Before argparse, which would first report an argument that is missing because of the misspelling.
             elif name.startswith("--") and name not in names:
                 near = NameSuggestion(name, [option for option in names if option.startswith("--")])
-                raise InputError("cli.option.unknown", option=name, program=self.prog, near=near)
+                raise InputError("names.unknown", name, meaning=f"an option of `{self.prog}`", near=near)
             present.append(f"{name}{equals}{value}")
         # `parse_args` would end the program with its own message.
         options, rest = self.parse_known_args(present)
@@ -81,7 +87,10 @@ class CommandParser(argparse.ArgumentParser):
         return options
 
     def _check(self, options: argparse.Namespace) -> None:
-        """Reject options of another action of the command, and output files that would overwrite another file."""
+        """Raise an error for options that do not fit together.
+
+        These are options of another action of the command, and output files that would overwrite another file.
+        """
         from os.path import realpath
 
         action = getattr(options, self.options[0].name, "") if self.options else ""
@@ -116,9 +125,9 @@ class CommandParser(argparse.ArgumentParser):
 
 
 def output_path(text: str, formats: Sequence[str]) -> Path:
-    """Return the path of an output file.
+    """Return the path of an output file, after a check of the format.
 
-    The path and the format are checked before any computation.
+    `formats` are the valid file extensions. The check takes place before any computation.
     """
     from pathlib import Path
 

@@ -46,7 +46,10 @@ class _Display:
         return time.monotonic() - self.start_time
 
     def _show(self, text: str, done: float = 0.0, total: float | None = None) -> None:
-        """Show a text with a spinner, or with a bar if the total amount of work is known."""
+        """Show a text with a spinner, or with a bar if `total` is known.
+
+        `done` and `total` are amounts of work, for example numbers of runs.
+        """
         if not self.is_shown or self.elapsed < PATIENCE:
             return
         if self._line is None:
@@ -80,7 +83,7 @@ class RunProgress(_Display):
 
 
 class PointProgress(_Display):
-    """Progress of a map, shown as the number of computed points."""
+    """Progress of the computation of a map, shown as the number of computed points."""
 
     def __call__(self, done: int, total: int, following: str) -> None:
         """Show the number of computed points, and the point that is computed next."""
@@ -95,7 +98,10 @@ class FitProgress(_Display):
         self._show(f"{count} evaluations, cost {cost:.6g}; Ctrl-C keeps the best point")
 
     def stages(self, stage: str, done: int, total: int) -> None:
-        """Show the progress of a computation after the search, and the elapsed time."""
+        """Show the progress of a stage after the search, and the elapsed time.
+
+        `stage` describes the stage. `done` and `total` count its fits.
+        """
         self._show(f"{done} of {total} {stage}, {self.elapsed:.0f} s; Ctrl-C keeps the fit")
 
 

@@ -45,7 +45,7 @@ _RUN_OPTIONS = {
 
 
 def execute(options: argparse.Namespace) -> int:
-    """Simulate a circuit file, and print or write the recording."""
+    """Run the command `simulate`, and print or write the recording."""
     import numpy as np
 
     from poppet.circuit.file import load
@@ -82,7 +82,7 @@ def execute(options: argparse.Namespace) -> int:
         except SimulationError as error:
             failure, recording = error, error.recording
     print_notes([*notes, *recording.remarks])
-    _write(recording, selection, options, circuit)
+    _write_outputs(recording, selection, options, circuit)
     if failure is not None:
         if failure.note.code == "run.ended.interrupted":
             failure.exit_code = INTERRUPTED  # as shells expect after Ctrl-C
@@ -90,8 +90,10 @@ def execute(options: argparse.Namespace) -> int:
     return 0
 
 
-def _write(recording: Recording, selection: OutputSelection, options: argparse.Namespace, circuit: BaseCircuit) -> None:
-    """Write the output files that the options specify, and print the summary of the run."""
+def _write_outputs(
+    recording: Recording, selection: OutputSelection, options: argparse.Namespace, circuit: BaseCircuit
+) -> None:
+    """Write the output files of a simulation, and print the summary of the run."""
     selected = selection.apply(recording)
     if options.output and not selected.time.size:
         text = f"{options.output}: not written, there are no rows. {recording.outcome}"

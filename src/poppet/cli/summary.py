@@ -69,13 +69,16 @@ def load_summary(recording: Recording) -> str:
 
 
 def extent(recording: Recording) -> str:
-    """Return a text on the size of a recording: rows, outputs and time span."""
+    """Return the size of a recording as text: rows, outputs and time span."""
     span = f", {recording.time[0]:.6g} ... {recording.time[-1]:.6g} s" if recording.time.size else ""
     return f"{recording.time.size} row{'s' * (recording.time.size != 1)}, {len(recording)} series{span}"
 
 
 def print_notes(notes: Iterable[Note]) -> None:
-    """Print notes to the standard error; similar notes share one line."""
+    """Print notes to the standard error.
+
+    Similar notes are combined into one.
+    """
     for note in grouped(notes):
         print(f"note: {note}", file=sys.stderr)
 
@@ -103,7 +106,7 @@ def write_result(
 ) -> None:
     """Write a result and its report to the files that the options specify.
 
-    The text and the file names are printed.
+    `text` is printed, followed by the names of the files. `write_report` is the function that writes the report.
     """
     if options.output:
         result.save(options.output)

@@ -1,7 +1,6 @@
 """Control design: tuning, stability margins, python-control, and comparison under uncertainty."""
 
 import warnings
-from typing import Any
 
 from poppet.control.comparison import Comparison, compare
 from poppet.control.extraction import plant_of
@@ -17,7 +16,7 @@ __all__ = [
 _FORMER_NAMES = {"FIGURES": "METRICS", "figures_of": "step_metrics", "figures_in": "metrics_in"}
 
 
-def __getattr__(name: str) -> Any:
+def __getattr__(name: str) -> object:
     if name not in _FORMER_NAMES:
         raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
     warnings.warn(f"poppet.control.{name} is now called {_FORMER_NAMES[name]}.", DeprecationWarning, stacklevel=2)

@@ -33,7 +33,9 @@ _SHARED = ("sample_time", "sensor.lag", "sensor.offset", "fill_limit", "vent_lim
 
 @dataclass(frozen=True, eq=False)
 class Comparison:
-    """Responses of controllers on one plant with nominal and with random parameters.
+    """Responses of several controllers on one plant.
+
+    The plant has its nominal parameters in one run, and random parameters in the other runs.
 
     Parameters
     ----------
@@ -78,17 +80,17 @@ class Comparison:
 
     @property
     def kinds(self) -> dict[str, StepMetric]:
-        """Mapping from the name of each metric to the unit and the meaning of the metric."""
+        """Mapping from the name of each metric to its unit and its meaning."""
         return metrics_in(*self.units)
 
     @property
     def draws(self) -> int:
-        """Number of random runs of each controller, without the nominal run."""
+        """Number of runs with random plant parameters for each controller."""
         return len(next(iter(self.responses.values()))) - 1
 
     @property
     def failed(self) -> dict[str, int]:
-        """Mapping from the name of each controller to the count of its failed runs."""
+        """Mapping from the name of each controller to its number of failed runs."""
         return {name: int(np.sum(np.isnan(rows[:, -1]))) for name, rows in self.responses.items()}
 
     def summary(self) -> dict[str, dict[str, tuple[float, float, float]]]:
@@ -143,11 +145,10 @@ def compare(
     circuits: Mapping[str, BaseCircuit], controller: str | None = None, *, vary: Mapping[str, float] | None = None,
     draws: int = 50, seed: int = 0, progress: Callable[[int, int], Any] | None = None,
 ) -> Comparison:  # fmt: skip
-    """Run several controllers on one plant with nominal and with random parameters.
+    """Run several controllers on one plant, with nominal and with random plant parameters.
 
-    Only the plant and the sensor are varied. A plant model inside a controller keeps the nominal parameters.
-
-    The models in the controllers keep their nominal parameters.
+    Only parameters of the plant and of the sensor are varied. A plant model inside a controller keeps its nominal
+    parameters.
 
     Parameters
     ----------
@@ -184,7 +185,7 @@ def compare(
     plants = {name: plant_of(circuit, controller_name) for name, circuit in circuits.items()}
     prefix = f"{controller_name}."
     with ErrorCollector() as errors:
-        properties = {name: {**c.parameters, **_shape(c, plants[name])} for name, c in circuits.items()}
+        properties = {name: {**c.parameters, **_properties_to_compare(c, plants[name])} for name, c in circuits.items()}
         first_properties = next(iter(properties.values()))
         for name, circuit in circuits.items():
             for key in sorted({*properties[name], *first_properties}):
@@ -221,7 +222,7 @@ def compare(
 
 
 class _Contender:
-    """One of the compared controllers in its circuit, with the results of all its runs."""
+    """One of the compared controllers, with its circuit and the results of its runs."""
 
     def __init__(self, instance: Instance, options: Run, plant: Plant) -> None:
         controller, self.part = plant.controller, plant.part
@@ -250,8 +251,11 @@ class _Contender:
         self.figures.append(dict.fromkeys(self.kinds, np.inf) if missing else metrics)
 
 
-def _shape(circuit: BaseCircuit, plant: Plant) -> dict[str, Any]:
-    """Return all properties except parameters that must be equal in the compared circuits."""
+def _properties_to_compare(circuit: BaseCircuit, plant: Plant) -> dict[str, Any]:
+    """Return all properties of a circuit that must be equal in a comparison.
+
+    Parameter values and the controller itself are not included.
+    """
     return {
         "parts": [part.structure() for name, part in circuit.parts.items() if name != plant.controller],
         "acts": plant.part.acts,

@@ -25,7 +25,7 @@ from poppet.core.codes import Note
 from poppet.core.errors import SimulationError
 from poppet.core.tables import Field
 from poppet.core.units import convert
-from poppet.parts.bodies import Joint, Mass
+from poppet.parts.bodies import DRY_LAWS, Joint, Mass
 from poppet.parts.part import Scope
 from poppet.parts.quantities import COMMANDS, command_of
 from poppet.timeseries.signals import Constant, Sine
@@ -51,8 +51,10 @@ _ALIKE, _CLOSE = 0.01, 0.05
 """Relative difference of two quarters of a response at which a run ends, and above which the response is rejected."""
 _DISTORTED = 0.35
 """Fraction of a response that is not sinusoidal, above which it is rejected: stiction, or an end stop."""
-_SLIDES, _LEAVES = 1.5, 20.0
-"""Minimum amplitude of a sliding body, and minimum verification step, in deflections of the bristles."""
+_SLIDES, _FAST = 20.0, 5.0
+"""Minimum amplitude of a sliding body, and minimum verification step, in deflections of the bristles; minimum velocity
+of a sliding body in transition velocities. A body that creeps near these limits has a response that is up to 100 times
+smaller than that of a sliding body."""
 _SIZE, _TRIES = 0.05, 3
 """Relative tolerance of the size of the command's sine, and maximum count of corrections."""
 _FEWEST, _ENOUGH, _LOST = 8, 3, 2
@@ -67,7 +69,7 @@ _RUNS, _QUIET = 8, 0.1
 
 @dataclass(frozen=True, eq=False)
 class MeasuredPlant(LoopPlant):
-    """Plant that is described by measured frequency responses to sines of one size.
+    """Plant that is described by its measured frequency response to sines of one amplitude.
 
     Parameters
     ----------
@@ -122,7 +124,10 @@ class MeasuredPlant(LoopPlant):
 
     @cached_property
     def _stable_loop(self) -> tuple[Complex, Complex, float]:
-        """Points of a coarse frequency grid, the response there, and the phase change of the stable loop."""
+        """Data for the stability test of a loop.
+
+        These are coarse frequency points, the plant response at these points, and the phase change of a stable loop.
+        """
         z = self.at(self.frequencies[::-_EVERY][::-1])
         response = self.response(z)
         return z, response, _phase_change(response * self.stabilised_by.response(z, self.sample_time))
@@ -136,9 +141,10 @@ class MeasuredPlant(LoopPlant):
         return abs(change - phase_change - integral_turn) < 0.5 * np.pi
 
     def covers(self, gains: Gains, bound: float) -> bool:
-        """Return True if Ms and Mt keep the bound outside the measured frequency range.
+        """Return True if Ms and Mt keep the bound outside the measured frequencies.
 
-        The check uses the magnitude of the open loop only, so it is valid for any phase.
+        Ms and Mt are the peaks of the sensitivity functions. The check uses only the magnitude of the open loop, so it
+        is valid for any phase.
 
         Parameters
         ----------
@@ -158,21 +164,31 @@ class MeasuredPlant(LoopPlant):
 
 
 def _phase_change(loop: Complex) -> float:
-    """Return the change of the angle of 1 + L over the frequency range, where L is the open-loop response [rad]."""
+    """Return the change in the angle of 1 + L over the frequency range [rad].
+
+    `loop` contains the frequency response L of the open loop.
+    """
     angle = np.unwrap(np.angle(1.0 + loop))
     return float(angle[-1] - angle[0])
 
 
 class Sticking(NamedTuple):
-    """Limits of the motion within which the measured body sticks; zero and no output without sticking friction."""
+    """Limits of amplitude and speed below which the measured body sticks.
+
+    Without sticking friction, both limits are zero, and `outputs` is empty.
+    """
 
     outputs: tuple[str, ...] = ()  # position of the body
     deflection: float = 0.0  # largest deflection of the bristles, SI
     velocity: float = 0.0  # velocity of full friction, SI
 
     def slides(self, amplitude: float, angular_frequency: float) -> bool:
-        """Return True if a sine of the position leaves the bristles and reaches the velocity of full friction."""
-        return amplitude > _SLIDES * self.deflection and amplitude * angular_frequency > self.velocity
+        """Return True if a body that follows a sine slides, and does not stick.
+
+        The amplitude must be much larger than the deflection of the bristles, and the speed must be well above that of
+        full friction.
+        """
+        return amplitude > _SLIDES * self.deflection and amplitude * angular_frequency > _FAST * self.velocity
 
 
 def _sticking_of(circuit: BaseCircuit, measurement: str) -> Sticking:
@@ -180,7 +196,7 @@ def _sticking_of(circuit: BaseCircuit, measurement: str) -> Sticking:
     name = measurement.partition(".")[0]
     part: Any = circuit.parts.get(name)
     friction = getattr(part, "friction", None)
-    if not isinstance(part, Mass | Joint) or friction is None or friction.kind not in ("stribeck", "lugre"):
+    if not isinstance(part, Mass | Joint) or friction is None or friction.kind not in DRY_LAWS:
         return Sticking()
     values = part.parameters(circuit.surroundings)
     if friction.kind == "stribeck":
@@ -191,7 +207,10 @@ def _sticking_of(circuit: BaseCircuit, measurement: str) -> Sticking:
 
 @dataclass(frozen=True, eq=False)
 class SettledPlant:
-    """Plant at a steady state that a weak controller holds while sines are added to the command."""
+    """Plant at a steady state, to whose command sines are added.
+
+    A weak controller keeps the plant near this state.
+    """
 
     circuit: BaseCircuit  # starts at the steady state
     rest: Recording
@@ -205,9 +224,9 @@ class SettledPlant:
     def answer(self, samples: int, size: float) -> tuple[complex, complex] | None:
         """Return the plant response to a sine, and the complex amplitude of the command.
 
-        `samples` is the period of the sine in samples, and `size` is the amplitude that is added to the command. The
-        plant response is the ratio of measurement to command. The method returns None if the run fails, the response
-        is not sinusoidal or the measured body does not slide.
+        `samples` is the period of the sine in samples, and `size` is its amplitude. The plant response is the ratio of
+        measurement to command. The result is None if the run fails, if the response is not sinusoidal, or if the
+        measured body does not slide.
         """
         decimation = max(1, math.ceil(samples / _ROWS))
         step, rows = decimation * self.loop.sample_time, samples // decimation
@@ -238,10 +257,10 @@ class SettledPlant:
 
 
 def _fit_sine(series: Array, rows: int) -> tuple[Complex, float]:
-    """Fit a sine to each series; return the amplitudes and the distortion of the first series.
+    """Fit a sine to each series, and return complex amplitudes and a distortion.
 
-    `rows` is the period of the sine in rows. The amplitudes are complex. The distortion is the amplitude of the
-    residuals relative to that of the sine.
+    `rows` is the period of the sine in rows. The distortion is that of the first series: the amplitude of the residuals
+    relative to that of the sine.
     """
     k = np.arange(series.shape[1])
     angle, drift = 2.0 * np.pi * k / rows, k / k.size - 0.5
@@ -256,9 +275,9 @@ def _fit_sine(series: Array, rows: int) -> tuple[Complex, float]:
 
 @dataclass(frozen=True, eq=False)
 class MeasuredLoop(Plant):
-    """Plant whose frequency responses are measured with sines that are added to the command.
+    """Loop whose plant is measured with sines that are added to the command.
 
-    `amplitudes` contains the sizes of the sines; the plant has one frequency response for each size.
+    `amplitudes` contains the amplitudes of the sines. The plant has one frequency response for each amplitude.
     """
 
     loop: Loop = None  # type: ignore[assignment]
@@ -278,7 +297,7 @@ class MeasuredLoop(Plant):
         return point.models[branch]  # type: ignore[return-value]
 
     def named(self, amplitude: float) -> str:
-        """Return a label for an amplitude of the command in a readable unit."""
+        """Return an amplitude of the command as text in a readable unit."""
         unit = COMMANDS[command_of(self.part)].unit
         shown_unit = readable_unit_of(unit)
         suffix = "" if shown_unit == "1" else f" {shown_unit}"
@@ -294,22 +313,22 @@ class MeasuredLoop(Plant):
     def verify(
         self, circuit: BaseCircuit, value: float, gains: Gains, margins: Mapping[str, Margins]
     ) -> Iterator[Verification]:
-        """Yield a verification of the tuned loop for each size of the sines.
+        """Yield a simulated setpoint step with the tuned gains for each amplitude of the sines.
 
-        Each verification is a run with a setpoint step that starts at the operating point `value`.
+        The runs start at the operating point `value`. `margins` contains the margins of the tuned loop.
         """
         for size in self.amplitudes:
             label = point_label(self, value, self.named(size))
             self.report_progress(f"a step at {label}")
             steady_run, crossover = self.settled[value].rest, margins[label].crossover
             # A step within the deflection of the bristles would verify springs.
-            step = max(size / abs(gains.gain), _LEAVES * self.sticking.deflection)
+            step = max(size / abs(gains.gain), _SLIDES * self.sticking.deflection)
             yield verify_step(circuit, self.controller, steady_run, value, step, gains, crossover, label)
 
     def settle(self, target: float) -> SettledPlant:
-        """Run the loop to a steady state, then replace the controller by a weak one.
+        """Run the loop to a steady state, then replace its controller by a weaker one.
 
-        `target` is the setpoint of the run. The weak controller has a fraction of the gain and no integral.
+        `target` is the setpoint of the run. The weaker controller has a fraction of the gain and no integral part.
         """
         name, circuit, numbers = self.controller, self.loop.circuit, self.loop.numbers
         part: Any = self.loop.part  # a PID
@@ -317,9 +336,21 @@ class MeasuredLoop(Plant):
         circuit = replace(circuit, run=replace(circuit.run, stop_when=None))
         if self.begins:
             circuit = circuit.with_values({self.begins: target})
-        steady_run, value, command = self._run_to_steady_state(
-            replace(circuit, signals={**signals, f"{name}.setpoint": Constant(target)}), target
-        )
+        controlled = replace(circuit, signals={**signals, f"{name}.setpoint": Constant(target)})
+        duration = max(float(controlled.run.duration or 0.0), 1000.0 * self.loop.sample_time)  # type: ignore[arg-type]
+        previous, steady_run = np.inf, None
+        self.report_progress(f"the loop comes to rest at {'{value:.4g} {unit}'.format(**self.shown(target))}")
+        # Until the mean command in the second half of a run is constant.
+        for _ in range(_RUNS):
+            steady_run = controlled.simulate(duration, start=steady_run)
+            is_late = steady_run.time > 0.5 * duration
+            outputs = self.loop.shown, f"{name}.command"
+            value, command = (float(np.mean(steady_run[output][is_late])) for output in outputs)
+            if abs(command - previous) <= _QUIET * min(self.amplitudes):
+                break
+            previous = command
+        else:
+            raise SimulationError(Note("tuning.not_held", self.measurement, **self.shown(target)))
         gains = part.gains_at(Scope(numbers, {}, {}, circuit.surroundings), value, value)
         derivative_time = float(gains["derivative_time"])
         filter_time = numbers["derivative_filter"] if derivative_time > 0.0 else self.loop.sample_time
@@ -334,26 +365,11 @@ class MeasuredLoop(Plant):
         driven = driven.resumed(steady_run).with_values({f"{name}.initial_integral": 0.0})
         return SettledPlant(driven, steady_run, value, command, weak_gains, self.loop, self.sticking)
 
-    def _run_to_steady_state(self, circuit: BaseCircuit, target: float) -> tuple[Recording, float, float]:
-        """Run a circuit until the mean command is constant; return the last run and two means.
-
-        The means are those of the measurement and of the command in the second half of the run.
-        """
-        duration = max(float(circuit.run.duration or 0.0), 1000.0 * self.loop.sample_time)  # type: ignore[arg-type]
-        previous, start = np.inf, None
-        self.report_progress(f"the loop comes to rest at {'{value:.4g} {unit}'.format(**self.shown(target))}")
-        for _ in range(_RUNS):
-            run = start = circuit.simulate(duration, start=start)
-            is_late = run.time > 0.5 * duration
-            outputs = self.loop.shown, f"{self.controller}.command"
-            value, command = (float(np.mean(run[output][is_late])) for output in outputs)
-            if abs(command - previous) <= _QUIET * min(self.amplitudes):
-                return run, value, command
-            previous = command
-        raise SimulationError(Note("tuning.not_held", self.measurement, **self.shown(target)))
-
     def _sweep(self, settled: SettledPlant, size: float) -> MeasuredPlant:
-        """Measure the plant from a period of four samples down to the lowest relevant frequency."""
+        """Measure the frequency response of the plant with sines of one amplitude, `size`.
+
+        The shortest period has four samples. The longest belongs to the lowest relevant frequency.
+        """
         responses: dict[int, complex] = {}
         settled.stuck.clear()
         relevant: list[int] = []  # periods with a relevant phase, from high frequencies
@@ -394,10 +410,11 @@ class MeasuredLoop(Plant):
     def _answer(
         self, settled: SettledPlant, samples: int, size: float, responses: Mapping[int, complex]
     ) -> complex | None:
-        """Return the plant response to a sine with the size `size` in the command.
+        """Return the plant response to a sine of a given amplitude in the command.
 
-        The amplitude of the added sine is corrected until the command has this size. `responses` contains the
-        responses measured so far by period. The result is None if there is no sinusoidal response.
+        `size` is this amplitude. The added sine is corrected until the command has this amplitude. `samples` is the
+        period in samples, and `responses` contains the responses measured so far by period. The result is None if there
+        is no sinusoidal response.
         """
         frequency = 1.0 / (samples * self.loop.sample_time)
         self.report_progress(f"{frequency:.3g} Hz by {self.named(size)}")
@@ -462,6 +479,6 @@ def make_measured_loop(
 
 
 def _round_period(samples: float) -> int:
-    """Return the nearest period in samples that contains an integer count of stored rows."""
+    """Return the nearest period, in samples, that contains a whole number of stored rows."""
     decimation = max(1, math.ceil(samples / _ROWS))
     return decimation * round(samples / decimation)

@@ -10,7 +10,7 @@ from poppet.control.manual_plant import ManualPlant
 from poppet.control.plant import COMMANDS, Plant
 from poppet.core.codes import Note
 from poppet.core.errors import InputError, NameSuggestion
-from poppet.parts.bodies import Joint, Mass
+from poppet.parts.bodies import DRY_LAWS, Joint, Mass
 from poppet.parts.part import Body, Controller
 from poppet.parts.sampled_loop import SampledLoop
 
@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 
 
 def plant_of(circuit: BaseCircuit, controller: str | None = None) -> Plant:
-    """Return the plant of a controller in a circuit.
+    """Return the plant that a controller of a circuit commands.
 
     Parameters
     ----------
@@ -51,7 +51,7 @@ def plant_of(circuit: BaseCircuit, controller: str | None = None) -> Plant:
     notes = []
     for name, member in loop.circuit.parts.items():
         friction: Any = getattr(member, "friction", None)
-        if isinstance(member, Mass | Joint) and friction is not None and friction.kind in ("stribeck", "lugre"):
+        if isinstance(member, Mass | Joint) and friction is not None and friction.kind in DRY_LAWS:
             viscous = friction.viscous_coefficient
             changed[name] = replace(member, friction={"viscous_coefficient": viscous})
             facts = {"law": friction.kind, "value": float(viscous), "unit": viscous.unit}
@@ -71,7 +71,7 @@ def plant_of(circuit: BaseCircuit, controller: str | None = None) -> Plant:
 
 
 class Loop(NamedTuple):
-    """Controller in a circuit from which the outer loops of this controller are removed."""
+    """Controller and its circuit, from which the outer loops of the controller are removed."""
 
     circuit: BaseCircuit
     controller: str
@@ -92,7 +92,7 @@ class Loop(NamedTuple):
 
     @property
     def shown(self) -> str:
-        """Address of the sensor output of the controller."""
+        """Address of the output that contains the measured value of the sensor."""
         return f"{self.controller}.sensor_{self.part.controls}"
 
 
@@ -125,9 +125,10 @@ def loop_of(circuit: BaseCircuit, controller: str | None = None) -> Loop:
 
 
 def release_command(circuit: BaseCircuit, controller: str, *, keeps: bool) -> BaseCircuit:
-    """Return a circuit in which the command of a controller can be set from outside.
+    """Return a circuit in which the command of a controller becomes a free input.
 
-    The manual command of the controller, or the inputs of the valves, can then be set from outside.
+    If `keeps` is True, the controller remains in manual mode, and the input is its manual command. Otherwise the inputs
+    of the valves become free.
 
     Parameters
     ----------
@@ -161,9 +162,9 @@ def release_command(circuit: BaseCircuit, controller: str, *, keeps: bool) -> Ba
 
 
 def _remove_outer_loops(circuit: BaseCircuit, controller: str) -> BaseCircuit:
-    """Return the circuit without outer controllers.
+    """Return the circuit without the outer loops of a controller.
 
-    An outer controller commands only `controller` or other outer controllers.
+    An outer controller commands only `controller`, or another outer controller.
     """
     targets_of: dict[str, set[str]] = {}
     for target, source in circuit.connections.items():

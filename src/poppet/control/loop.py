@@ -67,7 +67,7 @@ class Gains:
 
 
 class LoopPlant(ABC):
-    """Plant that a sampled controller commands, with a frequency response and a stability test."""
+    """Plant of a sampled controller, with its frequency response and a stability test."""
 
     if TYPE_CHECKING:
         sample_time: float  # a field of each subclass
@@ -162,7 +162,11 @@ def sampled_plant(
     model: LinearModel, weights: dict[str, float], output: str, *, sample_time: float, sensor_lag: float = 0.0,
     delay: int = 0,
 ) -> SampledPlant:  # fmt: skip
-    """Return a linear model as a sampled plant with hold, delay and sensor."""
+    """Convert a linear model to a sampled plant with hold, delay and sensor.
+
+    `weights` are the factors from the command to the inputs of the model, and `output` is the index of the measured
+    output.
+    """
     from scipy.linalg import expm
 
     columns = {name: model.inputs.index(name) for name in weights}
@@ -218,9 +222,10 @@ class Margins:
 
 
 def margins(plant: LoopPlant, gains: Gains, *, response: Complex | None = None) -> Margins:
-    """Return stability and robustness margins of a loop of plant and controller.
+    """Return stability and robustness margins of a control loop.
 
-    The margins are evaluated at the frequencies of the plant.
+    The margins are evaluated at the frequencies of the plant. `response` is the frequency response of the plant if it
+    is already known.
 
     Parameters
     ----------
@@ -275,11 +280,12 @@ def margins(plant: LoopPlant, gains: Gains, *, response: Complex | None = None) 
 
 
 def closed_loop(plant: SampledPlant, gains: Gains, setpoint_weight: float = 1.0) -> tuple[Array, Array, Array]:
-    """Return the matrices a, b and y of the closed loop from setpoint to measurement.
+    """Return matrices of the closed loop from setpoint to measurement.
 
     The loop is x+ = a x + b w with the measurement y x, where x+ is the state one sample later and w is the setpoint.
 
     The states are those of the plant, delayed commands, the integral, the filtered derivative and the last measurement.
+    The result contains a, b and y.
     """
     n, d, time = len(plant.B), plant.delay, plant.sample_time
     k, filter_time = gains.gain, gains.derivative_filter
@@ -309,7 +315,10 @@ def closed_loop(plant: SampledPlant, gains: Gains, setpoint_weight: float = 1.0)
 
 
 def step_response(plant: SampledPlant, gains: Gains, setpoint_weight: float, samples: int) -> Array:
-    """Return the measurement of the closed loop at each sample after a unit setpoint step."""
+    """Return the response of the closed loop to a unit step of the setpoint.
+
+    The result contains the measurement at each of `samples` samples.
+    """
     a, b, y = closed_loop(plant, gains, setpoint_weight)
     x, measured = np.zeros(len(b)), np.empty(samples)
     for k in range(samples):

@@ -43,7 +43,7 @@ _SEEN, _ANSWERS = 1e-12, 2000
 
 
 class ManualPlant(Plant):
-    """Plant in which the controller remains in manual mode.
+    """Plant that contains its controller in manual mode.
 
     The command of the plant is the manual command. `instance` contains the controller, and `commands` contains the
     connections of the controller in the circuit.
@@ -64,7 +64,7 @@ class ManualPlant(Plant):
             factor /= self.part.parameters(self.instance.surroundings).get("vent_factor", 1.0)
         a, b, c = model.A * size[None, :] / size[:, None], factor * model.B[:, column] / size, model.C[row] * size
         # Without states that the command cannot reach or the measurement does not depend on.
-        relevant = _reachable(a != 0.0, b != 0.0) & _reachable(a.T != 0.0, c != 0.0)
+        relevant = _reachable_states(a != 0.0, b != 0.0) & _reachable_states(a.T != 0.0, c != 0.0)
         return SampledPlant(a[np.ix_(relevant, relevant)], b[relevant], c[relevant], model.sample_time)
 
     @property
@@ -110,7 +110,7 @@ class ManualPlant(Plant):
         return self.sampled(OperatingPoint(0.0, 0.0, {"": model}, {}), "")
 
     def _answer(self, model: SampledModel) -> float:
-        """Return the measurement 2000 samples after a step of the command.
+        """Return the measured value at sample 2000 after a unit step of the command.
 
         The result is 0 if the value is not larger than rounding errors.
         """
@@ -126,9 +126,9 @@ class ManualPlant(Plant):
         return InputError(code, self.measurement, inputs=tuple(self.targets), branch=branch, **self.shown(target))
 
     def _search_starts(self, trim: _Trim, causes: list[Note]) -> Iterator[tuple[Array, float]]:
-        """Yield pairs of state vector and command as start points of the search.
+        """Yield start points of the search: pairs of state vector and command.
 
-        If a start point has no steady state, the reason is added to `causes`.
+        `trim` is the search. If a start point has no steady state, the reason is added to the list `causes`.
         """
         low, high = trim.limits
         bias = self.part.parameters(self.instance.surroundings)["bias"]
@@ -146,10 +146,10 @@ class ManualPlant(Plant):
         yield trim.point.start, command
 
 
-def _reachable(edges: NDArray[np.bool_], start: NDArray[np.bool_]) -> NDArray[np.bool_]:
-    """Return the mask of all elements that paths from the elements in `start` reach.
+def _reachable_states(edges: NDArray[np.bool_], start: NDArray[np.bool_]) -> NDArray[np.bool_]:
+    """Return a mask of all states that can be reached from the states in `start`.
 
-    `edges[i, j]` is True if there is a path of one step from j to i.
+    `edges[i, j]` is True if state j directly affects state i.
     """
     reached = start
     while not np.array_equal(reached, further := reached | edges @ reached):
@@ -158,7 +158,10 @@ def _reachable(edges: NDArray[np.bool_], start: NDArray[np.bool_]) -> NDArray[np
 
 
 class _Trim:
-    """Search for the command and the state at which the measurement has a given steady value."""
+    """Search for the command at which the measurement has a given steady value.
+
+    The search also returns the steady state.
+    """
 
     def __init__(self, instance: Instance, point: SampledPoint, manual_input: str, output: str, part: Any) -> None:
         self.instance, self.point, self.column = instance, point, point.input_names.index(manual_input)
@@ -172,21 +175,21 @@ class _Trim:
         self.limits = (-low, high) if part.is_of_openings else (low, high)
 
     def at(self, command: float) -> SampledPoint:
-        """Return a copy of the operating point with another command."""
+        """Return a copy of the circuit point in which the command has another value."""
         point = copy(self.point)
         point.u = self.point.u.copy()
         point.u[self.column] = command
         return point
 
     def shown(self, v: Array, command: float) -> float:
-        """Return the measurement for the state vector `v` and a command."""
+        """Return the measured value for the state vector `v` and a command."""
         return float(self.at(command).between(v).outputs[self.row])
 
     def follow(self, v: Array, command: float, target: float) -> tuple[Array, float] | None:
-        """Return state vector and command of the steady state with the measurement `target`.
+        """Search for the steady state with the measured value `target`.
 
-        The search starts at the state `v`. It uses intermediate targets if a single step fails. The result is None if
-        this fails too.
+        The search starts at the state `v`. It uses intermediate targets if a single step fails. The result contains
+        state vector and command. It is None if the search fails.
         """
         operating_state = self._solve(v, command, target)
         if operating_state is not None:
@@ -200,9 +203,9 @@ class _Trim:
         return operating_state
 
     def _solve(self, v: Array, command: float, target: float) -> tuple[Array, float] | None:
-        """Solve for state vector and command of a steady state by Newton's method.
+        """Solve for the steady state with the measured value `target` by Newton's method.
 
-        The result is None if there is no convergence to the measurement `target`.
+        The result contains state vector and command. It is None if the method does not converge.
         """
         size = np.append(self.point.size, self.command_size)
 
@@ -240,9 +243,10 @@ class _Trim:
         return model_at(*self._run(v, command + nudged * self.command_size, 0.25 * float(np.min(gaps))))
 
     def _run(self, v: Array, command: float, duration: float) -> tuple[SampledPoint, Array]:
-        """Run the circuit with a constant command; return the operating point and the final state.
+        """Simulate the circuit with a constant command, starting at the state `v`.
 
-        A run longer than a sample has a duration of whole samples.
+        The result contains the operating point and the final state. A run longer than a sample has a duration of whole
+        samples.
         """
         point = self.at(command)
         (x, p), begin = point.at_clock(v), point.clock.start

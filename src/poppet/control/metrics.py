@@ -22,7 +22,10 @@ OPEN = 1e-3
 
 @dataclass(frozen=True)
 class StepMetric:
-    """Unit and meaning of a metric; a smaller value of the metric is better."""
+    """Unit and meaning of one metric of a step response.
+
+    A smaller value of the metric is better.
+    """
 
     unit: str
     meaning: str
@@ -46,7 +49,9 @@ def readable_unit_of(unit: str) -> str:
 
 
 def metrics_in(unit: str, command_unit: str = "1") -> dict[str, StepMetric]:
-    """Return unit and meaning of each metric for given units of a loop.
+    """Return the unit and the meaning of each metric of a control loop.
+
+    `unit` is the SI unit of the measured quantity, and `command_unit` that of the command.
 
     Parameters
     ----------
@@ -122,7 +127,7 @@ def step_metrics(
     step_times[starts] = time[starts]
     elapsed = time - np.maximum.accumulate(step_times)
     ranges = pairwise([*starts, len(time)])
-    steps = [_step(time[a:b], measured[a:b], float(measured[a - 1]), float(setpoint[a])) for a, b in ranges]
+    steps = [_metrics_of_step(time[a:b], measured[a:b], float(measured[a - 1]), float(setpoint[a])) for a, b in ranges]
     rises, settlings, overshoots = zip(*steps, strict=True) if steps else ((0.0,), (0.0,), (0.0,))
     metrics = {
         "IAE": _integral(time, error),
@@ -143,22 +148,26 @@ def _integral(time: Array, values: Array) -> float:
     return float(np.sum(0.5 * (values[1:] + values[:-1]) * np.diff(time)))
 
 
-def _step(time: Array, measured: Array, initial: float, final: float) -> tuple[float, float, float]:
-    """Return rise time [s], settling time [s] and overshoot [%] of one step."""
+def _metrics_of_step(time: Array, measured: Array, initial: float, final: float) -> tuple[float, float, float]:
+    """Return rise time [s], settling time [s] and overshoot [%] of one step.
+
+    `initial` and `final` are the setpoints before and after the step.
+    """
     progress = (measured - initial) / (final - initial)
     if not np.all(np.isfinite(progress)):
         return np.inf, np.inf, np.inf
-    rise_time = _first(time, progress, 0.9) - _first(time, progress, 0.1)
+    rise_time = _time_of_first_crossing(time, progress, 0.9) - _time_of_first_crossing(time, progress, 0.1)
     unsettled_rows = np.flatnonzero(np.abs(progress - 1.0) > SETTLED)
     settled_row = int(unsettled_rows[-1]) + 1 if unsettled_rows.size else 0
     settling_time = time[settled_row] - time[0] if settled_row < len(time) else np.inf
     return rise_time, float(settling_time), 100.0 * max(0.0, float(np.max(progress)) - 1.0)
 
 
-def _first(time: Array, progress: Array, level: float) -> float:
-    """Return the time at which `progress` first reaches a level, linearly interpolated [s].
+def _time_of_first_crossing(time: Array, progress: Array, level: float) -> float:
+    """Return the time at which a step response first reaches a level [s].
 
-    The result is infinite if the level is not reached.
+    `progress` is the response, interpolated linearly between samples. The result is infinite if the level is not
+    reached.
     """
     rows_above = np.flatnonzero(progress >= level)
     if not rows_above.size:

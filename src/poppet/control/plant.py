@@ -58,7 +58,7 @@ class OperatingPoint:
 
 @dataclass(frozen=True, eq=False)
 class Plant:
-    """Circuit from which one controller is removed.
+    """Circuit without one controller, whose inputs the controller would drive.
 
     Parameters
     ----------
@@ -93,14 +93,14 @@ class Plant:
 
     @property
     def sides(self) -> tuple[str, ...]:
-        """Sides on which the command acts, such as `fill` and `vent`."""
+        """Names of the sides on which the command acts, such as `fill` and `vent`."""
         if not self.part.is_of_openings:
             return ("command",)
         outputs = {"fill": "fill_command", "vent": "vent_command", "command": "command", "back": "command"}
         return tuple(side for side, output in outputs.items() if output in self.commands)
 
     def read(self, value: Any) -> float:
-        """Convert a value of the measured quantity to SI.
+        """Convert a value of the measured quantity to SI units.
 
         Parameters
         ----------
@@ -133,11 +133,11 @@ class Plant:
 
     @property
     def delay(self) -> int:
-        """Delay from a measurement to its command [samples]."""
+        """Number of samples from a measurement to the command that uses it."""
         return 1 if self.part.acts == NEXT_SAMPLE else 0
 
     def sampled(self, point: OperatingPoint, branch: str, factor: float = 1.0) -> SampledPlant:
-        """Return the sampled plant for commands on one side of an operating point.
+        """Return a linear sampled plant for commands on one side of an operating point.
 
         Parameters
         ----------
@@ -208,14 +208,26 @@ class Plant:
             # A recording of one row: the state at which the model is made.
             units = dict(instance.model.outputs)
             row = Recording.from_series([0.0], {f"{name} [{units[name]}]": [y] for name, y in steady.y.items()})
-            models[branch] = linearise(instance, self._inputs(nudged), at=row)
-            self._check_response(models[branch], branch, inputs)
+            models[branch] = model = linearise(instance, self._inputs(nudged), at=row)
+            index = model.outputs.index(self.measurement)
+            # The first nonzero C A^k B has the sign of the initial response.
+            state_rate = sum(model.B[:, model.inputs.index(target)] * weight for target, weight in inputs.items())
+            effect = float(model.C[index] @ state_rate)
+            for _ in model.states if effect == 0.0 else ():
+                state_rate = model.A @ state_rate
+                effect = effect or float(model.C[index] @ state_rate)
+            if not effect > 0.0:
+                code = "beyond_exhaust" if branch == "vent" else "beyond_supply"
+                code = f"plant.{code if effect else 'dead_zone'}"
+                facts = {"inputs": tuple(inputs), "branch": branch, **self.shown(model.y[index])}
+                raise InputError(code, self.measurement, **facts)
         return OperatingPoint(steady.y[self.measurement], command, models, weights)
 
     def _with_initial_value(self, target: float) -> Instance:
-        """Return the plant with the initial pressure that leads to the measurement `target`.
+        """Return the plant with an initial pressure that leads to a given measurement.
 
-        The command is zero. If a leak determines the steady state, the initial pressure has no effect.
+        `target` is this measurement, and the command is zero. If a leak determines the steady state, the initial
+        pressure has no effect.
         """
         if not self.begins:
             return self.instance
@@ -241,22 +253,10 @@ class Plant:
         values = {"command": command, "fill_command": max(command, 0.0), "vent_command": max(-command, 0.0)}
         return {target: values[output] for output, targets in self.commands.items() for target in targets}
 
-    def _check_response(self, model: LinearModel, branch: str, inputs: Mapping[str, float]) -> None:
-        row = model.outputs.index(self.measurement)
-        input_effect = sum(model.B[:, model.inputs.index(target)] * weight for target, weight in inputs.items())
-        # The first nonzero C A^k B has the sign of the initial response.
-        state_rate, derivatives = input_effect, [input_effect]
-        for _ in model.states:
-            state_rate = model.A @ state_rate
-            derivatives.append(state_rate)
-        effects = [effect for derivative in derivatives if (effect := float(model.C[row] @ derivative))]
-        if effects and effects[0] > 0.0:
-            return
-        code = "beyond_exhaust" if branch == "vent" else "beyond_supply"
-        code = f"plant.{code if effects else 'dead_zone'}"
-        raise InputError(code, self.measurement, inputs=tuple(inputs), branch=branch, **self.shown(model.y[row]))
-
 
 def point_label(plant: Plant, value: float, branch: str) -> str:
-    """Return a label of an operating point and a side, such as `2 bar, fill`."""
+    """Return a label of an operating point, for example `2 bar, fill`.
+
+    `branch` is the side of the command, for example `fill`.
+    """
     return f"{'{value:.4g} {unit}'.format(**plant.shown(value))}, {branch}"

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from typing import Any
+from types import ModuleType
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -10,16 +11,20 @@ from poppet.circuit.linear_model import LinearModel
 from poppet.control.loop import Gains, SampledPlant
 from poppet.core.errors import InputError, needed
 
+if TYPE_CHECKING:
+    import control
+
 _ROUNDING = 1e-6
 
 
-def _package() -> Any:
+def _package() -> ModuleType:
     with needed("control", "python-control", "control"):
         import control
-    return control
+    package: ModuleType = control
+    return package
 
 
-def plant_to_control(plant: SampledPlant) -> Any:
+def plant_to_control(plant: SampledPlant) -> control.StateSpace:
     """Convert a sampled plant with its delay to a discrete-time state space of python-control."""
     n, d = len(plant.B), plant.delay
     a, b, c = np.zeros((n + d, n + d)), np.zeros((n + d, 1)), np.zeros((1, n + d))
@@ -32,7 +37,7 @@ def plant_to_control(plant: SampledPlant) -> Any:
     return _package().ss(a, b, c, np.zeros((1, 1)), plant.sample_time, **names)
 
 
-def gains_to_control(gains: Gains, sample_time: float) -> Any:
+def gains_to_control(gains: Gains, sample_time: float) -> control.TransferFunction:
     """Convert the gains of a controller to a discrete-time transfer function of python-control.
 
     The input is the error, and the output is the command.

@@ -90,7 +90,10 @@ class TunedPoint:
 
     @property
     def sides(self) -> tuple[str, ...]:
-        """Sides, or sizes of sines, for which the margins at all operating points keep the bound."""
+        """Names of the sides for which the margins keep the bound at all operating points.
+
+        If the plant was measured with sines, the amplitudes of the sines replace the sides.
+        """
         return tuple(dict.fromkeys(name.partition(", ")[2] for name in self.margins))
 
     @property
@@ -138,12 +141,15 @@ class Tuning:
 
     @property
     def is_verified(self) -> bool:
-        """True if the tuning used sines and was verified by runs with setpoint steps."""
+        """True if the plant was measured with sines, and setpoint steps verified the gains."""
         return bool(self.points[0].verified)
 
     @property
     def bounded(self) -> str:
-        """Text with the bound of the sensitivities and the tuned sides and operating points."""
+        """Text on the bound of the sensitivities, and where the loop keeps it.
+
+        It names the sides of the command and the operating points.
+        """
         sides = " and ".join(_SIDES.get(side, f"by {side}") for side in self.points[0].sides)
         unit = QUANTITIES[self.quantity].unit
         readable_unit = readable_unit_of(unit)
@@ -153,7 +159,7 @@ class Tuning:
 
     @property
     def held(self) -> str:
-        """Text with the steady commands at the operating points."""
+        """Text with the constant commands that keep the plant at the operating points."""
         commands = [command for point in self.points for command in point.commands]
         if not any(commands):
             return "at rest"
@@ -332,7 +338,7 @@ def schedule(
 
 
 def _add_working_step(plant: Plant, circuit: BaseCircuit, tuning: Tuning) -> Tuning:
-    """Add the verification with a setpoint step of working size, and its notes."""
+    """Add a simulated setpoint step of usual size to a tuning, with its notes."""
     by_value = {value: point for point in tuning.points for value in point.values}
     value, step = largest_step(circuit, tuning.controller, list(by_value))
     if step == 0.0:
@@ -400,33 +406,23 @@ def _tune_points(
     by_name = dict(zip(plants, loop_margins, strict=True))
     values, commands = zip(*((point.value, point.command) for point in points), strict=True)
     result = TunedPoint(gains, factor, 1.0, 0.0, by_name, values, commands, plants)
-    if isinstance(plant, MeasuredLoop):
-        return _choose_weight_by_runs(plant, replace(result, vent_factor=plant.vent_factor), bound, form)
+    # The largest setpoint weight with an acceptable overshoot; a measured loop is tested in verification runs.
     for weight in _weights(gains):
-        overshoot = 0.0
-        for sampled, sampled_margins in zip(plants.values(), loop_margins, strict=True):
-            length = max(gains.integral_time, 1.0 / (2.0 * np.pi * max(sampled_margins.crossover, 1e-9)))
-            samples = min(_SAMPLES, int(20.0 * length / sampled.sample_time))
-            overshoot = max(overshoot, float(np.max(step_response(sampled, gains, weight, samples))) - 1.0)
+        if isinstance(plant, MeasuredLoop):
+            result = replace(result, vent_factor=plant.vent_factor, setpoint_weight=weight)
+            circuit = _make_tuning(plant, (result,), bound, form).applied(plant.loop.circuit)
+            verifications = [plant.verify(circuit, value, gains, by_name) for value in values]
+            result = replace(result, verified=tuple(itertools.chain(*verifications)))
+            overshoot = max(verification.overshoot for verification in result.verified) / 100.0
+        else:
+            overshoot = 0.0
+            for sampled, sampled_margins in zip(plants.values(), loop_margins, strict=True):
+                length = max(gains.integral_time, 1.0 / (2.0 * np.pi * max(sampled_margins.crossover, 1e-9)))
+                samples = min(_SAMPLES, int(20.0 * length / sampled.sample_time))
+                overshoot = max(overshoot, float(np.max(step_response(sampled, gains, weight, samples))) - 1.0)
         if overshoot <= _OVERSHOOT:
             break
     return replace(result, setpoint_weight=weight, overshoot=overshoot)
-
-
-def _choose_weight_by_runs(plant: MeasuredLoop, point: TunedPoint, bound: float, form: str) -> TunedPoint:
-    """Choose the largest setpoint weight with an acceptable overshoot in verification runs.
-
-    The returned point contains these verifications.
-    """
-    for weight in _weights(point.gains):
-        point = replace(point, setpoint_weight=weight)
-        circuit = _make_tuning(plant, (point,), bound, form).applied(plant.loop.circuit)
-        verifications = tuple(plant.verify(circuit, value, point.gains, point.margins) for value in point.values)
-        point = replace(point, verified=tuple(itertools.chain(*verifications)))
-        point = replace(point, overshoot=max(verification.overshoot for verification in point.verified) / 100.0)
-        if point.overshoot <= _OVERSHOOT:
-            break
-    return point
 
 
 def _weights(gains: Gains) -> tuple[float, ...]:
@@ -434,7 +430,10 @@ def _weights(gains: Gains) -> tuple[float, ...]:
 
 
 class _Loops:
-    """Loops of one controller with several plants, for a search of gains under a common bound."""
+    """Loops of one controller with several plants, for which common gains are searched.
+
+    `bound` is the largest permitted sensitivity.
+    """
 
     def __init__(self, plants: Sequence[LoopPlant], bound: float) -> None:
         self.plants, self.bound, self.time = plants, bound, plants[0].sample_time
@@ -458,8 +457,8 @@ class _Loops:
     def best(self, form: str, filter_time: float | None) -> Gains:
         """Return the gains with the largest integral gain that keep the bound.
 
-        For a proportional controller the gain itself is the largest one. `filter_time` is the filter time of the
-        derivative; None derives it from the derivative time.
+        A proportional controller has the largest proportional gain instead. `form` is the form of the controller.
+        `filter_time` is the filter time of the derivative; None derives it from the derivative time.
         """
         if form == "p":
             return Gains(self.largest_gain(Gains(1.0)))
@@ -497,9 +496,9 @@ class _Loops:
         raise SimulationError(Note("tuning.not_kept", bound=self.bound))
 
     def peaks(self, unit: Gains, gains: NDArray[np.float64]) -> NDArray[np.float64]:
-        """Return the maximum of Ms and Mt over all plants for each gain.
+        """Return the maximum of Ms and Mt over all plants for each of several gains.
 
-        `unit` is the controller with a gain of 1, and `gains` contains the factors on it.
+        `unit` is the controller with a gain of 1, and `gains` contains the factors by which its gain is multiplied.
         """
         unit_response, k = unit.response(self.z, self.time), gains[:, None]
         worst = np.zeros(len(gains))

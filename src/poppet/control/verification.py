@@ -84,11 +84,11 @@ def verify_step(
     circuit: BaseCircuit, controller: str, steady_run: Recording | None, value: float, step: float, gains: Gains,
     crossover: float, label: str,
 ) -> Verification:  # fmt: skip
-    """Simulate a tuned loop with a setpoint step and the reverse step from a steady state.
+    """Simulate a tuned loop with a setpoint step and the reverse step.
 
-    `steady_run` is the run to the steady state at the setpoint `value`; None starts at the initial state of the
-    circuit. `step` is the size of the step. `crossover` is the crossover frequency, from which the duration results
-    [Hz].
+    The run starts from `steady_run`, the run to the steady state at the setpoint `value`. None starts at the initial
+    state of the circuit. `step` is the size of the step. `crossover` is the crossover frequency [Hz], which determines
+    the duration.
     """
     part = circuit.parts[controller]
     sample_time = part.parameters(circuit.surroundings)["sample_time"]
@@ -107,7 +107,10 @@ def verify_step(
     metrics = step_metrics(time, setpoint, measured, run[f"{controller}.command"][rows])
 
     def swing(quarter: int) -> float:
-        """Return the maximum of both steps of half the range in a quarter, without drift."""
+        """Return half the range of the response in one quarter of the time, without drift.
+
+        The result is the larger value of both steps.
+        """
         starts = (begin + quarter * _ROWS // 4 for begin in (0, _ROWS))
         quarters = [measured[k : k + _ROWS // 4] for k in starts]
         return max(0.5 * float(np.ptp(values - np.linspace(values[0], values[-1], values.size))) for values in quarters)

@@ -23,9 +23,10 @@ _CODES = ("tuning.grows", "tuning.swings")
 
 
 def largest_step(circuit: BaseCircuit, controller: str, values: Sequence[float]) -> tuple[float, float]:
-    """Return the operating point and the size of the largest step to a level of the setpoint's signal.
+    """Return the largest step from an operating point to a level of the setpoint.
 
-    The size is zero without such a signal.
+    The levels are those of the setpoint signal in the circuit. The result contains the operating point, one of
+    `values`, and the size of the step. The size is zero if there is no such signal.
     """
     signal = circuit.signals.get(f"{controller}.setpoint")
     levels = np.asarray(signal.values, dtype=float).tolist() if isinstance(signal, Steps | Points) else []
@@ -36,10 +37,10 @@ def largest_step(circuit: BaseCircuit, controller: str, values: Sequence[float])
 def verify_working_step(
     plant: Plant, circuit: BaseCircuit, step: tuple[float, float], gains: Gains, crossover: float
 ) -> tuple[Verification | None, tuple[Note, ...]]:
-    """Simulate a tuned loop with a step of working size; return the verification and its notes.
+    """Simulate a tuned loop with a setpoint step of usual size.
 
-    `step` contains the operating point and the size of the step, SI. A loop with a linear plant starts at the initial
-    state of the circuit.
+    `step` contains the operating point and the size of the step, SI. The result contains the verification and its
+    notes. A loop with a linear plant starts at the initial state of the circuit.
     """
     value, size = step
     label = point_label(plant, value, "a step of {value:.4g} {unit}".format(**plant.shown(size)))

@@ -52,14 +52,20 @@ class Note:
         return {"code": self.code, "address": self.address, **plain(self.facts)}
 
     def within(self, owner: str) -> Note:
-        """Return a copy of the note with the name `owner` before its address."""
+        """Return a copy of the note with a prefix before its address.
+
+        `owner` is this prefix, for example the name of the part to which the address belongs.
+        """
         # The address of a note on a table is a file, not a channel of a recording.
         joint = ": " if self.code.startswith("table.") else "."
         return Note(self.code, joint.join(filter(None, (owner, self.address))), **self.facts)
 
 
 def plain(value: Any) -> Any:
-    """Convert a fact to types that files can contain; other types become text."""
+    """Convert a fact of a message to types that files can contain.
+
+    Numbers, texts, lists, tables and notes are supported. An object of any other type becomes text.
+    """
     if isinstance(value, Mapping):
         return {str(key): plain(member) for key, member in value.items()}
     value = value.tolist() if hasattr(value, "tolist") else value  # of NumPy

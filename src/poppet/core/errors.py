@@ -5,6 +5,7 @@ Each message consists of the invalid input, the reason and the hint.
 
 from __future__ import annotations
 
+import copyreg
 import difflib
 import warnings
 from collections.abc import Callable, Iterable, Iterator, Sequence
@@ -60,7 +61,10 @@ class InputError(PoppetError, ValueError):
 
     @property
     def problems(self) -> tuple[InputError, ...]:
-        """Tuple of all single errors; for a single error, it contains only this error."""
+        """Tuple of all single errors.
+
+        For a single error, the tuple contains only this error. A subclass with several errors returns all of them.
+        """
         return (self,)
 
     @property
@@ -92,13 +96,13 @@ class InputError(PoppetError, ValueError):
         return f"{location}{self.given} {self.reason} {self.hint}"
 
     # By default, an exception is restored from its `args` and would lose its facts between processes.
-    def __reduce__(self) -> Any:
-        return _restore, (type(self), self.__dict__)
+    def __reduce__(self) -> tuple[Any, ...]:
+        return copyreg.__newobj__, (type(self),), self.__dict__  # type: ignore[attr-defined]
 
     def at(self, address: str) -> InputError:
         """Set the address of the error, and return the error.
 
-        A text that does not show the address begins with it.
+        If the text of the error does not show the address, the text begins with it.
         """
         for problem in self.problems:
             problem.address = problem.place = address
@@ -113,7 +117,10 @@ class InputError(PoppetError, ValueError):
         return self
 
     def within(self, owner: str) -> InputError:
-        """Add the name `owner` before the address of each single error; return the error."""
+        """Add a prefix before the address of each single error, and return the error.
+
+        `owner` is this prefix, for example the name of a part.
+        """
         for problem in self.problems if owner else ():
             problem.address = f"{owner}.{problem.address}" if problem.address else owner
             problem.place = f"{owner}.{problem.place}" if problem.place else owner
@@ -121,16 +128,16 @@ class InputError(PoppetError, ValueError):
 
 
 class OutOfRangeError(InputError):
-    """Error of a value outside a valid range.
+    """Error of a value outside its valid range.
 
-    The range is that of a parameter, of a physical law or of a fit.
+    The range can be that of a parameter, of a physical law or of a fit.
     """
 
 
 class UnitError(InputError):
-    """Error of a unit.
+    """Error of a unit that is missing, unknown or unsuitable.
 
-    The unit is missing or unknown, belongs to another quantity, or has the wrong reference (gauge, absolute, ANR).
+    A unit is unsuitable if it belongs to another quantity, or if it has the wrong reference (gauge, absolute, ANR).
     """
 
 
@@ -144,9 +151,10 @@ class MissingDependencyError(InputError):
 
 @contextmanager
 def needed(package: str, purpose: str, extra: str) -> Iterator[None]:
-    """Convert a failed import in a block to an error with installation advice.
+    """Convert an ImportError inside a `with` block to an error with installation advice.
 
-    `package` is the optional package, `purpose` its use, and `extra` the name of the installation option of poppet.
+    `package` is the optional package, `purpose` describes what requires it, and `extra` is the installation option of
+    poppet that includes it.
     """
     try:
         yield
@@ -157,7 +165,7 @@ def needed(package: str, purpose: str, extra: str) -> Iterator[None]:
 class InputErrors(InputError):
     """Collection of all errors of one input.
 
-    It contains at least one error. Nested collections are flattened.
+    It contains at least one error. A collection inside another collection is replaced by its errors.
     """
 
     def __init__(self, problems: Iterable[InputError]) -> None:
@@ -210,9 +218,9 @@ class ErrorCollector:
 
     @contextmanager
     def collecting(self, owner: str = "") -> Iterator[None]:
-        """Collect an error that a block raises.
+        """Collect an error that is raised inside a `with` block.
 
-        The name `owner` is added before the address of the error.
+        The prefix `owner` is added before the address of the error.
         """
         try:
             yield
@@ -254,9 +262,9 @@ class SimulationError(PoppetError):
 
 
 def collect(problems: Sequence[InputError]) -> None:
-    """Raise all given errors together.
+    """Raise all errors in a list together.
 
-    A single error is raised as itself. Without errors, the function does nothing.
+    A single error is raised unchanged. If the list is empty, the function does nothing.
     """
     if problems:
         raise (problems[0] if len(problems) == 1 else InputErrors(problems)) from None
@@ -275,9 +283,9 @@ def relocated(error: InputError, address_in_file: Callable[[str], str]) -> Input
 
 
 class NameSuggestion:
-    """Hint for an unknown name.
+    """Hint for an unknown name: the closest valid names.
 
-    It lists the closest valid names, or all valid names if none is close.
+    If no valid name is close, the hint lists all valid names.
     """
 
     def __init__(self, name: str, valid_names: Iterable[str]) -> None:
@@ -291,10 +299,3 @@ class NameSuggestion:
     def __str__(self) -> str:
         code = "near.names" if self.names else "near.all" if self.valid_names else "near.none"
         return message_format.sentence(code, {"names": self.names or self.valid_names})
-
-
-def _restore(kind: type[InputError], state: dict[str, Any]) -> InputError:
-    """Create an error from its stored state, for example in another process."""
-    error = kind.__new__(kind)
-    error.__dict__.update(state)
-    return error

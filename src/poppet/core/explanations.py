@@ -23,33 +23,39 @@ def renamed_codes() -> dict[str, str]:
 
 
 def stored_examples() -> dict[str, dict[str, Any]]:
-    """Return a mapping from message codes to address and facts of an example."""
+    """Return one example for each message code that has one.
+
+    The keys are message codes. Each example contains an address and facts, from which the text can be rendered.
+    """
     examples: dict[str, dict[str, Any]] = json.loads(EXAMPLES.read_text(encoding="utf-8"))
     return examples
 
 
 def example_texts(code: str, example: Mapping[str, Any]) -> dict[str, str]:
-    """Return the texts of a message code for a stored example.
+    """Return the texts of a message with the facts of a stored example.
 
-    The keys are the names of the texts: `given`, `reason` and `hint` of an error. A note has one text with an empty
-    name.
+    An error has three texts with the keys `given`, `reason` and `hint`. A note has one text with an empty key.
     """
-    facts = {name: _restored(value) for name, value in example.get("facts", {}).items()}
+    facts = {name: _with_original_types(value) for name, value in example.get("facts", {}).items()}
     if "cause" in example:
         cause = example["cause"]
-        facts["cause"] = InputError(cause["code"], **{name: _restored(value) for name, value in cause["facts"].items()})
+        facts["cause"] = InputError(
+            cause["code"], **{name: _with_original_types(value) for name, value in cause["facts"].items()}
+        )
     facts["address"] = example.get("address", "")
     return {part: sentence(code, facts, part) for part in (("",) if isinstance(template(code), str) else PARTS)}
 
 
-def _restored(value: Any) -> Any:
-    """Return a fact with its original types.
+def _with_original_types(value: Any) -> Any:
+    """Convert a fact from a file back to its original types.
 
-    Files contain lists in place of tuples, and tables in place of notes.
+    Files contain lists instead of tuples, and tables instead of notes.
     """
     if isinstance(value, dict):
         if "code" in value and "address" in value:
-            facts = {key: _restored(member) for key, member in value.items() if key not in ("code", "address")}
+            facts = {
+                key: _with_original_types(member) for key, member in value.items() if key not in ("code", "address")
+            }
             return Note(value["code"], value["address"], **facts)
-        return {key: _restored(member) for key, member in value.items()}
-    return tuple(map(_restored, value)) if isinstance(value, list) else value
+        return {key: _with_original_types(member) for key, member in value.items()}
+    return tuple(map(_with_original_types, value)) if isinstance(value, list) else value

@@ -18,13 +18,16 @@ Choice = TypeVar("Choice")
 def write_whole(path: Path, fill: Callable[[IO[bytes]], Any]) -> Path:
     """Write a file completely or not at all.
 
-    The function `fill` writes a temporary file, which then replaces the target.
+    The function `fill` receives a temporary file and writes the content into it. The temporary file then replaces the
+    file at `path`.
     """
     # Resolve links: renaming onto a link would replace the link.
     target = Path(os.path.realpath(path))
     if not target.parent.is_dir():
         raise InputError("files.no_folder", path=str(path), folder=str(target.parent))
-    start = f".{target.name}.{_host()}-"
+    # Processes of other hosts can write to a shared folder, but this host cannot detect whether they run.
+    host = zlib.crc32(os.uname().nodename.encode()) if hasattr(os, "uname") else 0
+    start = f".{target.name}.{host:08x}-"
     # In the same folder: a rename across file systems is a copy, which is not atomic.
     aside = target.with_name(f"{start}{os.getpid()}-{uuid.uuid4().hex[:12]}")
     with os.scandir(target.parent) as entries:
@@ -46,14 +49,6 @@ def write_whole(path: Path, fill: Callable[[IO[bytes]], Any]) -> Path:
     return path
 
 
-def _host() -> str:
-    """Return a hash of the host name.
-
-    Processes of other hosts can write to a shared folder, but this host cannot detect whether they run.
-    """
-    return f"{zlib.crc32(os.uname().nodename.encode()) if hasattr(os, 'uname') else 0:08x}"
-
-
 def _is_running(process: int) -> bool:
     if os.name != "posix":
         return True  # signal 0 would end the process
@@ -67,7 +62,10 @@ def _is_running(process: int) -> bool:
 
 
 def by_suffix(path: Path, choices: Mapping[str, Choice]) -> Choice:
-    """Return the entry of `choices` for the file extension of a path."""
+    """Return the entry of `choices` that belongs to the file extension of a path.
+
+    The keys of `choices` are file extensions. An unknown extension raises an error.
+    """
     suffix = path.suffix.lower()
     if suffix not in choices:
         raise InputError("files.suffix", path=str(path), suffix=path.suffix, near=NameSuggestion(suffix, choices))

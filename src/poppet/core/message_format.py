@@ -42,9 +42,9 @@ def _templates(topic: str) -> dict[str, Any]:
 
 
 def template(code: str) -> Template:
-    """Return the template of a message code.
+    """Return the template of the message with a given code.
 
-    The template of a note is a text. That of an error is a table of `given`, `reason` and `hint`.
+    The template of a note is a text. The template of an error is a table with the texts `given`, `reason` and `hint`.
     """
     topic, *keys = code.split(".")
     node: Template = _templates(topic)
@@ -56,7 +56,7 @@ def template(code: str) -> Template:
 
 
 class _Formatter(string.Formatter):
-    """Formatter of message templates, which supports the additions of this module."""
+    """String formatter with the additional format specifications of message templates."""
 
     def format_field(self, value: Any, spec: str) -> str:
         if spec.startswith("|"):
@@ -78,21 +78,14 @@ class _Formatter(string.Formatter):
         if value is None and spec:
             return ""  # inside a text that is not shown
         if ">" in spec and not spec.startswith(">"):
-            return _in_unit(value, spec)
+            # The value in another unit: both units and the format, for example `Pa>bar .3f`.
+            units, _, number_spec = spec.rpartition(" ")
+            if units.endswith(">"):
+                units = next((pair for pair in DISPLAY_FACTORS if pair.startswith(units)), units + units[:-1])
+            unit, _, display_unit = units.partition(">")
+            return f"{value * (1.0 if unit == display_unit else DISPLAY_FACTORS[units]):{number_spec}} {display_unit}"
         text: str = format(value, spec)
         return text
-
-
-def _in_unit(value: float, spec: str) -> str:
-    """Return the text of a fact in another unit.
-
-    `spec` contains both units and the format, for example `Pa>bar .3f`.
-    """
-    units, _, number_spec = spec.rpartition(" ")
-    if units.endswith(">"):
-        units = next((pair for pair in DISPLAY_FACTORS if pair.startswith(units)), units + units[:-1])
-    unit, _, display_unit = units.partition(">")
-    return f"{value * (1.0 if unit == display_unit else DISPLAY_FACTORS[units]):{number_spec}} {display_unit}"
 
 
 _FORMATTER = _Formatter()
@@ -109,9 +102,9 @@ def sentence(code: str, facts: Mapping[str, Any], part: str = "") -> str:
 
 @cache
 def facts_of(code: str, part: str = "") -> frozenset[str]:
-    """Return the names of the facts that a message shows.
+    """Return the names of all facts that the text of a message contains.
 
-    For an error, `part` selects one of its texts: `given`, `reason` or `hint`.
+    For an error, `part` selects one of its texts: `given`, `reason` or `hint`. By default, all three are included.
     """
     text = template(code)
     if not isinstance(text, str):

@@ -23,7 +23,7 @@ SIZES = {
 
 
 def grouped(notes: Iterable[Note | str]) -> list[Note]:
-    """Combine three or more notes with the same code into one note for display.
+    """Combine three or more notes with the same code into one note.
 
     Parameters
     ----------
@@ -40,8 +40,8 @@ def grouped(notes: Iterable[Note | str]) -> list[Note]:
 
     Examples
     --------
-    >>> print(*grouped([Note("signals.held_after", each, source="", value=1.0, time=2.0) for each in "abcdefg"]))
-    a is kept at its last value, 1, after t = 2 s. 6 similar notes: b, c, d and 3 others.
+    >>> print(*grouped([Note("bench.unrecorded.flow", name) for name in "abcdefg"]))
+    a: the flow was not recorded. There are 6 more notes of this kind, on b, c, d and 3 others.
     """
     unique_notes = list(dict.fromkeys(notes_of(notes)))
     kinds: dict[str, list[Note]] = {}

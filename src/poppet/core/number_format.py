@@ -55,7 +55,7 @@ def printable(text: str) -> str:
 
 
 def readable_unit(unit: str, *sizes: float) -> str:
-    """Return a display unit that suits the largest of the given values.
+    """Return a unit for display in which the largest of several values is readable.
 
     `unit` is the SI unit of the values.
 
@@ -87,9 +87,10 @@ def with_unit(text: str, unit: str) -> str:
 
 
 def digits_of(value: float, largest: float) -> str:
-    """Return a value as text with five digits.
+    """Return a value as text with five significant digits.
 
-    The text is 0 if the value is below the rounding error of `largest`, the largest value of a series.
+    `largest` is the largest value of the series to which the value belongs. A value below the rounding error of
+    `largest` is shown as 0.
 
     Examples
     --------
@@ -100,7 +101,7 @@ def digits_of(value: float, largest: float) -> str:
 
 
 def decimals(error: float) -> int | None:
-    """Return the number of decimals for two significant digits of an uncertainty.
+    """Return the number of decimals that shows two significant digits of an uncertainty.
 
     The result is None if the uncertainty is below 1e-6, at least 1e6, or not a number.
 
@@ -115,9 +116,9 @@ def decimals(error: float) -> int | None:
 
 
 def number(value: float, n_decimals: int | None = None) -> str:
-    """Return a value as text, with a number of decimals or five digits.
+    """Return a value as text with `n_decimals` decimals, by default with five significant digits.
 
-    Values that are not finite become words.
+    Infinite values and NaN become words.
 
     Examples
     --------
@@ -173,7 +174,10 @@ def interval(low: float, high: float, unit: str, shown_in: str) -> str:
 
 
 def scaled(difference: float, unit: str, shown_in: str) -> float:
-    """Convert a value or difference to another unit with the same zero."""
+    """Convert a value to another unit with the same zero point.
+
+    Because the zero points are equal, differences are converted in the same way.
+    """
     if unit == shown_in or not math.isfinite(difference):
         return difference
     from poppet.core.units import convert  # imports NumPy, which the help of a command does not need
@@ -182,9 +186,9 @@ def scaled(difference: float, unit: str, shown_in: str) -> float:
 
 
 def aligned(rows: Sequence[Sequence[str]], numbers: Iterable[int]) -> str:
-    """Return a table as text with aligned columns.
+    """Return the rows of a table as text with aligned columns.
 
-    The columns with the indices in `numbers` are right-aligned.
+    `numbers` contains the indices of the columns that are aligned on the right.
 
     Examples
     --------

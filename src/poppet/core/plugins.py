@@ -37,7 +37,10 @@ class PluginWarning(UserWarning):
 
 
 def import_object(value: Any) -> Any:
-    """Return the object itself, or the object that its text form `package.module:name` refers to."""
+    """Import the object to which a text of the form `package.module:name` refers.
+
+    A value that is not such a text is returned unchanged.
+    """
     if not isinstance(value, str) or not value:
         return value
     module, _, name = value.partition(":")
@@ -96,7 +99,7 @@ class Registry(UserDict[str, T]):
         return len(self.data)
 
     def _extend(self) -> None:
-        """Add the objects of all plugins, once.
+        """Add the objects of all plugins when they are first needed.
 
         A warning is issued for each plugin that is ignored.
         """

@@ -119,21 +119,16 @@ class Number:
 
     def display(self) -> str:
         """Return the text that the user wrote, or value and unit."""
-        if self.text and not _is_bare(self.text):
-            return self.text
+        if self.text:
+            try:
+                float(self.text)
+            except ValueError:
+                return self.text  # not a value without its unit
         unit = "" if self.unit in ("", "1") else f" {self.unit}"
         return f"{self.text or format(self.value, '.12g')}{unit}{' g' if self.reference == 'gauge' else ''}"
 
     def __str__(self) -> str:
         return self.display()
-
-
-def _is_bare(text: str) -> bool:
-    try:
-        float(text)
-    except ValueError:
-        return False
-    return True
 
 
 def assumed(value: float, unit: str, note: str, *, reference: Reference = "") -> Number:

@@ -8,6 +8,8 @@ domain first, which also keeps derivatives finite.
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
+from types import ModuleType
 from typing import Any
 
 import numpy as np
@@ -23,14 +25,17 @@ def is_array(*values: Any) -> bool:
     return any(isinstance(value, (np.ndarray, list, tuple)) for value in values)
 
 
-def _casadi() -> Any:
+def _casadi() -> ModuleType:
     import casadi
 
     return casadi
 
 
 def where(condition: Any, if_true: Any, if_false: Any) -> Any:
-    """Return `if_true` if the condition is true, otherwise `if_false`, for each element."""
+    """Return `if_true` where the condition is true, and `if_false` elsewhere.
+
+    The arguments can be floats, arrays or symbols. Arrays are evaluated for each element.
+    """
     if is_symbolic(condition, if_true, if_false):
         ca = _casadi()
         if not is_symbolic(condition):
@@ -42,9 +47,9 @@ def where(condition: Any, if_true: Any, if_false: Any) -> Any:
 
 
 def minimum(a: Any, b: Any) -> Any:
-    """Return the smaller of two values, for each element.
+    """Return the smaller of two values, for each element of arrays.
 
-    If two symbols are equal, the derivative is that of one of them.
+    The arguments can be floats, arrays or symbols. At equal symbols, the derivative is that of one of them.
     """
     if is_symbolic(a, b):
         return _casadi().fmin(a, b)
@@ -54,7 +59,10 @@ def minimum(a: Any, b: Any) -> Any:
 
 
 def maximum(a: Any, b: Any) -> Any:
-    """Return the larger of two values, for each element."""
+    """Return the larger of two values, for each element of arrays.
+
+    The arguments can be floats, arrays or symbols.
+    """
     if is_symbolic(a, b):
         return _casadi().fmax(a, b)
     if is_array(a, b):
@@ -71,7 +79,7 @@ def clip(value: Any, low: Any, high: Any) -> Any:
 
 
 # `math` for floats: the functions of NumPy take ten times longer for one value.
-def _elementary(name: str, float_function: Any) -> Any:
+def _elementary(name: str, float_function: Callable[[Any], float]) -> Callable[[Any], Any]:
     def apply(value: Any) -> Any:
         if is_symbolic(value):
             return getattr(_casadi(), name)(value)

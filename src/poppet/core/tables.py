@@ -26,10 +26,10 @@ _TYPES: dict[str, tuple[tuple[type, ...], str, str | list[str]]] = {
 
 @dataclass(frozen=True, kw_only=True)
 class NumberRange:
-    """Limits of a number in SI.
+    """Limits of a number in SI units.
 
-    `low` and `high` are the smallest and largest valid values. `above` and `below` are limits that are not valid
-    themselves.
+    `low` and `high` are the smallest and the largest valid value. `above` and `below` are limits that the number must
+    not reach: it must be greater than `above` and less than `below`.
     """
 
     unit: str
@@ -40,12 +40,18 @@ class NumberRange:
 
     @cached_property
     def ends(self) -> tuple[float, float]:
-        """Smallest and largest valid value, including the plausibility limits of the unit."""
+        """Smallest and largest valid value, with regard to the plausibility limits of the unit.
+
+        The plausibility limits are those of `poppet.core.units.sizes_of`.
+        """
         smallest, largest = sizes_of(self.unit)
         return smallest if self.above == 0.0 else self.low, min(self.high, largest)
 
     def holds(self, value: float) -> bool:
-        """Return True if a value is within the limits; the result is False for NaN."""
+        """Return True if a value is within the limits.
+
+        The result for NaN is False.
+        """
         low, high = self.ends
         return low <= value <= high and self.above < value < self.below
 
@@ -70,9 +76,9 @@ class NumberRange:
 class Field(NumberRange):
     """Declaration of one field of a table.
 
-    A field with a `unit` is a number. Its `choices` are words that are valid instead of a number. A field without a
-    unit is returned as it is written, if it is one of its `choices` and of its `type`. The type `text` also accepts
-    other values and converts them to text.
+    A field with a `unit` is a number. If a number field also has `choices`, these are words that are valid instead of a
+    number. A field without a unit is not converted: it must be one of its `choices`, or have its `type`. For the type
+    `text`, values of other types are converted to text.
     """
 
     unit: str = ""
@@ -139,10 +145,10 @@ def read_fields(
     table: str = "",
     ambient_pressure: float = 0.0,
 ) -> dict[str, Any]:
-    """Read a table by the declarations of its fields, and collect the errors.
+    """Read a table according to the declarations of its fields, and collect all errors.
 
-    The result contains the valid fields and the declared defaults. Gauge pressures become absolute. `table` is the
-    name of the table in the message about an unknown field, for example "fit file".
+    The result contains the valid fields, and the defaults of the other fields. Gauge pressures become absolute. The
+    keyword `table` is the name of the table for messages about unknown fields, for example "fit file".
 
     Examples
     --------

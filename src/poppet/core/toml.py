@@ -39,11 +39,11 @@ def json_text(content: Mapping[str, Any]) -> str:
 
     Values that are not finite become the texts "nan", "inf" and "-inf".
     """
-    return json.dumps(_plain(content, as_text=True), indent=2, ensure_ascii=False, allow_nan=False) + "\n"
+    return json.dumps(_basic_types(content, as_text=True), indent=2, ensure_ascii=False, allow_nan=False) + "\n"
 
 
 def from_json(value: Any) -> Any:
-    """Convert JSON content of `json_text` back.
+    """Convert the content of a JSON file from `json_text` back to its original values.
 
     The texts "nan", "inf" and "-inf" become numbers.
     """
@@ -70,50 +70,51 @@ def toml_text(content: Mapping[str, Any]) -> str:
     [[steps]]
     from = 2.0
     """
-    return "\n".join(_lines("", _plain(content))).removeprefix("\n") + "\n"
+    return "\n".join(_lines("", _basic_types(content))).removeprefix("\n") + "\n"
 
 
 def _lines(path: str, table: Mapping[str, Any]) -> list[str]:
     # Values first: after the header of a table, they would belong to that table.
-    values = [f"{_key(k)} = {value_text(v)}" for k, v in table.items() if not _is_apart(path, v)]
+    values = [f"{_key(k)} = {value_text(v)}" for k, v in table.items() if not _needs_own_header(path, v)]
     lines = ["", f"[{path}]", *values] if path and (values or not table) else values
     for name, inner in table.items():
         address = f"{path}.{_key(name)}" if path else _key(name)
         if isinstance(inner, Mapping):
             lines += _lines(address, inner)
-        elif _is_apart(path, inner):
+        elif _needs_own_header(path, inner):
             for row in inner:
                 lines += ["", f"[[{address}]]", *(f"{_key(k)} = {value_text(v)}" for k, v in row.items())]
     return lines
 
 
-def _is_apart(path: str, value: Any) -> bool:
-    """Return True for a value that needs a header of its own in TOML.
+def _needs_own_header(path: str, value: Any) -> bool:
+    """Return True if a value is written under a TOML header of its own.
 
-    Such a value is a table, or at the root a list of tables.
+    This applies to tables, and at the top level of the file to lists of tables. All other values are written in one
+    line.
     """
     if isinstance(value, Mapping) or path:
         return isinstance(value, Mapping)
     return isinstance(value, list) and bool(value) and all(isinstance(row, Mapping) for row in value)
 
 
-def _plain(value: Any, *, as_text: bool = False) -> Any:
-    """Convert values to types of Python.
+def _basic_types(value: Any, *, as_text: bool = False) -> Any:
+    """Convert the values of nested tables to basic Python types.
 
-    If `as_text` is True, values that are not finite become text.
+    If `as_text` is True, infinite values and NaN become text.
     """
     if isinstance(value, Mapping):
         # TOML cannot contain None.
-        return {str(key): _plain(v, as_text=as_text) for key, v in value.items() if as_text or v is not None}
+        return {str(key): _basic_types(v, as_text=as_text) for key, v in value.items() if as_text or v is not None}
     if hasattr(value, "tolist"):
         value = value.tolist()
     if isinstance(value, list | tuple):
-        return [_plain(v, as_text=as_text) for v in value]
+        return [_basic_types(v, as_text=as_text) for v in value]
     return str(value) if as_text and isinstance(value, float) and not math.isfinite(value) else value
 
 
 def _key(name: str) -> str:
-    return name if name.replace("_", "").replace("-", "").isalnum() and name.isascii() else _quoted(name)
+    return name if name.replace("_", "").replace("-", "").isalnum() and name.isascii() else _toml_string(name)
 
 
 def value_text(value: Any) -> str:
@@ -128,9 +129,12 @@ def value_text(value: Any) -> str:
         return str(value)
     if isinstance(value, float):
         return repr(value)  # nan, inf and -inf are valid TOML
-    return _quoted(str(value))
+    return _toml_string(str(value))
 
 
-def _quoted(text: str) -> str:
-    """Return a TOML basic string: a JSON string with DEL escaped."""
+def _toml_string(text: str) -> str:
+    """Return a text as a TOML string in quotes, with escaped special characters.
+
+    The notation is that of JSON, in which the character DEL is escaped as well.
+    """
     return json.dumps(text, ensure_ascii=False).replace("\x7f", "\\u007f")

@@ -46,13 +46,17 @@ class TomlFile:
     def read(cls, path: str | Path, table: str = "") -> TomlFile:
         """Read a TOML file.
 
-        If the file does not exist, the error suggests files with similar names that contain the table `table`.
+        If the file does not exist, the error message suggests files with similar names. `table` is the name of a table
+        that a suggested file must contain.
         """
         return cls(read_text(Path(path), table), str(path), Path(path).parent)
 
     @property
     def content(self) -> dict[str, Any]:
-        """Tables of the file; a control character in a key or text raises an error."""
+        """Tables of the file, in which no key and no text contains a control character.
+
+        A control character raises an error.
+        """
         tables = self.tables
         for address, text in _texts(tables):
             if printable(text) != text:
@@ -132,11 +136,10 @@ class TomlFile:
 
 
 class _Lines:
-    """Line numbers in a TOML text.
+    """Line numbers of the tables and keys in a TOML text.
 
-    `of` maps paths of tables and keys to lines, and `twice` maps lines to repeated names.
-
-    Invalid TOML is read as well, because repeated names make it invalid.
+    `of` maps the paths of tables and keys to line numbers. `twice` maps line numbers to names that occur repeatedly.
+    Invalid TOML can be read too, because repeated names make it invalid.
     """
 
     def __init__(self, text: str) -> None:
@@ -189,10 +192,10 @@ def _dotted(text: str) -> str:
     return ".".join(a or b or c for a, b, c in _PIECE.findall(text))
 
 
-def _like(path: Path, table: str) -> NameSuggestion:
-    """Return a suggestion for the name of a missing file.
+def _similar_files(path: Path, table: str) -> NameSuggestion:
+    """Return a suggestion for the name of a file that does not exist.
 
-    It lists files in the same folder with similar names that contain the table `table`.
+    The suggestion contains files in the same folder that have a similar name and contain the table `table`.
     """
     names = []
     for file in path.parent.glob(f"*{path.suffix}"):
@@ -205,7 +208,10 @@ def _like(path: Path, table: str) -> NameSuggestion:
 
 
 def read_text(path: Path, table: str = "") -> str:
-    """Return the content of a user's file as text."""
+    """Return the content of a text file that the user has specified.
+
+    If the file does not exist, the error suggests similar files that contain the table `table`.
+    """
     name = str(path)
     if "\n" in name:
         raise InputError("toml.no_path")
@@ -213,7 +219,7 @@ def read_text(path: Path, table: str = "") -> str:
         with path.open("rb") as file:
             data = file.read(LARGEST + 1)  # devices have no size
     except FileNotFoundError:
-        suggestion = _like(path, table)
+        suggestion = _similar_files(path, table)
         is_lost = not suggestion.names
         new = is_lost and table == "parts"
         raise InputError("toml.no_file", path=name, near="" if is_lost else suggestion, lost=is_lost, new=new) from None

@@ -9,7 +9,6 @@ from __future__ import annotations
 import difflib
 import math
 import re
-from collections.abc import Iterator
 from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
@@ -138,8 +137,18 @@ class _Expression:
 
     def __init__(self, text: str) -> None:
         self.text = text
-        self.tokens = list(_tokens(text))
+        self.tokens: list[str] = []
         self.at = 0
+        if len(text) > _LONGEST:
+            raise UnitError("unit.too_long", start=text[:20], limit=_LONGEST)
+        end = len(text.rstrip())
+        position = 0
+        while position < end:
+            match = _TOKEN.match(text, position)
+            if match is None:
+                raise UnitError("unit.character", unit=text, character=text[position:].strip()[0])
+            self.tokens.append(match.group(1))
+            position = match.end()
 
     def read(self) -> Unit:
         unit = self.product()
@@ -190,7 +199,7 @@ class _Expression:
         if token in TABLE:
             return TABLE[token]
         if token[0].isalpha():
-            raise _unknown(self.text, token)
+            raise _unknown_symbol_error(self.text, token)
         raise self.refused("unit.unreadable", at=token)
 
     def exponent(self) -> Fraction:
@@ -213,7 +222,7 @@ class _Expression:
         return Fraction(token)
 
     def times(self, unit: Unit, factor: Unit, exponent: Fraction) -> Unit:
-        """Return `unit * factor**exponent`.
+        """Return the unit that results from `unit * factor**exponent`.
 
         The result is exact if the exponent is an integer.
         """
@@ -227,19 +236,6 @@ class _Expression:
         return Unit(dimension, unit.scale * Fraction(factor.scale**exponent))
 
 
-def _tokens(text: str) -> Iterator[str]:
-    if len(text) > _LONGEST:
-        raise UnitError("unit.too_long", start=text[:20], limit=_LONGEST)
-    end = len(text.rstrip())
-    position = 0
-    while position < end:
-        match = _TOKEN.match(text, position)
-        if match is None:
-            raise UnitError("unit.character", unit=text, character=text[position:].strip()[0])
-        yield match.group(1)
-        position = match.end()
-
-
 def _decades(scale: Fraction) -> float:
     return math.log10(scale.numerator) - math.log10(scale.denominator)
 
@@ -247,8 +243,11 @@ def _decades(scale: Fraction) -> float:
 _MEANT = {"C": "degC", "F": "degF", "sec": "s", "lpm": "l/min", "liter": "l", "litre": "l"}
 
 
-def _unknown(text: str, symbol: str) -> UnitError:
-    """Return the error for an unknown unit symbol, with the most specific hint."""
+def _unknown_symbol_error(text: str, symbol: str) -> UnitError:
+    """Return the error for a symbol that is not a unit.
+
+    The error contains the most specific hint that is available, for example a similar unit.
+    """
     facts: dict[str, Any] = {"unit": text, "symbol": symbol}
     powered = re.fullmatch(r"([A-Za-z]+)([2-6])", symbol)
     if powered and powered[1] in TABLE:

@@ -115,11 +115,11 @@ _ABBREVIATED: dict[str, tuple[str, _Mark]] = {
 
 
 @lru_cache(maxsize=4096)
-def _parse(text: str) -> tuple[Unit, _Mark]:
-    """Return the unit of a text, and its mark.
+def _unit_and_mark(text: str) -> tuple[Unit, _Mark]:
+    """Return the unit in a text, and its mark, for example `gauge` or `normal`.
 
-    A mark shows the reference: `g` is gauge, and `N` is the normal state. In other positions, `g` is a gram and `N` a
-    newton.
+    The letter `g` marks a gauge pressure, and `N` the normal state of a volume flow. In other positions, `g` is a gram
+    and `N` a newton.
     """
     text = text.translate(SPELLINGS).strip()
     if text.casefold() in _ABBREVIATED:
@@ -167,7 +167,7 @@ def is_known(unit: str) -> bool:
     (True, False)
     """
     try:
-        _parse(unit)
+        _unit_and_mark(unit)
     except UnitError:
         return False
     return True
@@ -186,7 +186,7 @@ def check_unit(unit: str) -> None:
     UnitError
         If the unit is invalid; the error suggests the closest unit.
     """
-    _parse(unit)
+    _unit_and_mark(unit)
 
 
 def same_dimension(first: str, second: str) -> bool:
@@ -210,11 +210,11 @@ def same_dimension(first: str, second: str) -> bool:
 
 
 def _flow_dimension(unit: str) -> Dimension:
-    """Return the dimension of a unit.
+    """Return the physical dimension of a unit.
 
-    A volume flow with a reference state has the dimension of a mass flow.
+    A volume flow with a reference state has the dimension of a mass flow, because it can be converted to one.
     """
-    parsed, mark = _parse(unit)
+    parsed, mark = _unit_and_mark(unit)
     return MASS_FLOW if mark in _DENSITY else parsed.dimension
 
 
@@ -239,7 +239,7 @@ def counted_at(text: str) -> str:
     """
     number = _NUMBER.fullmatch(text)
     try:
-        parsed, mark = _parse(number[2] if number else text)
+        parsed, mark = _unit_and_mark(number[2] if number else text)
     except UnitError:
         return ""
     return (mark or "open") if parsed.dimension == VOLUME_FLOW else ""
@@ -264,11 +264,14 @@ def with_state(text: str) -> str:
     ('l/min ANR', '380 l/min N', 'l/min N', 'bar')
     """
     mark = {"open": " ANR", "standard": " N"}.get(counted_at(text))
-    return f"{_spelt(text)}{mark}" if mark else text
+    return f"{_without_abbreviations(text)}{mark}" if mark else text
 
 
-def _spelt(text: str) -> str:
-    """Return a volume flow in the notation of units, without abbreviations of instruments."""
+def _without_abbreviations(text: str) -> str:
+    """Return the text of a volume flow with usual unit symbols.
+
+    Abbreviations of instruments, such as `slpm`, are replaced.
+    """
     number = _NUMBER.fullmatch(text)
     unit = (number[2] if number else text).strip()
     plain_unit = _ABBREVIATED.get(unit.casefold(), (unit, ""))[0]
@@ -313,7 +316,7 @@ def convert(value: FloatOrArray, from_unit: str, to_unit: str, *, ambient_pressu
     """
     if from_unit == to_unit:
         return value
-    (source, source_mark), (target, target_mark) = _parse(from_unit), _parse(to_unit)
+    (source, source_mark), (target, target_mark) = _unit_and_mark(from_unit), _unit_and_mark(to_unit)
     if "standard" in (source_mark, target_mark):
         raise UnitError("unit.standard_flow", unit=from_unit if source_mark == "standard" else to_unit)
     if _flow_dimension(from_unit) != _flow_dimension(to_unit):
@@ -383,9 +386,9 @@ apply to values that must be above zero."""
 
 
 def sizes_of(unit: str) -> tuple[float, float]:
-    """Return the plausibility limits of an SI unit.
+    """Return the range of plausible magnitudes for an SI unit.
 
-    They are the smallest positive value and the largest absolute value.
+    The range begins at the smallest positive value and ends at the largest absolute value that poppet accepts.
 
     Parameters
     ----------
@@ -467,25 +470,6 @@ def quantity(
 
 @lru_cache(maxsize=4096)
 def _from_text(text: str, unit: str, kind: Kind, is_told: bool) -> Quantity:
-    number, unit_text = _split(text, unit, kind)
-    if not unit_text.strip():
-        if _parse(unit)[0].dimension != ONE:
-            raise UnitError("quantity.no_unit", number=number, unit=unit)
-        return _checked(float(number), unit, kind, "")
-    try:
-        parsed, mark = _parse(unit_text)
-    except UnitError as problem:
-        raise UnitError("quantity.unreadable_unit", cause=problem) from None
-    if kind in ("mass_flow", "volume_flow_anr") and parsed.dimension == VOLUME_FLOW and mark in ("", "standard"):
-        if not is_told:
-            code = "quantity.standard_flow" if mark else "quantity.flow_without_state"
-            raise UnitError(code, flow=_spelt(text), stated=with_state(text))
-        mark = mark or "ANR"
-    _check_unit(text, parsed, mark, unit, kind)
-    return _checked(_in_si(number, parsed, mark, unit), unit, kind, mark)
-
-
-def _split(text: str, unit: str, kind: Kind) -> tuple[str, str]:
     if _DECIMAL_COMMA.fullmatch(text):
         with_point, without = text.strip().replace(",", ".", 1), text.strip().replace(",", "")
         if _THOUSANDS.match(text):  # 1,500 is ambiguous
@@ -494,17 +478,33 @@ def _split(text: str, unit: str, kind: Kind) -> tuple[str, str]:
     match = _NUMBER.fullmatch(text)
     if match is None:
         raise InputError("quantity.no_number", example=_example(unit, kind))
-    if match[2].startswith("_"):  # only Python accepts 1_000
+    number, unit_text = match[1], match[2]
+    if unit_text.startswith("_"):  # only Python accepts 1_000
         raise InputError("quantity.underscore")
-    return match[1], match[2]
+    if not unit_text.strip():
+        if _unit_and_mark(unit)[0].dimension != ONE:
+            raise UnitError("quantity.no_unit", number=number, unit=unit)
+        return _checked(float(number), unit, kind, "")
+    try:
+        parsed, mark = _unit_and_mark(unit_text)
+    except UnitError as problem:
+        raise UnitError("quantity.unreadable_unit", cause=problem) from None
+    if kind in ("mass_flow", "volume_flow_anr") and parsed.dimension == VOLUME_FLOW and mark in ("", "standard"):
+        if not is_told:
+            code = "quantity.standard_flow" if mark else "quantity.flow_without_state"
+            raise UnitError(code, flow=_without_abbreviations(text), stated=with_state(text))
+        mark = mark or "ANR"
+    _check_unit(text, parsed, mark, unit, kind)
+    return _checked(_in_si(number, parsed, mark, unit), unit, kind, mark)
 
 
 def _check_unit(text: str, parsed: Unit, mark: _Mark, unit: str, kind: Kind) -> None:
-    """Raise an error if a unit does not fit the requested unit.
+    """Raise an error if a unit cannot be converted to the required unit.
 
-    The unit belongs to another quantity, or has another reference.
+    `parsed` is the unit in `text`, `mark` its reference (such as gauge), and `unit` the required unit. `kind` is the
+    kind of quantity, for example a pressure difference.
     """
-    target = _parse(unit)[0].dimension
+    target = _unit_and_mark(unit)[0].dimension
     if mark in ("gauge", "absolute") and kind != "pressure" and target == PRESSURE:
         raise UnitError("quantity.gauge_difference" if mark == "gauge" else "quantity.absolute_difference")
     dimension = MASS_FLOW if kind == "mass_flow" and mark else parsed.dimension
@@ -518,7 +518,7 @@ def _in_si(number: str, parsed: Unit, mark: _Mark, unit: str) -> float:
     # As a float first: a fraction of 1e999999999 would be written out digit by digit, and -0 would lose its sign.
     if not math.isfinite(float(number)) or (float(number) == 0.0 and not parsed.offset):
         return float(number)
-    target, target_mark = _parse(unit)
+    target, target_mark = _unit_and_mark(unit)
     try:
         return float((Fraction(number) + parsed.offset) * _si_factor(parsed, mark) / _si_factor(target, target_mark))
     except OverflowError:

@@ -70,7 +70,10 @@ def to_casadi(
     numbers: Sequence[str] = (),
     without: str | Sequence[str] = (),
 ) -> CasadiModel:
-    """Return a circuit as CasADi functions; see `Circuit.to_casadi`."""
+    """Return a circuit as CasADi functions.
+
+    The public method `Circuit.to_casadi` describes the arguments.
+    """
     import casadi as ca
 
     plant = _without_controllers(circuit, without)
@@ -132,7 +135,10 @@ def to_control(
     numbers: Sequence[str] = (),
     without: str | Sequence[str] = (),
 ) -> ControlSystem:
-    """Return a circuit as a system of python-control; see `Circuit.to_control`."""
+    """Return a circuit as a system of python-control.
+
+    The public method `Circuit.to_control` describes the arguments.
+    """
     with needed("control", "A system of python-control", "control"):
         import control
     if linear:
@@ -162,9 +168,9 @@ def to_control(
 
 
 def _without_controllers(circuit: BaseCircuit, controllers: str | Sequence[str]) -> BaseCircuit:
-    """Return the circuit without the named controllers.
+    """Return a circuit without some of its controllers.
 
-    The inputs that these controllers set become free inputs.
+    Inputs that these controllers drive become free inputs.
     """
     available = [name for name, part in circuit.parts.items() if isinstance(part, Controller)]
     for name in (controllers,) if isinstance(controllers, str) else controllers:

@@ -32,7 +32,7 @@ MAX_EFFECT = 1e-6
 
 
 class ReferenceRun(NamedTuple):
-    """Run of the kernel with which another run is compared."""
+    """Run by poppet's own integrator, with which other runs are compared."""
 
     problem: Problem
     values: Array  # (n_outputs, n_times)
@@ -41,12 +41,12 @@ class ReferenceRun(NamedTuple):
 
     @property
     def gas(self) -> Flags:
-        """Mask of the outputs that are positive states: pressures and masses."""
+        """Mask of the outputs that are states of the gas: pressures and masses."""
         return self._outputs({state.name for state in self.problem.kernel.model.states if state.positive})
 
     @property
     def states(self) -> Flags:
-        """Mask of the outputs that are states, which do not jump."""
+        """Mask of the outputs that are continuous states, which do not jump."""
         return self._outputs({state.name for state in self.problem.kernel.model.states})
 
     def _outputs(self, names: Container[str]) -> Flags:
@@ -54,7 +54,10 @@ class ReferenceRun(NamedTuple):
 
 
 class RunComparison(NamedTuple):
-    """Differences of a run from a reference run, relative to the size of each output."""
+    """Differences between a run and the reference run.
+
+    They are relative to the typical size of each output.
+    """
 
     differences: Array  # (n_outputs, n_times)
     allowed: Array  # (n_outputs, n_times)
@@ -63,15 +66,15 @@ class RunComparison(NamedTuple):
     n_rows: int  # up to which the states of the gas are compared
 
     def max_differences(self, *, whole_run: bool = False) -> Array:
-        """Return the maximum difference of each output at its compared times.
+        """Return the largest difference of each output at its compared times.
 
-        With `whole_run`, the maximum is over all available times. The result is -1 for an output without such times.
+        If `whole_run` is True, all times are included. The result is -1 for an output without such times.
         """
         cells = self.is_available if whole_run else self.is_compared
         return np.asarray(np.where(cells, self.differences, -1.0).max(axis=1, initial=-1.0))
 
     def max_ratios(self) -> Array:
-        """Return the maximum ratio of difference to allowed difference for each output.
+        """Return the largest ratio of difference to permitted difference for each output.
 
         The result is -1 for an output that is not compared at any time.
         """
@@ -80,19 +83,19 @@ class RunComparison(NamedTuple):
 
 
 def without_fused_operations(problem: Problem) -> Problem:
-    """Return the problem with a kernel that is compiled without fused operations (FMA).
+    """Return the same run with a kernel without fused multiply-add operations (FMA).
 
-    The exported C code has no fused operations either.
+    The exported C code has no such operations either.
     """
     kernel, p = compile_kernel(problem.kernel.model, fuses=False), problem.p.copy()
     return replace(problem, kernel=kernel, p=p, x0=kernel.start(p))
 
 
 def run_reference(problem: Problem, n_rows: int) -> ReferenceRun:
-    """Run a problem with the kernel as reference for a comparison.
+    """Run a problem with poppet's own integrator, as reference for a comparison.
 
-    At most the first `n_rows` output times are kept. If a stop condition ends the run, the last time is omitted,
-    because it depends on rounding.
+    Only the first `n_rows` output times are kept. If a stop condition ends the run, the last time is omitted, because
+    it depends on rounding.
     """
     run = Call(problem).run()
     model = problem.kernel.model
@@ -105,10 +108,10 @@ def run_reference(problem: Problem, n_rows: int) -> ReferenceRun:
 
 
 def relative_differences(values: Array, reference: ReferenceRun) -> Array:
-    """Return the absolute differences from the reference, relative to the size of each output.
+    """Return the absolute differences of outputs from the reference, relative to their size.
 
-    The shape is (n_outputs, n_times). A difference that is not finite becomes infinite. The difference remains in SI
-    units if the size of the output is 0.
+    The shape is (n_outputs, n_times). A difference that is not finite becomes infinite. If the size of an output is 0,
+    its difference remains in SI units.
     """
     n = min(values.shape[1], reference.values.shape[1])
     differences = np.abs(values[:, :n] - reference.values[:, :n])
@@ -117,10 +120,10 @@ def relative_differences(values: Array, reference: ReferenceRun) -> Array:
 
 
 def change_effects(reference: ReferenceRun, problems: Iterable[Problem]) -> Array:
-    """Return the effect of small changes of the problem on each output of the kernel.
+    """Return the effect of small changes of the problem on each output.
 
-    The value for an output at a time is the maximum relative difference up to that time, over all changed `problems`.
-    The shape is (n_outputs, n_times).
+    `problems` are slightly changed copies of the problem. The value for an output at a time is the largest relative
+    difference up to that time. The shape is (n_outputs, n_times).
     """
     effects = np.zeros(reference.values.shape)
     for problem in problems:
@@ -134,18 +137,18 @@ def change_effects(reference: ReferenceRun, problems: Iterable[Problem]) -> Arra
 
 
 def rounding_changes(problem: Problem) -> list[Problem]:
-    """Return copies of a problem with changes of the size of rounding errors.
+    """Return copies of a problem with changes as small as rounding errors.
 
-    Two copies change the start state, one changes the tolerance.
+    Two copies have another start state, and one has another tolerance.
     """
     starts = [replace(problem, x0=problem.x0 * (1.0 + sign * START_CHANGE)) for sign in (1.0, -1.0)]
     return [*starts, replace(problem, relative_tolerance=problem.relative_tolerance * (1.0 + TOLERANCE_CHANGE))]
 
 
 def tolerance_changes(problem: Problem, limit: float) -> list[Problem]:
-    """Return copies of a problem with smaller tolerances, which are fractions of `limit`.
+    """Return copies of a problem with smaller tolerances.
 
-    Their errors represent the errors of another integration method.
+    The tolerances are fractions of `limit`. The errors of these runs represent those of another integration method.
     """
     return [replace(problem, relative_tolerance=fraction * limit) for fraction in TOLERANCE_FRACTIONS]
 

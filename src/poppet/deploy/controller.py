@@ -157,19 +157,20 @@ def controller_program(circuit: BaseCircuit, parts: Sequence[str] = ()) -> Contr
     )  # fmt: skip
 
 
-def select_parts(circuit: BaseCircuit, text: str | None) -> list[str]:
-    """Return the names of the controllers in the text of the option --part.
+def controllers_of_option(circuit: BaseCircuit, text: str | None) -> list[str]:
+    """Return the names of the controllers that the option --part selects.
 
-    The text `controller` selects the only controller of the circuit.
+    `text` is the value of the option. The text `controller` selects the only controller of the circuit.
     """
     parts = [name.strip() for name in (text or "").split(",") if name.strip()]
     return [] if parts == ["controller"] and "controller" not in circuit.parts else parts
 
 
 def find_controllers(circuit: BaseCircuit) -> dict[str, Part]:
-    """Return the controllers of a circuit by the names of the parts that contain them.
+    """Return all controllers of a circuit.
 
-    The order is that of the circuit. A compound part has at most one controller.
+    The keys are the names of the parts that contain them, in the order of the circuit. A compound part has at most one
+    controller.
     """
     controllers: dict[str, Part] = {}
     for name, part in circuit.parts.items():
@@ -181,7 +182,7 @@ def find_controllers(circuit: BaseCircuit) -> dict[str, Part]:
 
 
 def _circuit_of_controllers(circuit: BaseCircuit, selected: Mapping[str, Part]) -> BaseCircuit:
-    """Return a circuit that contains only the selected controllers and the connections between them."""
+    """Return a circuit that consists only of selected controllers and their connections."""
 
     def address_inside(address: str) -> str:
         name, _, local = address.partition(".")
@@ -200,11 +201,11 @@ def _circuit_of_controllers(circuit: BaseCircuit, selected: Mapping[str, Part]) 
 def _trace_functions(
     export_model: ExportModel, circuit: BaseCircuit, sensors: Mapping[str, tuple[str, str]]
 ) -> tuple[dict[str, casadi.Function], list[int], dict[str, list[int]]]:
-    """Return the CasADi functions of a controller program.
+    """Return the CasADi functions of a controller program, with indices of outputs and arguments.
 
     The measured values replace the states of the sensors. The second result contains the indices of the program's
-    outputs among the outputs of the model. The third result contains the indices of the inputs u and parameters p that
-    are arguments: parameters of the sensors and inputs that are only recorded have no effect.
+    outputs among the outputs of the model. The third contains the indices of the inputs u and parameters p that are
+    arguments: parameters of the sensors and inputs that are only recorded have no effect.
     """
     import casadi as ca
 

@@ -42,7 +42,9 @@ _FILE_NAME = re.compile(r"[A-Za-z0-9_][A-Za-z0-9_.-]*")
 
 
 def identifier(text: str) -> str:
-    """Convert a text to a valid identifier in C, C++, XML and structured text.
+    """Convert a text to an identifier that is valid in all exported languages.
+
+    The languages are C, C++, XML and structured text.
 
     Examples
     --------
@@ -55,7 +57,7 @@ def identifier(text: str) -> str:
 
 
 def identifiers(texts: Sequence[str]) -> list[str]:
-    """Convert texts to distinct identifiers.
+    """Convert texts to identifiers that differ from each other.
 
     They also differ if upper and lower case are not distinguished.
 

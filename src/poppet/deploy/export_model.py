@@ -36,7 +36,7 @@ MAX_SEGMENTS = 100_000
 
 
 class ExportParameter(NamedTuple):
-    """Parameter of the exported model; p is the vector of all parameters.
+    """Parameter of the exported model, an element of the vector p.
 
     Values are in SI units, and pressures and temperatures are absolute.
     """
@@ -59,7 +59,7 @@ class ExportParameter(NamedTuple):
 
 
 class ExportInput(NamedTuple):
-    """Input of the exported model; u is the vector of all inputs.
+    """Input of the exported model, an element of the vector u.
 
     Values are in SI units, and pressures and temperatures are absolute.
     """
@@ -76,7 +76,7 @@ class ExportInput(NamedTuple):
 
 
 class ExportQuantity(NamedTuple):
-    """State, discrete state or output of the exported model."""
+    """State, discrete state or output of the exported model, with name and unit."""
 
     address: str
     identifier: str
@@ -86,9 +86,10 @@ class ExportQuantity(NamedTuple):
 
 @dataclass(frozen=True, eq=False)
 class ExportModel:
-    """Names, units, indices and start values of all quantities of an exported circuit.
+    """Circuit in the form that all export targets use.
 
-    The field `problem` contains the signals and tolerances.
+    It contains names, units, indices and start values of all quantities. The field `problem` contains the signals and
+    tolerances.
     """
 
     name: str  # an identifier
@@ -108,7 +109,10 @@ class ExportModel:
 
     @cached_property
     def functions(self) -> dict[str, casadi.Function]:
-        """CasADi functions of the model by name, from which a code generator (printer) writes code."""
+        """CasADi functions of the model by name.
+
+        A printer (code generator) writes code from them.
+        """
         return trace_functions(self.model)
 
 
@@ -190,7 +194,10 @@ def _export_parameters(circuit: BaseCircuit, instance: Instance, problem: Proble
 
 
 def _parameter_specs(circuit: BaseCircuit) -> dict[str, NumberSpec]:
-    """Return the declaration of each parameter by address: unit, limits and meaning."""
+    """Return the declarations of all parameters of a circuit by address.
+
+    A declaration contains unit, limits and meaning.
+    """
     specs = number_specs(circuit)
     for section in ("ambient", "gas"):
         specs |= {f"{section}.{key}": spec for key, spec, _ in flatten(getattr(circuit, section))}
@@ -198,9 +205,10 @@ def _parameter_specs(circuit: BaseCircuit) -> dict[str, NumberSpec]:
 
 
 def _next_float(limit: float, direction: float) -> float:
-    """Return a valid value next to an excluded limit.
+    """Return the floating-point number next to a limit that is not a valid value itself.
 
-    `direction` is 1 for a larger value and -1 for a smaller one. An infinite limit is returned unchanged.
+    `direction` is 1 for the next larger number and -1 for the next smaller one. An infinite limit is returned
+    unchanged.
     """
     if not np.isfinite(limit):
         return limit
@@ -208,7 +216,7 @@ def _next_float(limit: float, direction: float) -> float:
 
 
 def find_tied(circuit: BaseCircuit) -> frozenset[str]:
-    """Return the addresses of parameters that cannot change without other changes.
+    """Return the addresses of parameters that cannot be changed alone.
 
     Either other parameters or the structure depend on such a parameter, or no neighbouring value is valid. A parameter
     of a part acts on the run-time values of this part alone. If a part declares neither derived values nor checks, all
@@ -217,7 +225,7 @@ def find_tied(circuit: BaseCircuit) -> frozenset[str]:
     """
     specs, values = _parameter_specs(circuit), circuit.parameters
     tied, neighbours = set(), {}
-    for address in circuit.numbers().keys() & values.keys():
+    for address in (address for address in circuit.numbers() if address in values):
         value, spec = values[address], specs.get(address) or NumberSpec("1", address)
         candidates = [value * (1.0 + sign * 1e-6) if value else sign * 1e-6 for sign in (1.0, -1.0)]
         valid = [candidate for candidate in candidates if spec.holds(candidate)]
@@ -231,9 +239,12 @@ def find_tied(circuit: BaseCircuit) -> frozenset[str]:
             with ErrorCollector() as errors:
                 check_starts(errors, {**circuit.parts, name: changed}, circuit.signals)
 
-        tied |= {f"{name}.{key}" for key in _tied_in_part(part, _below(neighbours, name), circuit.surroundings, check)}
+        tied |= {
+            f"{name}.{key}"
+            for key in _tied_in_part(part, _values_within(neighbours, name), circuit.surroundings, check)
+        }
     for section in ("ambient", "gas"):
-        for key, neighbour in _below(neighbours, section).items():
+        for key, neighbour in _values_within(neighbours, section).items():
             address = f"{section}.{key}"
             try:
                 is_tied = circuit.with_values({address: neighbour}).parameters != {**values, address: neighbour}
@@ -244,10 +255,10 @@ def find_tied(circuit: BaseCircuit) -> frozenset[str]:
     return frozenset(tied)
 
 
-def _below(values: Mapping[str, float], name: str) -> dict[str, float]:
-    """Return the values of one part or section, with addresses relative to it.
+def _values_within(values: Mapping[str, float], name: str) -> dict[str, float]:
+    """Return the values of one part or section by their names inside it.
 
-    Only addresses that begin with `name` and a dot are selected.
+    `values` contains all addresses. Only those that begin with `name` and a dot are selected.
     """
     return {key.removeprefix(f"{name}."): value for key, value in values.items() if key.startswith(f"{name}.")}
 
@@ -255,17 +266,16 @@ def _below(values: Mapping[str, float], name: str) -> dict[str, float]:
 def _tied_in_part(
     part: Part, neighbours: Mapping[str, float], surroundings: Surroundings, check: Callable[[Part], None]
 ) -> set[str]:
-    """Return the names of parameters of a part that cannot change without other changes.
+    """Return the names of the parameters of a part that cannot be changed alone.
 
-    `neighbours` contains a changed value of each parameter. `check` raises an error for a changed part that is not
-    valid.
+    `neighbours` contains a changed value of each parameter. `check` raises an error if the changed part is not valid.
     """
     tied: set[str] = set()
     values = part.parameters(surroundings)
     if isinstance(part, Compound) and type(part).parameters is Compound.parameters:
         # The values of a member depend on the member and on the parameters of the compound itself.
         for name, member in part.members.items():
-            keys = _tied_in_part(member, _below(neighbours, name), surroundings, lambda changed: None)
+            keys = _tied_in_part(member, _values_within(neighbours, name), surroundings, lambda changed: None)
             tied |= {f"{name}.{key}" for key in keys}
         neighbours = {key: v for key, v in neighbours.items() if key.partition(".")[0] not in part.members}
     elif set(values) <= set(part.numbers()) and type(part).check is Part.check:

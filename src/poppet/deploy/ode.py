@@ -95,9 +95,9 @@ class Stretch:
         return dict(zip(kernel.model.columns[0], columns, strict=True))
 
     def _whole(self, x: Array) -> Array:
-        """Return the states followed by zeros for the quadratures.
+        """Return the states, extended by zeros for the quadratures.
 
-        No rate depends on the quadratures.
+        Quadratures are integrals of flows, on which no rate depends.
         """
         return np.concatenate([x, np.zeros(self._problem.x0.size - len(x))])
 
@@ -151,7 +151,9 @@ class Ode:
     _problem: Problem
 
     def f(self, t: float, x: Array) -> Array:
-        """Return the rates of a circuit without discrete states, like `Stretch.f`.
+        """Return the rates of a circuit without discrete states.
+
+        The arguments are those of `Stretch.f`.
 
         Raises
         ------
@@ -161,11 +163,17 @@ class Ode:
         return self._at(t).f(t, x)
 
     def jac(self, t: float, x: Array) -> Array:
-        """Return the Jacobian of `f`, like `Stretch.jac`."""
+        """Return the Jacobian of `f` by the states.
+
+        The arguments are those of `Stretch.jac`.
+        """
         return self._at(t).jac(t, x)
 
     def outputs(self, t: ArrayLike, x: Array) -> dict[str, Any]:
-        """Return the outputs by address, like `Stretch.outputs`, with the signals of each time."""
+        """Return the outputs by address.
+
+        The arguments are those of `Stretch.outputs`. The signals are evaluated at each time.
+        """
         if not np.ndim(t):
             time = float(np.asarray(t))
             return self._at(time).outputs(time, x)
@@ -209,7 +217,10 @@ class Ode:
 
 
 def to_ode(circuit: BaseCircuit, duration: Any = None) -> Ode:
-    """Return a circuit as functions of time and state; see `Circuit.to_ode`."""
+    """Return a circuit as functions of time and state.
+
+    The public method `Circuit.to_ode` describes the arguments.
+    """
     instance = circuit.instance
     problem = instance.problem(circuit.run.changed(duration=duration))
     model = instance.model

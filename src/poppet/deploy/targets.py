@@ -24,7 +24,7 @@ PART = Option("--part LIST", "sampled controllers to export, by name; `controlle
 
 
 class CircuitSource(NamedTuple):
-    """Origin of a circuit: file text, file name and changes.
+    """Origin of a circuit: text and name of its file, and changes made to it.
 
     Targets use it to include the circuit file in the export.
     """
@@ -36,7 +36,7 @@ class CircuitSource(NamedTuple):
 
 
 class Export(NamedTuple):
-    """Files of an export in memory."""
+    """Files of one export, before they are written."""
 
     files: Mapping[str, str | bytes]  # path in the folder, or name of the single file, to content
     summary: str = ""  # sentence or lines for the user
@@ -44,7 +44,7 @@ class Export(NamedTuple):
 
 
 class Target(NamedTuple):
-    """Declaration of an export target."""
+    """Declaration of an export target, for example C or FMU."""
 
     name: str
     summary: str  # of the help, without a full stop
@@ -61,7 +61,7 @@ class Target(NamedTuple):
 
     @property
     def command(self) -> str:
-        """Name of the command-line command of the target."""
+        """Name of the subcommand of `poppet export` that exports to this target."""
         return self.name if self.name == "live" else f"export {self.name}"
 
     def make(self, circuit: BaseCircuit, source: CircuitSource | None = None, **settings: Any) -> Export:
@@ -86,7 +86,9 @@ class Target(NamedTuple):
     def write(
         self, circuit: BaseCircuit, path: str | Path, source: CircuitSource | None = None, **settings: Any
     ) -> Export:
-        """Export a circuit to a file or a folder; nothing is written if the export fails.
+        """Export a circuit, and write the file or the folder.
+
+        If the export fails, nothing is written.
 
         Parameters
         ----------
@@ -112,7 +114,7 @@ class Target(NamedTuple):
         return export
 
     def parity_checks(self) -> Sequence[ParityCheck]:
-        """Return the parity checks of the target, which `poppet export check` runs."""
+        """Return the comparisons with the simulation that `poppet export check` runs."""
         checks: Callable[[], Sequence[ParityCheck]] = import_object(self.checks)
         return checks()
 

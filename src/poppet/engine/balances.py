@@ -27,7 +27,10 @@ UNITS = {"mass": "kg", "energy": "J", "motion": "J"}
 
 
 class Residual(NamedTuple):
-    """Error of one balance over a run, with the values that determine its limit."""
+    """Error of one mass or energy balance over a run.
+
+    It contains the values that determine the largest permitted error.
+    """
 
     store: str
     quantity: str  # mass, energy or motion
@@ -38,12 +41,15 @@ class Residual(NamedTuple):
 
     @property
     def name(self) -> str:
-        """Name of the gas node or body and of the quantity, for example `tank mass`."""
+        """Name of the balance, for example `tank mass`.
+
+        It consists of the gas node or body, and the quantity.
+        """
         return f"{self.store} {self.quantity}"
 
     @property
     def allowed(self) -> float:
-        """Limit of the error for a correct run.
+        """Largest error of the balance that a correct run can have.
 
         Gas: 1e-9 of the mass and 1e-7 of the energy that flowed, and 1e-12 of the inventory. Bodies: 1e-4 of the work
         and 1e-7 J.
@@ -52,14 +58,15 @@ class Residual(NamedTuple):
 
     @property
     def is_kept(self) -> bool:
-        """True if the error of the balance is within the limit."""
+        """True if the error of the balance is within its limit."""
         return self.error <= self.allowed
 
 
 def allowed(quantity: str, through: Any, inventory: Any) -> Any:
-    """Return the limit of the error of a balance; see `Residual.allowed`.
+    """Return the largest permitted error of a balance.
 
-    `through` is the integral of the absolute flows, and `inventory` the content. Both can be numbers or arrays.
+    The property `Residual.allowed` describes the limit. `through` is the integral of the absolute flows, and
+    `inventory` the content. Both can be numbers or arrays.
     """
     return ALLOWED[quantity] * through + FLOOR[quantity] + STORED * inventory
 
@@ -67,8 +74,8 @@ def allowed(quantity: str, through: Any, inventory: Any) -> Any:
 def imbalance(balance: InventoryBalance, start: Any, end: Any, x: Any, through: Any) -> tuple[Any, Any]:
     """Return the error and the throughput of one balance.
 
-    `start` and `end` contain the inventories at the start and end of the run. `x` is the final state, and `through`
-    the sum of |change| of each state. Elements can be numbers, or arrays with one element per run.
+    `start` and `end` are the inventories (masses or energies) at the start and the end of the run. `x` is the final
+    state, and `through` the sum of |change| of each state. Elements can be numbers, or arrays with one element per run.
     """
     net: Any = 0.0
     gross: Any = 0.0
@@ -93,9 +100,9 @@ def residuals(problem: Problem, run: RawRun) -> tuple[Residual, ...]:
 
 
 def energies(problem: Problem, *states: Array) -> list[list[float]]:
-    """Return the energies of gas nodes and bodies at each of the given states [J].
+    """Return the energies of gas nodes and bodies in several states [J].
 
-    Only gas nodes and bodies with an energy balance are included.
+    Gas nodes and bodies without an energy balance are not included.
     """
     model = problem.kernel.model
     energy, x = np.empty(model.n_energies), np.empty(model.size)

@@ -37,7 +37,7 @@ _OUTCOMES = tuple(Outcome)
 
 
 class BatchRows(NamedTuple):
-    """Output rows of some runs of a batch, in memory that is reused."""
+    """Memory for the output rows of some runs of a batch, which is used repeatedly."""
 
     runs: Integers  # (m,) indices of the runs in the batch
     time: Array  # (n_times,) the grid [s]
@@ -65,10 +65,10 @@ class BatchRun:
     threads: int
 
     def residuals(self) -> dict[str, Array]:
-        """Return a mapping from balances to relative errors, (n_runs,).
+        """Return the relative balance errors of all runs, (n_runs,) for each balance.
 
-        A key is, for example, `tank mass`. A relative error is the error of the balance divided by its limit. A
-        balance is correct up to 1, as in `poppet.engine.balances`.
+        The keys are names of balances, for example `tank mass`. A relative error is the error divided by its limit, so
+        values up to 1 are correct.
         """
         e = self.ends
         result: dict[str, Array] = {}
@@ -81,22 +81,29 @@ class BatchRun:
 
 
 class Worker(Protocol):
-    """Interface of an object that computes slices of a batch in one thread."""
+    """Interface of an object that computes some runs of a batch.
+
+    Each worker runs in one thread.
+    """
 
     max_runs: int  # of a slice
 
     def run(self, first: int, last: int, table: Array | None) -> None:
-        """Compute the runs `first` to `last` - 1, and write their rows into a table.
+        """Compute the runs `first` to `last` - 1 and write their output rows.
 
-        The table has the shape (last - first, n_outputs, n_times); if it is None, no rows are written.
+        The rows are written into `table`, which has the shape (last - first, n_outputs, n_times). If it is None, no
+        rows are written.
         """
 
     def halt(self) -> None:
-        """Request the end of the current run; another thread calls this method."""
+        """Stop the current run as soon as possible.
+
+        Another thread calls this method.
+        """
 
 
 class ScalarWorker:
-    """Worker that computes runs one after the other with the scalar kernel."""
+    """Worker that computes one run after the other with the compiled model."""
 
     max_runs = 16
 
@@ -120,7 +127,10 @@ class ScalarWorker:
                 table[run - first] = self._call.table
 
     def halt(self) -> None:
-        """Request the end of the current run; another thread calls this method."""
+        """Stop the current run as soon as possible.
+
+        Another thread calls this method.
+        """
         self._is_halted = True
         self._call.halt()
 
@@ -188,7 +198,7 @@ def usable_cores() -> int:
 class _Pool:
     """Pool of threads, each with one worker.
 
-    Each worker takes the next slice of runs after it has completed one.
+    Each worker computes some runs, and then takes the next ones.
     """
 
     def __init__(self, batch: Batch, ends: RunEnds, reduce: Reduce | None, workers: Sequence[Worker]) -> None:
@@ -202,7 +212,10 @@ class _Pool:
         self.n_completed = 0
 
     def run(self, progress: Callable[[int], Any] | None) -> None:
-        """Compute all slices; `progress` receives the number of completed runs."""
+        """Compute all runs of the batch.
+
+        `progress` is called with the number of completed runs.
+        """
         if len(self.workers) == 1 and progress is None and current_thread() is not main_thread():
             # Only the main thread can be interrupted: no second thread is necessary.
             self._run_slices(self.workers[0])
@@ -247,7 +260,10 @@ class _Pool:
         self.reduced[runs] = results
 
     def repeat_stalled(self, run: int) -> tuple[Note, ...]:
-        """Repeat a stalled run with other solvers, and return the notes on it."""
+        """Repeat a stalled run, this time with other solvers, and return notes on the attempts.
+
+        `run` is the index of the run.
+        """
         problem = self.batch.member(run)
         raw = solve(problem)
         self.ends.write(run, problem, raw)

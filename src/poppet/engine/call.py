@@ -19,7 +19,7 @@ NOTHING = np.zeros(0)
 
 
 class Call:
-    """Prepared call of the compiled integrator, which owns the result arrays.
+    """Prepared call of the compiled integrator, with the arrays for its results.
 
     The arrays of the problem are not copied: if their owner changes values, the next `repeat` uses the new values. The
     integrator writes the lengths of the accepted steps into `script`, up to its size. If `replay` is True, the
@@ -62,9 +62,9 @@ class Call:
             self._p[:] = self.problem.p
 
     def repeat(self) -> Outcome:
-        """Integrate from the initial state of the problem, and write into the same arrays.
+        """Run the problem from its initial state, and overwrite the results of the last run.
 
-        Rows that the run does not reach are NaN.
+        Output rows that the run does not reach are NaN.
         """
         self._reset()
         outcome: Outcome = _OUTCOMES[integrator()(self._address)]
@@ -72,18 +72,21 @@ class Call:
         return outcome
 
     def halt(self) -> None:
-        """Request the end of the run; another thread calls this method."""
+        """Stop the run as soon as possible.
+
+        Another thread calls this method.
+        """
         self.watch[1] = 1.0
 
     @property
     def memory(self) -> Array:
-        """Discrete state at the end of the last run."""
+        """Discrete states at the end of the last run."""
         return self._p[len(self.problem.kernel.model.parameters) :]
 
     def run(self, progress: Callable[[float], Any] | None = None) -> RawRun:
-        """Integrate once and return the result.
+        """Integrate the problem once, and return the result.
 
-        Use `repeat` for several runs. `progress` is called with the time reached [s].
+        For several runs, use `repeat`. `progress` is called with the time reached [s].
         """
         function = integrator()
         # Without `progress`, no thread: its start takes longer than a short run.
@@ -91,7 +94,7 @@ class Call:
         return self.result(_OUTCOMES[status])
 
     def result(self, outcome: Outcome) -> RawRun:
-        """Return the result of the last run, which ended with the given outcome."""
+        """Return the results of the last run, whose outcome is given."""
         n, (accepted, attempts, rows, stop, _) = self.x.size, self.counts.tolist()
         time = self.problem.grid[:rows]
         # The last row of a stopped run is at the stop time, which is not in the grid.
@@ -105,7 +108,8 @@ class Call:
     def _run_in_thread(self, integrate: Any, progress: Callable[[float], Any]) -> int:
         """Run the integrator in another thread.
 
-        Meanwhile the calling thread reports progress and handles Ctrl-C.
+        `integrate` is the function that this thread calls. Meanwhile the calling thread reports progress and handles
+        Ctrl-C.
         """
         import threading
 
@@ -141,9 +145,9 @@ class Call:
 
 
 class RepeatedCall:
-    """Repeated runs of a problem with little overhead.
+    """Repeated runs of one problem with little overhead.
 
-    Their arrays remain in place, so their addresses are determined once.
+    The arrays remain in place, so their addresses are determined only once.
 
     Write values into `p` and `coefficients`, then call `run`, or `replay` to use the steps of the last run. The initial
     state is computed from `p`. Each method returns its own table, which its next call overwrites.
@@ -161,16 +165,16 @@ class RepeatedCall:
         self.is_scripted = False
 
     def run(self) -> Array:
-        """Integrate with error control, and return the outputs at the output times."""
+        """Run the problem with error control, and return the outputs at the output times."""
         self._start()
         outcome = self._run.repeat()
         self.is_scripted = outcome.is_success and 0 < int(self._run.counts[0]) <= self.script.size
         return self._run.table
 
     def replay(self) -> Array:
-        """Repeat the steps of the last run, and return the outputs at the output times.
+        """Run the problem with the steps of the last run, and return the outputs.
 
-        There is no error control, so the outputs are a smooth function of p.
+        The outputs are those at the output times. Without error control, they are smooth functions of p.
         """
         self._start()
         self._replay.repeat()

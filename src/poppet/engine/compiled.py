@@ -4,20 +4,23 @@ from __future__ import annotations
 
 import hashlib
 import re
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from functools import lru_cache
 from importlib import import_module
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from poppet.engine.object_cache import object_code
 from poppet.engine.printers.llvm import PRELUDE, print_function
 
+if TYPE_CHECKING:
+    import llvmlite.binding
+
 
 class CompiledFunctions(NamedTuple):
-    """Machine code of some functions: their addresses by name, and the owner of the code.
+    """Machine code of several functions, with their addresses by name.
 
-    The owner is the LLVM engine, which must exist while the functions are used.
+    The object also refers to the LLVM engine, which must exist while the functions are used.
     """
 
     addresses: Mapping[str, int]
@@ -35,7 +38,7 @@ class LaneFunctions(NamedTuple):
     n_derived: int
 
 
-def _target_machine() -> Any:
+def _target_machine() -> llvmlite.binding.TargetMachine:
     import llvmlite.binding as llvm
 
     llvm.initialize_native_target()
@@ -66,7 +69,10 @@ def compile_functions(functions: Mapping[str, Any], *, further_text: str = "", f
 
 
 def load(code: bytes, names: Iterable[str]) -> CompiledFunctions:
-    """Load object code into this process, and return the addresses of the named functions."""
+    """Load object code into this process, and return the addresses of some functions.
+
+    `names` are the names of these functions.
+    """
     import llvmlite.binding as llvm
 
     # An empty module: MCJIT only links the object code.
@@ -77,7 +83,7 @@ def load(code: bytes, names: Iterable[str]) -> CompiledFunctions:
 
 
 def optimised_object(text: str) -> bytes:
-    """Compile LLVM IR with optimisation, and return the object code."""
+    """Compile LLVM IR with optimisation to object code, and return the code."""
     import llvmlite.binding as llvm
 
     machine = _target_machine()
@@ -93,9 +99,9 @@ def optimised_object(text: str) -> bytes:
 
 
 class PrebuiltIntegrator(NamedTuple):
-    """Integrator as a stored file of LLVM IR, which `tools/make_integrator.py` writes.
+    """Integrator that is stored in a file of LLVM IR (intermediate code).
 
-    The file is valid only if its first line identifies the present source files.
+    `tools/make_integrator.py` writes the file. It is valid only if its first line identifies the present source files.
     """
 
     text: str  # file
@@ -104,20 +110,23 @@ class PrebuiltIntegrator(NamedTuple):
     entry: str
 
     def mark(self) -> str:
-        """Return the first line of the file, with names and hash of the source files."""
+        """Return the first line of the file, which identifies the source files.
+
+        The line contains the names and a hash of the files.
+        """
         source = b"".join(Path(__file__).with_name(name).read_bytes().replace(b"\r\n", b"\n") for name in self.sources)
         return f"made from {', '.join(self.sources)}, sha256 {hashlib.sha256(source).hexdigest()}"
 
     def printed(self) -> str:
-        """Generate LLVM IR from the present source files with Numba."""
+        """Generate the LLVM IR of the integrator with Numba from the source files."""
         module, name = self.maker.rsplit(".", 1)
         text: str = getattr(import_module(module), name)()
         return text
 
     def read(self) -> str:
-        """Return LLVM IR of the integrator.
+        """Return the LLVM IR of the integrator.
 
-        It is that of the file if the sources are unchanged; otherwise it is generated.
+        It is read from the file if the source files are unchanged. Otherwise it is generated.
         """
         path = Path(__file__).with_name(self.text)
         if path.exists():
@@ -127,8 +136,11 @@ class PrebuiltIntegrator(NamedTuple):
         # Numba takes seconds; only after a change of the sources.
         return self.printed()
 
-    def compiled(self) -> Any:
-        """Return the integrator as a function of the address of its `Job` or `LaneJob`."""
+    def compiled(self) -> Callable[[int], int]:
+        """Return the integrator as a function of one address.
+
+        This is the address of a `Job` or of a `LaneJob`, the arguments of the integrator.
+        """
         return as_function(load(object_code(self.read(), optimised_object), [self.entry]))
 
 
@@ -138,7 +150,7 @@ LANES = PrebuiltIntegrator("lanes.ll", ("lanes.py", *_SOURCES), "poppet.engine.l
 
 
 @lru_cache(maxsize=1)
-def integrator() -> Any:
+def integrator() -> Callable[[int], int]:
     """Return the compiled integrator of single runs.
 
     It is `poppet.engine.integrator.integrate`, a function of the address of a `Job`.
@@ -147,19 +159,23 @@ def integrator() -> Any:
 
 
 @lru_cache(maxsize=1)
-def lane_integrator() -> Any:
-    """Return the compiled integrator of lanes.
+def lane_integrator() -> Callable[[int], int]:
+    """Return the compiled integrator that computes several runs simultaneously.
 
-    It is `poppet.engine.lanes.integrate_lanes`, a function of the address of a `LaneJob`.
+    It is `poppet.engine.lanes.integrate_lanes`, a function of the address of a `LaneJob`. Each of the simultaneous runs
+    is called a lane.
     """
     return LANES.compiled()
 
 
-def as_function(compiled: CompiledFunctions) -> Any:
-    """Return the first compiled function as a Python function of one address."""
+def as_function(compiled: CompiledFunctions) -> Callable[[int], int]:
+    """Return the first of several compiled functions as a Python function.
+
+    Its argument is an address.
+    """
     import ctypes
 
     # CFUNCTYPE releases the interpreter lock, unlike PYFUNCTYPE: `Call` runs it in another thread.
-    function: Any = ctypes.CFUNCTYPE(ctypes.c_int64, ctypes.c_void_p)(next(iter(compiled.addresses.values())))
-    function.owner = compiled.owner  # keeps the code
+    function = ctypes.CFUNCTYPE(ctypes.c_int64, ctypes.c_void_p)(next(iter(compiled.addresses.values())))
+    function.owner = compiled.owner  # type: ignore[attr-defined]  # keeps the code
     return function

@@ -11,36 +11,39 @@ from __future__ import annotations
 
 from functools import cache
 from heapq import heapify, heappop, heappush
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+if TYPE_CHECKING:
+    import casadi
 
 
 class Edge(NamedTuple):
-    """Edge of the graph: a derivative that can be limited to a condition.
+    """Edge of a graph of derivatives: a partial derivative, which can have a condition.
 
-    If the condition is false, the derivative is zero. If it is None, the derivative always applies.
+    If the condition is false, the derivative is zero. Without a condition (None), the derivative always applies.
     """
 
     value: Any
     condition: Any = None
 
-    def expression(self) -> Any:
-        """Return the derivative as one expression.
+    def expression(self) -> casadi.SX:
+        """Return the derivative as a symbolic expression.
 
         The expression is zero if the condition is false, even if `value` is infinite.
         """
-        return self.value if self.condition is None else _binary("OP_IF_ELSE_ZERO", self.condition, self.value)
+        return self.value if self.condition is None else _apply_operation("OP_IF_ELSE_ZERO", self.condition, self.value)
 
     def multiply(self, factor: Edge) -> Edge:
-        """Return the edge that is the product of this edge and the next one."""
+        """Return the product of this derivative and the next one (chain rule)."""
         if self.condition is None:
-            return Edge(_binary("OP_MUL", self.value, factor.value), factor.condition)
-        return Edge(_binary("OP_MUL", self.value, factor.expression()), self.condition)
+            return Edge(_apply_operation("OP_MUL", self.value, factor.value), factor.condition)
+        return Edge(_apply_operation("OP_MUL", self.value, factor.expression()), self.condition)
 
 
-def _binary(operation: str, first: Any, second: Any) -> Any:
-    """Return a CasADi operation on two scalars.
+def _apply_operation(operation: str, first: Any, second: Any) -> casadi.SX:
+    """Return the symbolic result of a CasADi operation on two scalars.
 
-    It is twenty times faster than the operators of CasADi.
+    `operation` is the name of the operation. This function is twenty times faster than the operators of CasADi.
     """
     import casadi as ca
 
@@ -48,9 +51,9 @@ def _binary(operation: str, first: Any, second: Any) -> Any:
 
 
 class DerivativeGraph:
-    """Graph of derivatives between operations.
+    """Graph whose vertices are operations and whose edges are partial derivatives.
 
-    `into` contains the incoming edges of each vertex by source, `out` the outgoing edges by target.
+    `into` contains the incoming edges of each vertex by source, and `out` the outgoing edges by target.
     """
 
     def __init__(self) -> None:
@@ -58,22 +61,22 @@ class DerivativeGraph:
         self.out: list[dict[int, Edge]] = []
 
     def vertex(self) -> int:
-        """Add a vertex and return its index."""
+        """Add a vertex to the graph, and return its index."""
         self.into.append({})
         self.out.append({})
         return len(self.into) - 1
 
     def join(self, source: int, target: int, edge: Edge) -> None:
-        """Add an edge from source to target.
+        """Add an edge between two vertices.
 
-        If the edge exists, its derivative becomes the sum of both.
+        If there is an edge between them already, the derivatives are added.
         """
         existing = self.out[source].get(target)
-        total = edge if existing is None else Edge(_binary("OP_ADD", existing.expression(), edge.expression()))
+        total = edge if existing is None else Edge(_apply_operation("OP_ADD", existing.expression(), edge.expression()))
         self.out[source][target] = self.into[target][source] = total
 
     def eliminate(self, vertex: int) -> tuple[dict[int, Edge], dict[int, Edge]]:
-        """Remove a vertex, and connect its sources directly with its targets.
+        """Remove a vertex, and connect its sources directly with its targets (chain rule).
 
         The result contains the removed incoming and outgoing edges.
         """
@@ -89,7 +92,7 @@ class DerivativeGraph:
         return into, out
 
     def eliminate_all(self, vertices: set[int]) -> None:
-        """Eliminate the given vertices; the next vertex is always that with the fewest products."""
+        """Remove several vertices, always the one with the fewest multiplications first."""
 
         def cost(vertex: int) -> tuple[int, int]:
             return len(self.into[vertex]) * len(self.out[vertex]), vertex
@@ -107,8 +110,8 @@ class DerivativeGraph:
 
 
 @cache
-def _partials(operation: int, count: int) -> Any:
-    """Return a CasADi function with the partial derivatives of an operation.
+def _partial_derivatives(operation: int, count: int) -> casadi.Function:
+    """Return a CasADi function for the partial derivatives of an operation.
 
     `count` is the number of arguments of the operation.
     """
@@ -119,8 +122,8 @@ def _partials(operation: int, count: int) -> Any:
     return ca.Function("partials", symbols, [ca.densify(ca.jacobian(result, symbol)) for symbol in symbols])
 
 
-def _edges(operation: int, arguments: list[Any]) -> list[Edge]:
-    """Return an edge for each argument of an operation: the partial derivative by it."""
+def _edges_to_arguments(operation: int, arguments: list[Any]) -> list[Edge]:
+    """Return the partial derivative of an operation by each of its arguments."""
     import casadi as ca
 
     if operation == ca.OP_MUL:
@@ -132,13 +135,13 @@ def _edges(operation: int, arguments: list[Any]) -> list[Edge]:
     if operation in (ca.OP_FMIN, ca.OP_FMAX):
         low, high = arguments if operation == ca.OP_FMIN else reversed(arguments)
         # Equal arguments: the first is the maximum, the second the minimum.
-        first = _binary("OP_LT" if operation == ca.OP_FMIN else "OP_LE", low, high)
+        first = _apply_operation("OP_LT" if operation == ca.OP_FMIN else "OP_LE", low, high)
         return [Edge(first), Edge(ca.SX.unary(ca.OP_NOT, first))]
-    return [Edge(partial) for partial in _partials(operation, len(arguments)).call(arguments)]
+    return [Edge(partial) for partial in _partial_derivatives(operation, len(arguments)).call(arguments)]
 
 
 class _OperationGraph:
-    """Graph of the operations of an expression of t, x, u and p.
+    """Graph of derivatives for an expression of t, x, u and p.
 
     The first vertices are the states, followed by time.
     """
@@ -175,12 +178,12 @@ class _OperationGraph:
                 value = ca.SX.unary(operation, *values) if len(read) == 1 else ca.SX.binary(operation, *values)
                 sources = [slots[slot][1] for slot in read]
                 if any(source is not None for source in sources):
-                    edges = zip(sources, _edges(operation, values), strict=True)
+                    edges = zip(sources, _edges_to_arguments(operation, values), strict=True)
                     vertex = self._add_vertex([(i, e) for i, e in edges if i is not None and not e.value.is_zero()])
             slots[written[0]] = value, vertex
 
     def _add_vertex(self, edges: list[tuple[int, Edge]]) -> int | None:
-        """Add a vertex with the given incoming edges, and return its index.
+        """Add a vertex with given incoming edges, and return its index.
 
         The result is None if there are no edges.
         """
@@ -194,11 +197,10 @@ class _OperationGraph:
 
 
 def differentiate_rates(rates: Any, symbols: tuple[Any, Any, Any, Any], slopes: Any) -> tuple[Any, Any, Any]:
-    """Return the rates, their sparse Jacobian by x, and their drift.
+    """Return the rates with their sparse Jacobian by x and their drift.
 
-    The drift is the time derivative of the rates for constant x, with `slopes` as the time derivatives of u.
-
-    The symbols are t, x, u, p. The rates are unchanged and share operations with the derivatives.
+    The drift is the time derivative of the rates for constant x. `slopes` are the time derivatives of u. `symbols` are
+    t, x, u and p. The rates are unchanged, and share operations with the derivatives.
     """
     import casadi as ca
 

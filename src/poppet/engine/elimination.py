@@ -16,7 +16,7 @@ from typing import Any, NamedTuple
 
 
 class Elimination(NamedTuple):
-    """Order of the pivots, and positions of the nonzeros of the factors."""
+    """Plan of a sparse LU factorisation: order of the pivots and positions of the nonzeros."""
 
     order: tuple[int, ...]
     rows: dict[int, tuple[int, ...]]  # pivot to the rows below it with an entry in its column
@@ -24,9 +24,9 @@ class Elimination(NamedTuple):
 
 
 def eliminate(pattern: set[tuple[int, int]], size: int) -> Elimination:
-    """Return a pivot order with few additional nonzeros, for a pattern of nonzeros.
+    """Return the plan of a sparse LU factorisation with few additional nonzeros.
 
-    `pattern` contains pairs of row and column. `size` is the number of rows.
+    `pattern` contains pairs of row and column, and `size` is the number of rows.
     """
     in_row: list[set[int]] = [set() for _ in range(size)]
     in_column: list[set[int]] = [set() for _ in range(size)]
@@ -55,9 +55,9 @@ def eliminate(pattern: set[tuple[int, int]], size: int) -> Elimination:
 
 
 def solver_functions(sparsity: Any) -> tuple[Any, Any]:
-    """Return CasADi functions that factorise and solve ``(I*s - J) x = b``.
+    """Return CasADi functions that solve the linear system ``(I*s - J) x = b``.
 
-    `sparsity` is the pattern of nonzeros of J.
+    One function factorises the matrix, and the other solves the system. `sparsity` is the pattern of nonzeros of J.
     """
     import casadi as ca
 
@@ -79,15 +79,16 @@ def solver_functions(sparsity: Any) -> tuple[Any, Any]:
     keys = sorted(entries)
     lu = ca.SX.sym("lu", len(keys))
     right = ca.SX.sym("b", size)
-    solution = _substitute(plan, {key: lu[k] for k, key in enumerate(keys)}, [right[k] for k in range(size)])
+    solution = _solve_factorised(plan, {key: lu[k] for k, key in enumerate(keys)}, [right[k] for k in range(size)])
     factor = ca.Function("factor", [jacobian, shift], [ca.vertcat(*(entries[key] for key in keys))])
     return factor, ca.Function("solve", [lu, right], [ca.vertcat(*solution)])
 
 
-def _substitute(plan: Elimination, lu: dict[tuple[int, int], Any], values: list[Any]) -> list[Any]:
-    """Return the solution of the factorised system for a right-hand side `values`.
+def _solve_factorised(plan: Elimination, lu: dict[tuple[int, int], Any], values: list[Any]) -> list[Any]:
+    """Return the solution of a factorised linear system for one right-hand side.
 
-    The elements of the factors `lu` and of `values` are symbols.
+    `plan` describes the factors, and `lu` contains their elements. `values` is the right-hand side. All elements are
+    symbols.
     """
     for pivot in plan.order:
         for row in plan.rows[pivot]:

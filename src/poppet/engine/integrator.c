@@ -1,4 +1,4 @@
-/* made from integrator.py, stepping.py, job.py, rosenbrock.py, sha256 8854a3a601377dee55992b961cdd6f2b9a91150399980846dda3d533cd3a5640 */
+/* made from integrator.py, stepping.py, job.py, rosenbrock.py, sha256 5ce4b715a9f617f7441e5b6546ae8cecbdc9b669d82384843a1c8bdbc9d75c86 */
 /* The adaptive integrator, translated from Python (tools/integrator_c.py); change it there.
 
    `integrate` takes one row of 64 bit numbers, addresses of functions and arrays and their lengths, and gives back how

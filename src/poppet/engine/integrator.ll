@@ -1,4 +1,4 @@
-; made from integrator.py, stepping.py, job.py, rosenbrock.py, sha256 8854a3a601377dee55992b961cdd6f2b9a91150399980846dda3d533cd3a5640
+; made from integrator.py, stepping.py, job.py, rosenbrock.py, sha256 5ce4b715a9f617f7441e5b6546ae8cecbdc9b669d82384843a1c8bdbc9d75c86
 @v46 = private unnamed_addr constant [4 x double] [double 3.860000e-01, double 2.100000e-01, double 6.300000e-01, double 1.000000e+00], align 8
 define internal fastcc void @v47(ptr noalias nonnull writeonly %retptr, ptr readonly %arg.fields) unnamed_addr {
 entry:

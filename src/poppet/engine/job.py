@@ -7,7 +7,7 @@ from typing import Any, NamedTuple
 
 
 def address(array: Any) -> int:
-    """Return the address of a contiguous array, 0 for an empty array."""
+    """Return the memory address of a contiguous array, or 0 for an empty array."""
     if not array.size:
         return 0
     try:
@@ -29,7 +29,10 @@ CALM, FIRST, WINDOW, BEFORE = _OF_ONE
 
 
 class Job(NamedTuple):
-    """Addresses of the functions of the model, lengths, and addresses of arrays, as integers of 64 bits."""
+    """Arguments of the integrator as integers of 64 bits.
+
+    They are addresses of model functions, array lengths, and addresses of arrays.
+    """
 
     # Functions, 0 for a missing function.
     jacobian: int
@@ -79,7 +82,10 @@ class Job(NamedTuple):
 
 
 class LaneJob(NamedTuple):
-    """Arguments of the integrator of lanes: fields of `Job`, and arrays with one double per lane in a row."""
+    """Arguments of the integrator that computes several runs (lanes) simultaneously.
+
+    They are the fields of `Job`, and arrays in which a row contains one double for each lane.
+    """
 
     width: int
     # For lanes; `_held` for constant inputs.

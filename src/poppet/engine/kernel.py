@@ -27,7 +27,7 @@ A changed parameter needs no compilation. Code is freed with the last kernel tha
 
 @dataclass(frozen=True, eq=False)
 class Kernel:
-    """Compiled model of circuits with the same structure, with sizes for the integrator."""
+    """Compiled model, which all circuits with the same structure share."""
 
     model: Model
     functions: CompiledFunctions
@@ -41,7 +41,7 @@ class Kernel:
 
     @cached_property
     def job(self) -> dict[str, int]:
-        """Fields of the integrator's argument `Job` that are equal for all runs."""
+        """Arguments of the integrator that are equal for all runs, as fields of `Job`."""
         m, functions = self.model, self.functions.addresses
         # 0 for missing functions: `step` without states, `update` without discrete states.
         fields = {name: functions.get(name, 0) for name in ("jacobian", "step", "dense", "outputs", "update")}
@@ -57,7 +57,7 @@ class Kernel:
 
     @cached_property
     def memory_size(self) -> int:
-        """Number of doubles in the scratch memory of the integrator."""
+        """Number of doubles that the integrator needs as working memory."""
         j = self.job
         # In the order of `_run_of` of the integrator: 12 vectors of states, tolerances, inputs with their slopes,
         # outputs, discrete states; then time and step, J, and the scratch memory of the printed step.
@@ -73,21 +73,22 @@ class Kernel:
 
     @cached_property
     def scales(self) -> Array:
-        """Error scales of the controlled states, (3, n).
+        """Values that determine the permitted error of each controlled state, (3, n).
 
-        The rows are the factor on the relative tolerance, the floor (see `StateInfo`), and the nominal size.
+        The rows are the factor on the relative tolerance, the lower limit (`floor` of `StateInfo`), and the nominal
+        size.
         """
         states = self.model.states
         return np.array([[s.tolerance for s in states], [s.floor for s in states], [s.nominal for s in states]])
 
     @cached_property
     def positive(self) -> NDArray[np.bool_]:
-        """True for each controlled state that must remain positive."""
+        """Mask of the controlled states that must remain positive."""
         return np.array([state.positive for state in self.model.states], dtype=np.bool_)
 
     @cached_property
     def acting(self) -> NDArray[np.bool_]:
-        """True for each discrete state that affects the rates."""
+        """Mask of the discrete states that affect the rates."""
         return np.array(self.model.acting, dtype=np.bool_)
 
     @cached_property
@@ -102,9 +103,9 @@ class Kernel:
         return callables
 
     def observing(self, outputs: Sequence[int]) -> Kernel:
-        """Return a kernel that computes only the outputs with the given indices.
+        """Return a kernel that computes only selected outputs.
 
-        The kernels share all other machine code. Fits need few outputs.
+        `outputs` contains their indices. All other machine code is shared. Fits use it, because they need few outputs.
         """
         return KERNELS.get((self, tuple(outputs)), lambda: self._select_outputs(outputs))
 
@@ -124,23 +125,23 @@ class Kernel:
         return replace(self, model=model, functions=functions, lanes={})
 
     def call(self, name: str, *arrays: Array) -> None:
-        """Call a compiled function by its name, with contiguous arrays as arguments.
+        """Call a compiled model function by its name.
 
-        The last arrays receive the results.
+        The arguments are contiguous arrays. The last of them receive the results.
         """
         self.caller(name, *arrays)()
 
     def caller(self, name: str, *arrays: Array) -> Callable[[], None]:
-        """Return a function that calls a compiled function, always with the same arrays.
+        """Return a Python function that calls a compiled function with fixed arrays.
 
-        The caller must keep references to the arrays.
+        The user of the function must keep references to the arrays.
         """
         return partial(self._callables[name], *map(address, arrays))
 
     def start(self, p: Array) -> Array:
-        """Return the initial state for the parameter vector p.
+        """Return the initial state for a parameter vector p.
 
-        The initial discrete state is written into p.
+        The initial discrete states are written into p.
         """
         x, memory = np.empty(self.model.size), np.empty(len(self.model.memory))
         self.call("start", p, x, memory)
@@ -148,7 +149,7 @@ class Kernel:
         return x
 
     def with_memory(self, numbers: Array) -> Array:
-        """Return the vector p: parameter values, then zeros for the discrete state."""
+        """Return the vector p: the parameter values, followed by zeros for discrete states."""
         return np.concatenate([numbers, np.zeros(len(self.model.memory))])
 
 

@@ -38,10 +38,10 @@ _LINE = 8
 
 
 def usual_width() -> int:
-    """Return the number of lanes.
+    """Return the number of runs (lanes) that are computed simultaneously.
 
-    The environment variable `POPPET_LANES` sets it. The default is the width of the registers of this processor in
-    doubles.
+    The environment variable `POPPET_LANES` sets it. The default is the number of doubles in a register of this
+    processor.
     """
     variable = os.environ.get("POPPET_LANES")
     return int(variable) if variable else _register_width()
@@ -57,7 +57,7 @@ def _register_width() -> int:
 
 
 def kernel_of_this_machine() -> str:
-    """Return a text with the processor and the number of lanes.
+    """Return a text that identifies processor and number of lanes.
 
     Both affect the last digits of the results of a batch.
     """
@@ -67,9 +67,10 @@ def kernel_of_this_machine() -> str:
 
 
 def lane_functions(kernel: Kernel, width: int) -> LaneFunctions:
-    """Return the machine code of a kernel for a number of lanes.
+    """Return the machine code of a model for several simultaneous runs (lanes).
 
-    Kernels of one model with different outputs share all functions except those that write rows.
+    `width` is the number of lanes. Kernels of one model with different outputs share all functions except those that
+    write rows.
     """
     if width not in kernel.lanes:
         kind, shared, model = Kind(width), kernel.shared_lanes, kernel.model
@@ -99,10 +100,10 @@ def _compile(kind: Kind, text: list[str], names: tuple[str, ...]) -> CompiledFun
 
 
 class Lanes:
-    """Worker of a batch that computes several runs simultaneously.
+    """Worker that computes several runs of a batch simultaneously, one per lane.
 
-    `width` is the number of lanes. If `leads` is True, all runs take the steps of the first run. See
-    `poppet.engine.batch.Worker`.
+    `width` is the number of lanes. If `leads` is True, all runs take the steps of the first run.
+    `poppet.engine.batch.Worker` describes the methods.
     """
 
     def __init__(
@@ -150,7 +151,10 @@ class Lanes:
         self._job = np.array(job, dtype=np.int64)
 
     def _memory(self, kernel: Kernel, width: int, n_derived: int) -> dict[str, int]:
-        """Return the addresses of the arrays of the lanes, which share one block of memory."""
+        """Allocate the arrays of all lanes as one block, and return their addresses.
+
+        `n_derived` is the number of values that are appended to the parameter vector.
+        """
         j = kernel.job
         n, n_c, n_u, n_p = j["n_states"], j["n_controlled"], j["n_inputs"], j["n_numbers"] + j["n_memory"]
         sizes = {
@@ -169,21 +173,24 @@ class Lanes:
         return addresses | {"one": position}
 
     def run(self, first: int, last: int, table: Array | None) -> None:
-        """Compute the runs `first` to `last` - 1, one per lane."""
+        """Compute the runs `first` to `last` - 1 and write their output rows."""
         if table is None:
             table = np.empty((last - first, *self._shape))
         self._job[_OF_SLICE] = first, last, first, address(table)
         lane_integrator()(address(self._job))
 
     def halt(self) -> None:
-        """Request the end of the current runs; another thread calls this method."""
+        """Stop the current runs as soon as possible.
+
+        Another thread calls this method.
+        """
         self._watch[1] = 1.0
 
 
 class LockstepLanes:
-    """Runs that all take the steps of the first run, without error control.
+    """Simultaneous runs that all take the steps of the first run.
 
-    Their results are therefore smooth functions of p.
+    Without error control, their results are smooth functions of p.
 
     Write parameters into `values`, those of the first run into the first row, then call `run`. All runs end with the
     first; rows after that are NaN. Problems with discrete states, stop conditions or no states are not supported.
@@ -209,7 +216,10 @@ class LockstepLanes:
 
     @staticmethod
     def takes(problem: Problem) -> bool:
-        """Return True if a problem is supported and this processor has more than two lanes."""
+        """Return True if this class can compute the runs of a problem.
+
+        The problem must be of a supported kind, and the processor must have more than two lanes.
+        """
         model = problem.kernel.model
         return bool(model.size and not model.memory and not problem.stop_conditions and usual_width() > 2)
 

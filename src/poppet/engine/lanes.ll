@@ -1,4 +1,4 @@
-; made from lanes.py, integrator.py, stepping.py, job.py, rosenbrock.py, sha256 5a1c702da09f323e2fb2fb16725efd557d181229faa2f8d59134371a8d8411f0
+; made from lanes.py, integrator.py, stepping.py, job.py, rosenbrock.py, sha256 1464296d070e1f59a8430216e9d0f1c10385020b855365f86c6056bcc5df565a
 @.const.array.data = internal unnamed_addr constant [32 x i8] c"Nb\10X9\B4\D8?\E1z\14\AEG\E1\CA?)\\\8F\C2\F5(\E4?\00\00\00\00\00\00\F0?", align 8
 define internal fastcc noundef i32 @v71(ptr noalias nonnull writeonly %retptr, ptr %arg.f.4, i64 %arg.i) unnamed_addr {
 entry:

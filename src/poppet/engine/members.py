@@ -17,11 +17,11 @@ _OUTCOMES = tuple(Outcome)
 
 @dataclass(frozen=True)
 class Batch:
-    """Runs of one problem that differ only in parameters.
+    """Runs of one problem that differ only in their parameter values.
 
-    The runs share segments of the inputs, grid, tolerance and stop conditions. The caller must handle two kinds of
-    parameters: delays, which move breakpoints, need one batch per value; tied parameters need columns for all dependent
-    parameters.
+    They share segments of the inputs, output times, tolerance and stop conditions. The caller must handle two kinds of
+    parameters: delays, which move breakpoints, need one batch per value; parameters on which others depend need columns
+    for the dependent parameters too.
     """
 
     problem: Problem
@@ -35,16 +35,19 @@ class Batch:
         return len(self.values)
 
     def write(self, run: int, p: Array, coefficients: Array) -> None:
-        """Write the parameter values of a run into p and the input coefficients.
+        """Write the parameter values of one run into p and the input coefficients.
 
-        Both arrays must be copies of those of the problem.
+        `run` is the index of the run. Both arrays must be copies of those of the problem.
         """
         p[self.places] = self.values[run]
         for k, index in self.held:
             coefficients[:, k, 0] = p[index]
 
     def member(self, run: int) -> Problem:
-        """Return the complete problem of the run with index `run`."""
+        """Return the complete problem of one run.
+
+        `run` is the index of the run.
+        """
         p, coefficients = self.problem.p.copy(), self.problem.coefficients.copy()
         self.write(run, p, coefficients)
         return replace(self.problem, p=p, x0=self.problem.kernel.start(p), coefficients=coefficients)
@@ -52,7 +55,10 @@ class Batch:
 
 @dataclass(frozen=True)
 class RunEnds:
-    """Results of a batch; row k of each array belongs to run k."""
+    """Results at the end of each run of a batch.
+
+    Row k of each array belongs to run k.
+    """
 
     # Written by compiled code. `record` contains the arrays below; `counts` contains accepted steps, attempts, rows,
     # stop condition, scratch, index of the outcome in `Outcome`.
@@ -70,7 +76,7 @@ class RunEnds:
 
     @staticmethod
     def of(batch: Batch) -> RunEnds:
-        """Allocate arrays for the results of a batch."""
+        """Create arrays for the results of a batch."""
         n, model = batch.problem.x0.size, batch.problem.kernel.model
         offsets = list(accumulate([n, n, n, n, n, model.n_energies, model.n_energies, len(model.outputs), 1]))
         record, counts = np.full((batch.size, offsets[-1]), np.nan), np.zeros((batch.size, 6), dtype=np.int64)
@@ -78,7 +84,10 @@ class RunEnds:
         return RunEnds(record, counts, *np.split(record, offsets[:-1], axis=1))
 
     def write(self, run: int, problem: Problem, raw: RawRun) -> None:
-        """Write the result of a run that another solver computed."""
+        """Store the result of one run that another solver has computed.
+
+        `run` is the index of the run.
+        """
         rows = raw.time.size
         self.counts[run] = raw.accepted, raw.attempts, rows, raw.stop, 0, _OUTCOMES.index(raw.outcome)
         last = raw.values[:, -1] if rows else np.full(len(raw.values), np.nan)
@@ -97,10 +106,13 @@ class RunEnds:
 
     @property
     def stops(self) -> Integers:
-        """Index of the stop condition that ended each run, or -1, (n_runs,)."""
+        """Index of the stop condition that ended each run, (n_runs,).
+
+        The index is -1 for a run without a stop.
+        """
         return self.counts[:, 3]
 
     @property
     def outcomes(self) -> list[Outcome]:
-        """Outcome of each run."""
+        """Outcome of each run, for example a complete run or a stall."""
         return [_OUTCOMES[k] for k in self.counts[:, 5]]

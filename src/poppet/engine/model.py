@@ -14,11 +14,14 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from functools import cached_property
 from itertools import count
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+if TYPE_CHECKING:
+    import casadi
 
 
 class StateInfo(NamedTuple):
-    """State with error control: its address, unit, size and tolerances."""
+    """State with error control, with its address, unit, size and tolerances."""
 
     name: str  # address
     unit: str
@@ -45,9 +48,9 @@ class InputInfo(NamedTuple):
 
 
 class FlowInfo(NamedTuple):
-    """Flow between two gas nodes, with the indices of its integrals in x.
+    """Gas flow between two gas nodes, with the indices of its integrals in x.
 
-    A gas node is None if it is outside the circuit.
+    A gas node outside the circuit is None.
     """
 
     name: str
@@ -58,9 +61,9 @@ class FlowInfo(NamedTuple):
 
 
 class StoreInfo(NamedTuple):
-    """Gas node with a balance.
+    """Gas node that has a balance, with indices in the vector x.
 
-    It contains the indices of the mass, and of the integral of the heat, in the vector x.
+    The indices are those of the mass, and of the integral of the heat.
     """
 
     name: str
@@ -71,7 +74,10 @@ class StoreInfo(NamedTuple):
 
 
 class InventoryBalance(NamedTuple):
-    """Balance of a mass or energy: its change equals a signed sum of integrals."""
+    """Balance of a mass or energy (inventory).
+
+    The change of the inventory must equal a sum of integrals with signs.
+    """
 
     store: str
     quantity: str  # mass, energy or motion
@@ -103,17 +109,17 @@ class Model:
 
     @property
     def size(self) -> int:
-        """Length of the vector x, including quadratures."""
+        """Length of the state vector x, including quadratures (integrals of flows)."""
         return len(self.states) + self.n_quadratures
 
     @property
     def n_energies(self) -> int:
-        """Number of energies of gas nodes and bodies that occur in balances."""
+        """Number of energies of gas nodes and bodies that have a balance."""
         return sum(store.has_energy for store in self.stores) + len(self.bodies)
 
     @cached_property
     def acting(self) -> tuple[bool, ...]:
-        """True for each element of the discrete state z that affects the rates."""
+        """Mask of the discrete states z that affect the rates."""
         if not self.memory:
             return ()
         import casadi as ca
@@ -126,9 +132,9 @@ class Model:
 
     @cached_property
     def counting(self) -> tuple[bool, ...]:
-        """True for each element of z that is a clock or counter.
+        """Mask of the discrete states z that are clocks or counters.
 
-        Such an element depends only on z, parameters and time.
+        Such a state depends only on z, parameters and time.
         """
         if not self.memory:
             return ()
@@ -148,14 +154,14 @@ class Model:
 
     @cached_property
     def columns(self) -> tuple[tuple[str, ...], tuple[str, ...]]:
-        """Addresses of the outputs, and their SI units."""
+        """Addresses of all outputs, and their SI units."""
         return tuple(name for name, _ in self.outputs), tuple(unit for _, unit in self.outputs)
 
     @cached_property
     def balances(self) -> tuple[InventoryBalance, ...]:
-        """Balances that apply to all runs.
+        """Balances that are valid for all runs.
 
-        They are the mass of each gas node, and each energy that is linear in the states.
+        They are those of the mass of each gas node, and of each energy that is linear in the states.
         """
         balances, energies = [], count()
         for store in self.stores:
@@ -177,8 +183,11 @@ class Model:
         return tuple(balances)
 
     @cached_property
-    def linear_function(self) -> Any:
-        """CasADi function (t, x, u, p) -> (f, y, A, B, C, D) without quadratures."""
+    def linear_function(self) -> casadi.Function:
+        """CasADi function of the linear model without quadratures (integrals of flows).
+
+        The function is (t, x, u, p) -> (f, y, A, B, C, D) with rates f and outputs y.
+        """
         import casadi as ca
 
         s, n = self.symbols, len(self.states)

@@ -11,11 +11,10 @@ Array = NDArray[np.float64]
 
 
 class ArrayFunction:
-    """CasADi function that is called with NumPy arrays.
+    """CasADi function that accepts and returns NumPy arrays.
 
-    It has its own memory for dense arguments and results, so it is not thread-safe.
-
-    A call with CasADi matrices takes ten times longer than its arithmetic.
+    It has its own memory for dense arguments and results, so it is not thread-safe. A call with CasADi matrices would
+    take ten times longer than the calculation itself.
     """
 
     def __init__(self, function: Any) -> None:

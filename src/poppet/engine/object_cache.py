@@ -28,9 +28,9 @@ _MARK = b"poppet1\n"
 
 
 def object_code(source: str, compile_it: Callable[[str], bytes]) -> bytes:
-    """Return object code from the cache.
+    """Return the object code of a source text, from the cache on disk if possible.
 
-    If the cache does not contain it, `compile_it` compiles the source, and the result is stored.
+    Otherwise, `compile_it` compiles the source, and the result is stored.
     """
     path = cache_folder() / f"{_key(source)}.o"
     with contextlib.suppress(OSError):
@@ -43,7 +43,7 @@ def object_code(source: str, compile_it: Callable[[str], bytes]) -> bytes:
     # Without a usable folder, the next process compiles again.
     with contextlib.suppress(OSError):
         path.parent.mkdir(mode=0o700, parents=True, exist_ok=True)
-        _check(path.parent.stat())
+        _check_permissions(path.parent.stat())
         # With rights 0600.
         handle, name = tempfile.mkstemp(dir=path.parent, suffix=".new")
         try:
@@ -86,18 +86,18 @@ def _key(source: str) -> str:
 
 
 def _read(path: Path) -> bytes:
-    _check(path.parent.stat())
+    _check_permissions(path.parent.stat())
     # The open file is checked, and links are not followed: another process could replace the path after a check.
     handle = os.open(path, os.O_RDONLY | getattr(os, "O_NOFOLLOW", 0) | getattr(os, "O_BINARY", 0))
     with os.fdopen(handle, "rb") as file:
-        _check(os.fstat(file.fileno()))
+        _check_permissions(os.fstat(file.fileno()))
         return file.read()
 
 
-def _check(status: os.stat_result) -> None:
-    """Raise PermissionError if another user owns a file or can write to it.
+def _check_permissions(status: os.stat_result) -> None:
+    """Raise PermissionError if another user could change a file.
 
-    Windows protects the folder of the user itself.
+    `status` is the status of the file. Windows protects the folder of the user itself.
     """
     if os.name == "posix" and (status.st_uid != os.geteuid() or status.st_mode & (stat.S_IWGRP | stat.S_IWOTH)):
         raise PermissionError("other users have write permission")

@@ -20,9 +20,9 @@ EMPTY = 1e-6
 
 
 class Outcome(enum.Enum):
-    """Outcome of a run.
+    """Outcome of a run, for example complete or stalled.
 
-    The value is a message code. `ending` returns the message as a note with facts.
+    The value is a message code. The function `ending` returns the message as a note with facts.
     """
 
     # In the order of the status values of the integrator.
@@ -51,7 +51,7 @@ class StopCondition(NamedTuple):
 
     @property
     def is_failure(self) -> bool:
-        """True if the condition is the end of the domain of a characteristic.
+        """True if the condition is that a stroke leaves the domain of its characteristic.
 
         It is False for conditions of the user.
         """
@@ -60,7 +60,7 @@ class StopCondition(NamedTuple):
 
 @dataclass(frozen=True)
 class Problem:
-    """Model, parameters, inputs and options of one run as arrays.
+    """Complete definition of one run as arrays: model, parameters, inputs and options.
 
     Solvers do not change the arrays.
     """
@@ -80,16 +80,16 @@ class Problem:
 
 
 def constant_input_problem(kernel: Kernel, p: Array, x0: Array, u: Array, grid: Array, **fields: float) -> Problem:
-    """Return a problem from t = 0 with constant inputs u, (n_inputs,).
+    """Return the definition of a run from t = 0 with constant inputs u, (n_inputs,).
 
-    `grid` contains the output times. `fields` are further fields of `Problem`.
+    `x0` is the initial state, and `grid` contains the output times. Keyword arguments are further fields of `Problem`.
     """
     start, course, jump = np.zeros(1), np.zeros(1, dtype=np.int64), np.zeros(1, dtype=np.bool_)
     return Problem(kernel, p, x0, start, course, constant_coefficients(u), jump, grid, **fields)  # type: ignore[arg-type]
 
 
 def constant_coefficients(u: Array, begin: float = 0.0) -> Array:
-    """Return the input coefficients of one segment with constant inputs u.
+    """Return the coefficients of a single segment with constant inputs u.
 
     The segment begins at the time `begin` [s]. Without inputs, the array has one column.
     """
@@ -100,7 +100,7 @@ def constant_coefficients(u: Array, begin: float = 0.0) -> Array:
 
 @dataclass(frozen=True)
 class RawRun:
-    """Result of a solver run as arrays."""
+    """Result of a run by any solver, as plain arrays."""
 
     outcome: Outcome
     time: Array  # (n_times,) output times reached [s]
@@ -120,12 +120,15 @@ class RawRun:
 
     @property
     def reached(self) -> float:
-        """Time of the last row [s]; 0 if there are no rows."""
+        """Time of the last output row [s].
+
+        The value is 0 if there are no rows.
+        """
         return float(self.time[-1]) if self.time.size else 0.0
 
 
 def is_failure(problem: Problem, run: RawRun) -> bool:
-    """Return True if a run failed.
+    """Return True if a run has failed.
 
     A run that reaches its end or a stop condition of the user has not failed.
     """
@@ -133,7 +136,7 @@ def is_failure(problem: Problem, run: RawRun) -> bool:
 
 
 def ending(problem: Problem, run: RawRun) -> Note:
-    """Return a note on the outcome of a run, with the time and the cause."""
+    """Return a note on how a run ended, with the time and the cause."""
     if run.outcome is Outcome.STOPPED:
         reason = problem.stop_conditions[run.stop].reason
         return Note(reason.code, reason.address, **reason.facts, time=run.reached)

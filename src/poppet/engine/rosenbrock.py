@@ -41,5 +41,5 @@ SCRATCH = 2
 
 
 def scratch_size(n_states: int, factor_size: int) -> int:
-    """Return the size of the scratch memory of a printed step in doubles."""
+    """Return the number of doubles that a printed solver step needs as working memory."""
     return SCRATCH + 2 * n_states + factor_size

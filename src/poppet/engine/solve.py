@@ -64,5 +64,8 @@ def solve(
 
 
 def run_kernel(problem: Problem, progress: Callable[[float], Any] | None = None) -> RawRun:
-    """Run a problem with the Rosenbrock kernel, without a repetition if it stalls."""
+    """Run a problem with poppet's own integrator.
+
+    A run that stalls is not repeated with another solver.
+    """
     return Call(problem).run(progress)

@@ -1,7 +1,6 @@
 """Ensembles: runs of a circuit with uncertain parameters."""
 
 import warnings
-from typing import Any
 
 from poppet.ensemble.bands import Bands
 from poppet.ensemble.ensemble_plan import EnsemblePlan
@@ -29,7 +28,7 @@ _OLD_NAMES = {"Plan": EnsemblePlan, "Index": SobolIndex, "Range": TornadoRange, 
 """Old names, which work until version 1.0."""
 
 
-def __getattr__(name: str) -> Any:
+def __getattr__(name: str) -> object:
     if name not in _OLD_NAMES:
         raise AttributeError(f"module 'poppet.ensemble' has no attribute {name!r}")
     renamed = _OLD_NAMES[name]

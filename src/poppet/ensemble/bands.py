@@ -30,9 +30,10 @@ def band_rows(grid: Array) -> Integers:
 
 
 def band_edges(plan: EnsemblePlan, grid: Array, pilot: Array) -> Array:
-    """Return the lower and upper limits of the histograms, (n_curves, n_times, 2).
+    """Return the limits of the histograms from the first runs.
 
-    `pilot` contains the outputs of the first runs, (m, n_curves, n_rows), which determine the limits.
+    The result has the shape (n_curves, n_times, 2), with a lower and an upper limit. `pilot` contains the outputs of
+    the first runs, (m, n_curves, n_rows). `grid` contains the output times.
     """
     limits = np.zeros((len(plan.curves), band_rows(grid).size, 2))
     if len(pilot):
@@ -85,7 +86,7 @@ class Bands:
 
     @staticmethod
     def read(columns: Mapping[str, Any]) -> Bands:
-        """Read histograms from table columns as written by `columns`."""
+        """Create histograms from the table columns that `columns` returns."""
         curves = tuple(dict.fromkeys(columns["curve"]))
         n = len(columns["curve"]) // max(len(curves), 1)
         limits = np.stack([np.asarray(columns["low"]), np.asarray(columns["high"])], axis=-1)
@@ -96,10 +97,11 @@ class Bands:
         return Bands(self.curves, self.time, self.edges, self.counts + other.counts)
 
     def quantile(self, curve: str, u: float) -> Array:
-        """Return a quantile of one output at every time, (n_times,).
+        """Return a quantile of one output at each time, (n_times,).
 
-        `curve` is the address of the output and `u` the probability. Values are interpolated within a bin. The result
-        is infinite if the quantile is outside the limits of the histogram, and NaN without values.
+        `curve` is the address of the output, and `u` is the probability from 0 to 1. Values are interpolated within a
+        histogram bin. The result is infinite if the quantile is outside the limits of the histogram, and NaN without
+        values.
         """
         index = self.curves.index(curve)
         counts, (low, high) = self.counts[index], self.edges[index].T

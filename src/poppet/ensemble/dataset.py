@@ -33,7 +33,7 @@ _NOT_OF_RUNS = ("indices",)
 
 
 def fingerprint(circuit: BaseCircuit) -> str:
-    """Return a hash of all data that determine a run of a circuit."""
+    """Return a hash of all properties of a circuit that affect its runs."""
     problem = circuit.problem(circuit.run)
     arrays = (
         problem.p, problem.x0, problem.starts, problem.courses, problem.coefficients, problem.jumps, problem.grid,
@@ -46,9 +46,9 @@ def fingerprint(circuit: BaseCircuit) -> str:
 
 
 def describe_plan(plan: EnsemblePlan) -> dict[str, Any]:
-    """Return all settings that determine the runs, as plain values for the manifest.
+    """Return all settings of a plan that determine its runs, for the manifest.
 
-    The manifest also contains a hash of these values.
+    The settings are plain values. The manifest also contains a hash of them.
     """
     circuit = plan.circuit
     numbers: dict[str, Any] = {a: {"distribution": d.kind, **d.numbers} for a, d in plan.alone.items()}
@@ -130,7 +130,10 @@ class Dataset:
             write_whole(path, lambda stream: stream.write(text.encode("utf-8")))
 
     def sealed(self) -> Dataset:
-        """Write the hashes of all files to the manifest, and return the complete dataset."""
+        """Complete the dataset: write the hashes of all files to the manifest.
+
+        The result is the complete dataset.
+        """
         files = sorted(path for path in self.folder.glob("*/part-*.parquet"))
         hashes = {path.relative_to(self.folder).as_posix(): _digest(path) for path in files}
         dataset = Dataset(self.folder, {**self.manifest, "files": hashes})
@@ -138,9 +141,9 @@ class Dataset:
         return dataset
 
     def missing(self, plan: EnsemblePlan, kind: str) -> list[int]:
-        """Return the indices of the shards that are missing or incomplete.
+        """Return the indices of the shards that must still be computed.
 
-        `kind` is `runs`, `tornado` or `indices`.
+        A shard is a file with the results of some runs. `kind` is `runs`, `tornado` or `indices`.
         """
         size, shard_size = plan.counts(kind)
         curve_folder = {"bands": "bands", "all": "curves"}.get(plan.keep) if kind == "runs" and plan.curves else None
@@ -156,9 +159,9 @@ class Dataset:
         return missing
 
     def _rows(self, kind: str, number: int) -> int:
-        """Return the number of table rows in a shard.
+        """Return the number of table rows in one shard, a file with results of runs.
 
-        The result is -1 if the file is missing, has changed or is not readable.
+        `number` is the index of the shard. The result is -1 if the file is missing, has changed or is not readable.
         """
         path = self.folder / kind / _name(number)
         expected = self.hashes.get(f"{kind}/{_name(number)}")
@@ -169,9 +172,9 @@ class Dataset:
         return -1
 
     def write(self, files: Mapping[str, bytes]) -> None:
-        """Write the files of a shard in the given order.
+        """Write the files of one shard in the given order.
 
-        A shard counts as complete if its last file exists.
+        A shard is a set of files with the results of some runs. It counts as complete if its last file exists.
         """
         for name, content in files.items():
             path = self.folder / name
@@ -190,7 +193,10 @@ class Dataset:
     def columns(
         self, kind: str, columns: list[str] | None = None, max_rows: int | None = None
     ) -> dict[str, NDArray[Any]]:
-        """Return columns with the values of all shards, or of the first `max_rows` runs."""
+        """Return columns of results of all runs, or of the first `max_rows` runs.
+
+        `kind` is `runs`, `tornado` or `indices`, and `columns` contains the names of the columns.
+        """
         parts: list[dict[str, NDArray[Any]]] = []
         count = 0
         for shard in self.shards(kind, columns):
@@ -206,9 +212,9 @@ def _name(number: int) -> str:
 
 
 def _read_manifest(path: Path, content: Mapping[str, Any]) -> dict[str, Any]:
-    """Read the manifest of a folder, and reject it if it belongs to another ensemble.
+    """Read the manifest of a folder, and check that it belongs to this ensemble.
 
-    `content` is the expected manifest.
+    `content` is the expected manifest. A manifest of another ensemble raises an error.
     """
     try:
         stored = json.loads(path.read_text(encoding="utf-8"))

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import importlib
 import math
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
+from types import ModuleType
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -24,7 +26,7 @@ DIFFERENCE: dict[Kind, Kind] = {"pressure": "pressure_difference", "temperature"
 
 
 class Form(NamedTuple):
-    """Fields and functions of one kind of distribution."""
+    """Kind of distribution: its fields and its functions."""
 
     fields: tuple[str, ...]
     spreads: tuple[str, ...]  # fields that are differences
@@ -35,14 +37,12 @@ class Form(NamedTuple):
 
     @property
     def names(self) -> tuple[str, ...]:
-        """Names of all fields that a circuit file can contain for this distribution."""
+        """Names of all fields that this kind of distribution can have in a circuit file."""
         return tuple(dict.fromkeys((*self.fields, *((self.relative,) if self.relative else ()), "low", "high")))
 
 
-def _special() -> Any:
-    from scipy import special  # slow to import
-
-    return special
+def _special() -> ModuleType:
+    return importlib.import_module("scipy.special")  # slow to import
 
 
 def _triangular(u: Array, n: Mapping[str, float]) -> Array:
@@ -97,20 +97,23 @@ class Distribution:
     high: float = math.inf
 
     def below(self, x: float) -> float:
-        """Return the probability that a value is smaller than x."""
+        """Return the probability of values below x."""
         (a, b), form = self._cut, FORMS[self.kind]
         return float(np.clip((form.below(x, self.numbers) - a) / (b - a), 0.0, 1.0))
 
     def quantile(self, u: Array) -> Array:
-        """Return the quantiles of the truncated distribution at probabilities between 0 and 1 (excluded)."""
+        """Return the quantiles at the probabilities `u`, which are between 0 and 1 (excluded).
+
+        The distribution is truncated to its limits.
+        """
         a, b = self._cut
         # Rounding must not move a value outside the limits.
         return np.clip(FORMS[self.kind].quantile(a + u * (b - a), self.numbers), self.low, self.high)
 
     def within(self, low: float, high: float) -> Distribution:
-        """Return the distribution truncated to the range from `low` to `high`.
+        """Return the distribution with additional limits `low` and `high`.
 
-        The present limits remain in force.
+        The present limits also remain in force.
         """
         return Distribution(self.kind, self.numbers, max(low, self.low), min(high, self.high))
 
@@ -125,9 +128,10 @@ class Distribution:
 
 
 def read_distribution(raw: Any, spec: NumberSpec, number: Number, address: str, ambient: float) -> Distribution:
-    """Read the distribution of a parameter from its table in the circuit file.
+    """Read the distribution of one parameter from its table in a circuit file.
 
-    `spec` is the declaration of the parameter and `number` its value in the circuit, which is the default centre.
+    `raw` is the table, `spec` the declaration of the parameter, and `number` its value in the circuit, which is the
+    default centre. `ambient` is the ambient pressure.
     """
     with ErrorCollector() as errors:
         if not isinstance(raw, Mapping):
@@ -151,8 +155,8 @@ def read_distribution(raw: Any, spec: NumberSpec, number: Number, address: str, 
         written = quantity(raw["mean"], spec.unit, kind=spec.kind) if "mean" in read else number
         half = read.pop(relative) * abs(written.value)
         derived = {"sigma": half} if kind == "normal" else {"low": middle - half, "high": middle + half}
-        if derived.keys() & read.keys():
-            raise InputError("ensemble.given_twice", address, names=[relative, *(derived.keys() & read.keys())])
+        if twice := [key for key in derived if key in read]:
+            raise InputError("ensemble.given_twice", address, names=[relative, *twice])
         read |= derived
     read |= {key: middle for key in MIDDLES if key in form.fields and key not in read}
     collect([missing_field(f"{address}.{key}", fields[key]) for key in form.fields if key not in read])

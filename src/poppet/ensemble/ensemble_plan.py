@@ -68,7 +68,7 @@ FIELDS = {
 
 @dataclass(frozen=True)
 class JointNormal:
-    """Joint normal distribution of estimated parameters, from an identification."""
+    """Joint normal distribution of several parameters that an identification has estimated."""
 
     file: str
     mean: tuple[float, ...]
@@ -78,9 +78,10 @@ class JointNormal:
 
 @dataclass(frozen=True)
 class EnsemblePlan:
-    """Settings that determine an ensemble.
+    """All settings that determine the runs of an ensemble.
 
-    Parameters are columns of the sample. Those in `alone` are independent and come first; those in `joint` follow.
+    The columns of a sample are parameters. Parameters in `alone` are independent and come first. Parameters in `joint`
+    have a joint distribution and follow.
     """
 
     circuit: BaseCircuit = field(repr=False)
@@ -101,23 +102,24 @@ class EnsemblePlan:
 
     @cached_property
     def addresses(self) -> tuple[str, ...]:
-        """Addresses of the uncertain parameters, in the order of the columns of parameter values."""
+        """Addresses of the uncertain parameters, in the order of the sample columns."""
         return self.table[0] if self.table else (*self.alone, *self.joint)
 
     @cached_property
     def factors(self) -> dict[str, tuple[int, ...]]:
-        """Mapping from each independent factor to its columns of parameter values.
+        """Mapping from the name of each independent factor to its sample columns.
 
-        A factor is a parameter, or all parameters of the joint distribution together.
+        A factor is either one parameter, or all parameters of the joint distribution together.
         """
         factors = {address: (k,) for k, address in enumerate(self.alone)}
         n = len(self.alone)
         return factors | ({"from_fit": tuple(range(n, n + len(self.joint)))} if self.joint else {})
 
     def values(self, u: Array) -> Array:
-        """Return parameter values, (m, n), at points of the open unit cube.
+        """Convert points of the unit cube to parameter values, (m, n).
 
-        Each coordinate of a point is a probability, which the quantile function converts to a value.
+        Each coordinate of a point in `u` is a probability between 0 and 1. The quantile function of the parameter
+        converts the probability to a value.
         """
         values = np.empty_like(u)
         n = len(self.alone)
@@ -136,9 +138,10 @@ class EnsemblePlan:
         return values
 
     def counts(self, kind: str) -> tuple[int, int]:
-        """Return the number of runs of one kind, and the number of runs in a shard.
+        """Return the number of runs of one kind, and the number of runs per shard.
 
-        `kind` is `runs`, `tornado` or `indices`.
+        `kind` is `runs` (random sample), `tornado` (one parameter at a time) or `indices` (sensitivity indices). A
+        shard is a file with the results of some runs.
         """
         if kind == "runs":
             return self.runs, self.shard
@@ -181,9 +184,9 @@ class EnsemblePlan:
         return self.values(points(self.sampling, self.seed, self.runs, n, first, last, (self.levels,) * n))
 
     def quantile(self, address: str, u: float) -> float:
-        """Return the quantile of one parameter at probability u.
+        """Return the quantile of one parameter at the probability `u`.
 
-        If a file contains the parameter values, the quantile is that of its column.
+        If a file contains the parameter values, the quantile is that of the values in its column.
         """
         if self.table is not None:
             return float(np.quantile(self.table[1][:, self.table[0].index(address)], u))
@@ -195,9 +198,10 @@ class EnsemblePlan:
 
     @cached_property
     def shard(self) -> int:
-        """Number of runs in a shard: a power of two.
+        """Number of runs in each shard, which is a power of two.
 
-        It depends only on the number of runs, on the stored data and on the circuit, not on the computer.
+        A shard is a file with the results of some runs. The number depends on the runs, on the stored data and on the
+        circuit, but not on the computer.
         """
         max_runs = _MOST if self.keep == "metrics" else _MOST_CURVES
         min_runs = _LEAST_SAMPLED if self.circuit.model.memory else _LEAST
@@ -291,7 +295,8 @@ def _identifier(name: str, address: str, reserved: tuple[str, ...]) -> str:
 def _with_run_count(plan: EnsemblePlan, runs: int | None) -> EnsemblePlan:
     """Return the plan with the number of runs.
 
-    A grid or a file of parameter values determines this number; otherwise it is the field `runs`.
+    If the parameter values form a grid or come from a file, their number is the number of runs. Otherwise the argument
+    `runs` is used.
     """
     n = len(plan.addresses)
     fixed = plan.levels**n if plan.sampling == "grid" else len(plan.table[1]) if plan.table is not None else runs
@@ -406,7 +411,10 @@ class _ParameterReader:
 
 
 def varied_specs(circuit: BaseCircuit) -> dict[str, NumberSpec]:
-    """Return the declaration of every parameter that can be uncertain, by address."""
+    """Return the declarations of all parameters of a circuit that can be uncertain.
+
+    The keys are the addresses of the parameters.
+    """
     specs = number_specs(circuit)
     for owner, kind in (("ambient", Ambient), ("gas", GasChoice)):
         specs |= {f"{owner}.{name}": spec for name, _, spec in declared(kind, NumberSpec)}
@@ -415,9 +423,10 @@ def varied_specs(circuit: BaseCircuit) -> dict[str, NumberSpec]:
 
 
 def restrict_to_valid(distribution: Distribution, spec: NumberSpec, location: str, name: str = "") -> Distribution:
-    """Truncate a distribution to the valid values of a parameter.
+    """Truncate a distribution to the valid values of its parameter.
 
-    The distribution is rejected if values outside this range are too likely.
+    `spec` declares these values. If values outside this range are too likely, an error is raised. `location` and `name`
+    are those of the parameter in messages.
     """
     low, high = spec.ends[0], min(spec.ends[1], spec.below)
     share = distribution.outside(low, high)
@@ -432,7 +441,11 @@ def _normal(mean: float, sigma: float) -> Distribution:
 
 
 def _in_si(column: Array, unit: str, spec: NumberSpec, location: str, ambient: float) -> Array:
-    """Convert a column of parameter values to SI units, and reject invalid values."""
+    """Convert a column of parameter values to SI units, and check all values.
+
+    `unit` is the unit in the column heading, and `ambient` the ambient pressure for gauge pressures. Invalid values
+    raise an error.
+    """
     if unit:
         # Check unit and reference once; convert the whole column.
         quantity(f"1 {unit}", spec.unit, kind=spec.kind, name=location)

@@ -11,7 +11,7 @@ from collections.abc import Callable, Mapping
 from copy import deepcopy
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -28,6 +28,9 @@ from poppet.ensemble.ensemble_plan import ALL, EnsemblePlan, read_plan, varied_s
 from poppet.ensemble.executors import run_missing
 from poppet.ensemble.statistics import SobolIndex, Summary, TornadoRange, Yield, sobol_indices, summary_of, wilson
 
+if TYPE_CHECKING:
+    import pandas
+
 MAX_EXACT_RUNS = 2**20
 """Maximum number of runs from which quantiles are computed, to limit the memory."""
 
@@ -38,7 +41,7 @@ _PATHS = ("path", "characteristic")
 
 @dataclass(frozen=True)
 class WorstCase:
-    """One of the worst runs of a requirement."""
+    """One of the runs that miss a requirement by the largest amount."""
 
     requirement: str
     run: int
@@ -71,7 +74,7 @@ class Ensemble(HtmlMixin):
         """Folder of the dataset."""
         return self.dataset.folder
 
-    def to_pandas(self) -> Any:
+    def to_pandas(self) -> pandas.DataFrame:
         """Return parameters and metrics of all runs.
 
         Returns
@@ -89,17 +92,23 @@ class Ensemble(HtmlMixin):
         return sum(len(shard["run"]) for shard in self.dataset.shards("runs", ["run"]))
 
     def outcomes(self) -> dict[str, int]:
-        """Return the number of runs for each termination reason, by the code of the reason."""
+        """Return the number of runs that ended for each reason.
+
+        The keys are the message codes of the reasons.
+        """
         return self._counted("outcome")
 
     def noted(self) -> dict[str, int]:
-        """Return the number of runs in which the kernel stalled, by the codes of the notes."""
+        """Return the number of runs in which the solver stalled.
+
+        The keys are the codes of the notes on these runs.
+        """
         return {codes: count for codes, count in self._counted("notes").items() if codes}
 
     def remarks(self) -> tuple[Note, ...]:
-        """Return notes on runs that failed or stalled, and on completed runs without a value of a metric.
+        """Return notes on the plan, on failed runs and on missing metric values.
 
-        Notes on the plan come first.
+        They include runs in which the solver stalled, and completed runs without a value of a metric.
         """
         runs, fine = self.done, ("run.done", "run.stopped")
         failed = [(code, count) for code, count in self.outcomes().items() if code not in fine]
@@ -145,9 +154,10 @@ class Ensemble(HtmlMixin):
         return [Yield(*name, k, runs, *wilson(k, runs)) for name, k in counted]
 
     def summaries(self) -> list[Summary]:
-        """Return statistics of each metric: moments, extremes and quantiles.
+        """Return statistics of each metric over all runs.
 
-        They also contain the numbers of runs with a finite, an infinite and no value.
+        The statistics are moments, extremes and quantiles, and the numbers of runs with a finite, an infinite and no
+        value.
         """
         return [summary_of(self.dataset, metric, MAX_EXACT_RUNS) for metric in self.plan.metrics]
 
@@ -182,7 +192,9 @@ class Ensemble(HtmlMixin):
         return effects
 
     def indices(self) -> dict[str, list[SobolIndex]]:
-        """Return the Sobol indices of each metric; the result is empty if the plan has no runs for them.
+        """Return the Sobol indices of each metric.
+
+        The result is empty if the plan contains no runs for them.
 
         Returns
         -------
@@ -260,9 +272,10 @@ class Ensemble(HtmlMixin):
 
 
 def circuit_text(circuit: BaseCircuit, folder: Path) -> str:
-    """Return the text of a circuit's original file with the changed parameters.
+    """Return a circuit file with the present parameter values of a circuit.
 
-    The text is read again to check that it gives the same circuit; a circuit with other changes is rejected.
+    The text is read again to check that it gives the same circuit. If the circuit was changed in other ways, an error
+    is raised.
     """
     tables, origin = circuit.origin
     if not tables:
@@ -293,9 +306,9 @@ def circuit_text(circuit: BaseCircuit, folder: Path) -> str:
 
 
 def _move_paths(table: Any, old: Path, new: Path) -> None:
-    """Adapt relative file paths in the tables to a new folder.
+    """Change relative file paths in tables so that they are valid in another folder.
 
-    The paths are relative to `old` before and to `new` after the change.
+    The paths refer to the folder `old` before, and to the folder `new` after the change.
     """
     for key, value in table.items() if isinstance(table, dict) else ():
         if key in _PATHS and isinstance(value, str) and (old / value).is_file():
@@ -313,7 +326,10 @@ def run_ensemble(
     requirements: Mapping[str, str] | None = None,
     **fields: Any,
 ) -> Ensemble:
-    """Run an ensemble: see `Circuit.ensemble`."""
+    """Run an ensemble.
+
+    The public method `Circuit.ensemble` describes the arguments.
+    """
     plan = plan_of(circuit, requirements=requirements, **fields)
     if output is not None:
         return run_plan(plan, Path(output), executor, workers, progress)
@@ -329,9 +345,9 @@ def run_ensemble(
 
 
 def plan_of(circuit: BaseCircuit, *, requirements: Mapping[str, str] | None = None, **fields: Any) -> EnsemblePlan:
-    """Return the ensemble plan of a circuit from its tables.
+    """Return the ensemble plan that the tables of a circuit describe.
 
-    The keyword arguments `fields` replace fields of the table `ensemble`.
+    Keyword arguments replace fields of the table `ensemble`.
     """
     tables, folder = circuit.origin
     table = tables.get("ensemble", {})
@@ -345,7 +361,10 @@ def plan_of(circuit: BaseCircuit, *, requirements: Mapping[str, str] | None = No
 
 
 def with_parameters(fields: Mapping[str, Any]) -> dict[str, Any]:
-    """Return the keyword arguments with the old name `numbers` replaced by `parameters`."""
+    """Return the keyword arguments of an ensemble without the old name `numbers`.
+
+    The argument `numbers` is renamed to `parameters`.
+    """
     renamed = dict(fields)
     if "numbers" in fields:
         if "parameters" in fields:
@@ -362,7 +381,10 @@ def run_plan(
     workers: int | None = None,
     progress: Callable[[int, int, str], Any] | None = None,
 ) -> Ensemble:
-    """Run all missing shards of a plan, and store them in a folder."""
+    """Run all missing shards of a plan, and store them in a folder.
+
+    A shard is a file with the results of some runs.
+    """
     dataset = Dataset.opened(folder, plan)
     is_whole = run_missing(plan, dataset, executor, workers, progress)
     return Ensemble(plan, dataset.sealed() if is_whole else dataset, is_whole)

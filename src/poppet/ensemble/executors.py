@@ -28,9 +28,10 @@ _DEFAULT_WIDTH = 32
 def run_missing(
     plan: EnsemblePlan, dataset: Dataset, executor: Any, workers: int | None, progress: Progress | None
 ) -> bool:
-    """Run all missing shards of a plan, and store each completed shard in the dataset.
+    """Run all missing shards of a plan on several workers.
 
-    The result is False if Ctrl-C stops the execution.
+    A shard is a file with the results of some runs. Each completed shard is stored in the dataset. The result is False
+    if Ctrl-C stops the execution.
     """
     todo: list[tuple[str, int]] = []
     sizes: dict[tuple[str, int], int] = {}
@@ -82,9 +83,10 @@ def run_missing(
 
 @contextmanager
 def _open_pool(executor: Any, workers: int | None, shards: int) -> Iterator[tuple[Any, int]]:
-    """Yield an executor and the number of its workers.
+    """Open a pool of workers, and yield the pool with its number of workers.
 
-    `executor` is a name, a Dask address, a Dask client, or an executor of the caller, which stays open.
+    `executor` is a name, a Dask address, a Dask client, or an executor of the caller, which stays open. `shards` is the
+    number of shards to compute.
     """
     if executor in EXECUTORS:
         width = max(1, min(workers or usable_cores(), shards))

@@ -36,7 +36,7 @@ MARKED = re.compile(r"(.*\S)\s+(ANR|N)")
 
 @dataclass(frozen=True)
 class Metric:
-    """Metric of a run: one value that is computed from outputs versus time."""
+    """Metric of a run: one value that is computed from outputs over time."""
 
     name: str
     kind: str  # one of `WAYS`, or `function`
@@ -80,9 +80,9 @@ class Metric:
         return _load_function(self.folder, self.function) if isinstance(self.function, str) else self.function
 
     def values(self, time: Array, series: Mapping[str, Array]) -> Array:
-        """Return the metric of m runs with equal output times, (m,).
+        """Return the values of the metric for m runs with equal output times, (m,).
 
-        `series` maps the address of each output to its values, (m, n).
+        `series` maps the address of each output to the values of all runs, (m, n).
         """
         first, last = np.searchsorted(time, (self.begin, self.end), side="left")
         last += int(last < time.size and time[last] == self.end)
@@ -124,7 +124,7 @@ class Metric:
 
 
 class MetricKind(NamedTuple):
-    """Kind of metric: unit, additional fields and computation."""
+    """Kind of metric: its unit, its additional fields and its formula."""
 
     unit: Callable[[str], str]  # SI unit from that of the output
     fields: Mapping[str, Field]  # in addition to those of all metrics
@@ -147,12 +147,18 @@ def _mean(t: Array, y: Array) -> Array:
 
 
 def _relative_step(y: Array, aim: Array) -> Array:
-    """Return values as fractions of the step from the first value to the target `aim`."""
+    """Return responses as fractions of the step from first value to target.
+
+    Each row of `y` is a response, and `aim` contains the target of each row.
+    """
     return np.asarray((y - y[:, :1]) / (aim[:, np.newaxis] - y[:, :1]))
 
 
 def _first_crossing(t: Array, y: Array, level: float) -> Array:
-    """Return the time of the first crossing of a level, interpolated [s]; infinite without a crossing."""
+    """Return the time at which a response first crosses a level [s].
+
+    Times are interpolated between samples. The result is infinite if the level is not crossed.
+    """
     # A run can start on either side.
     passed = np.where(y[:, :1] < level, y >= level, y <= level)
     k = passed.argmax(axis=1)
@@ -223,7 +229,8 @@ METRIC_KINDS = {
 def read_metric(name: str, raw: Any, outputs: Mapping[str, str], ambient: float, address: str, folder: str) -> Metric:
     """Read one metric from its table in the circuit file.
 
-    `outputs` maps the address of every output to its SI unit.
+    `raw` is the table, and `outputs` maps the address of each output to its SI unit. `address` is that of the table,
+    and `folder` contains the files of Python functions.
     """
     if callable(raw):
         raw = {"metric": raw}
@@ -325,7 +332,7 @@ class Requirement:
     bounds: tuple[tuple[str, float], ...]  # relation and bound, in the unit of the metric; all must hold
 
     def met(self, values: NDArray[np.float64]) -> NDArray[np.bool_]:
-        """Return True for each value of the metric that meets the requirement.
+        """Return True for each value that meets the requirement.
 
         NaN does not meet it.
         """
@@ -345,7 +352,10 @@ class Requirement:
 
 
 def read_requirement(name: str, text: Any, metrics: Mapping[str, Metric], ambient: float, address: str) -> Requirement:
-    """Read one requirement from its text, such as `peak <= 6.2 bar g`."""
+    """Read one requirement from its text, for example `peak <= 6.2 bar g`.
+
+    `metrics` are the metrics of the ensemble by name, and `ambient` is the ambient pressure.
+    """
     match = FORM.fullmatch(text) if isinstance(text, str) else None
     if match is None:
         raise InputError("ensemble.requirement", address, text=str(text))

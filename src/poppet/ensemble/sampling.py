@@ -30,11 +30,10 @@ _STREAMS = {"random": 0, "latin": 1, "permutation": 2}
 
 
 def points(method: str, seed: int, total: int, dimension: int, first: int, last: int, levels: tuple[int, ...]) -> Array:
-    """Return the points of runs `first` to `last` (excluded) in the open unit cube.
+    """Return the sample points of the runs `first` to `last` (excluded).
 
-    The shape is (last - first, dimension).
-
-    `levels` is the number of values of a grid in each dimension.
+    A point is in the open unit cube. The result has the shape (last - first, dimension). `total` is the number of all
+    runs, and `levels` the number of grid values in each dimension.
     """
     if method == "latin":
         jitter = uniform(seed, "latin", dimension, first, last)
@@ -62,10 +61,10 @@ def points(method: str, seed: int, total: int, dimension: int, first: int, last:
 
 
 def uniform(seed: int, stream: str, dimension: int, first: int, last: int) -> Array:
-    """Return independent uniform random numbers for runs `first` to `last` (excluded).
+    """Return independent uniform random numbers in the open interval (0, 1).
 
-    The numbers are in the open interval from 0 to 1. The shape is (last - first, dimension), and `stream` names the
-    purpose of the numbers.
+    The result has the shape (last - first, dimension) and belongs to the runs `first` to `last` (excluded). `stream` is
+    a name: different streams of the same seed are independent.
     """
     raw = _random_integers(seed, stream, dimension, first, last)
     return ((raw >> np.uint64(12)).astype(np.float64) + 0.5) * 2.0**-52
@@ -114,9 +113,10 @@ def permute(indices: Whole, total: int, keys: Whole) -> Whole:
 
 @lru_cache(maxsize=8)
 def _sobol_basis(seed: int, dimension: int, bits: int) -> tuple[Whole, list[Whole]]:
-    """Return the first block of Sobol points as integers, and the shifts that give all further blocks.
+    """Return the first block of a Sobol sequence, and the shifts to all later blocks.
 
-    There is one shift for each power of two between the block size and the number of points.
+    The points are integers of `bits` bits. There is one shift for each power of two between the block size and the
+    number of points.
     """
     from scipy.stats import qmc
 

@@ -31,7 +31,10 @@ Codes = NDArray[np.object_]
 
 
 class ShardResults(NamedTuple):
-    """Results of the runs of a shard."""
+    """Results of all runs in one shard.
+
+    A shard is a part of an ensemble that is stored as one file.
+    """
 
     numbers: Array  # (m, n_numbers) SI, absolute
     metrics: Array  # (m, n_metrics), NaN of a run that failed
@@ -43,7 +46,7 @@ class ShardResults(NamedTuple):
 
 
 class PreparedPlan:
-    """Plan of an ensemble with its compiled model.
+    """Ensemble plan with its compiled model, ready for runs.
 
     Each process prepares a plan only once.
     """
@@ -77,7 +80,7 @@ class PreparedPlan:
 
     @cached_property
     def is_tied(self) -> bool:
-        """True if further parameters depend on the uncertain parameters."""
+        """True if other parameters depend on the uncertain parameters."""
         plan = self.plan
         if plan.table is not None:
             # Use the rows that differ most from the circuit.
@@ -94,7 +97,7 @@ class PreparedPlan:
 
     @cached_property
     def edges(self) -> Array:
-        """Limits of the histograms for bands, determined by the first runs.
+        """Limits of the histograms for bands, which follow from the first runs.
 
         They are equal in every process.
         """
@@ -103,7 +106,7 @@ class PreparedPlan:
         return band_edges(self.plan, self.problem.grid, pilot.curves[pilot.is_done])
 
     def run(self, values: Array) -> ShardResults:
-        """Run the circuit with each row of parameter values, (m, n_parameters)."""
+        """Run the circuit once for each row of parameter values, (m, n_parameters)."""
         if self.is_apart:
             none, runs = np.zeros(0, dtype=np.int64), []
             for row in values:
@@ -202,9 +205,10 @@ def _mark_refused(results: ShardResults, refused: NDArray[np.bool_]) -> ShardRes
 
 
 def shard_files(plan: EnsemblePlan, ready: PreparedPlan, kind: str, number: int) -> dict[str, bytes]:
-    """Run one shard, and return its files by path in the dataset.
+    """Run one shard of an ensemble, and return its files by path.
 
-    `number` is the index of the shard. The last file marks the shard as complete.
+    A shard is a part of the runs. `number` is its index, and `ready` is the prepared plan. The last file marks the
+    shard as complete.
     """
     size, shard_size = plan.counts(kind)
     first = number * shard_size
@@ -258,10 +262,11 @@ _PLANS: dict[str, PreparedPlan] = {}
 
 
 def run_shard(key: str, pickled: bytes, kind: str, number: int, kernel: str) -> dict[str, bytes]:
-    """Run one shard in another thread or process, which unpickles the plan only once.
+    """Run one shard of an ensemble in another thread or process.
 
-    `kernel` identifies the compiled kernel of the dataset. The kernel of this machine must be the same, because the
-    results of other kernels differ in the last digits.
+    `key` identifies the plan `pickled`, which is unpickled only once. `number` is the index of the shard. `kernel`
+    describes the compiled kernel of the dataset. The kernel of this machine must be the same, because other kernels
+    give other last digits.
     """
     if kernel != (local_kernel := kernel_of_this_machine()):
         raise InputError("ensemble.other_kernel", kernel=kernel, own=local_kernel)

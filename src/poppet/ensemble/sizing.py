@@ -11,6 +11,7 @@ from dataclasses import dataclass, field, replace
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from poppet.circuit.circuit import BaseCircuit
 from poppet.core.codes import Note
@@ -203,7 +204,9 @@ def size(
     standard = np.unique([read_value(raw, "sizes") for raw in sizes])
     for value in standard.tolist():
         spec.check_range("sizes", value, f"{value:g}", spec.meaning)
-    low, high = _range(between, nominal, (max(spec.low, spec.above), min(spec.high, spec.below)), read_value, free)
+    low, high = _search_range(
+        between, nominal, (max(spec.low, spec.above), min(spec.high, spec.below)), read_value, free
+    )
     uncertain = plan_of(circuit, **fields) if share is not None else None
     if share is not None:
         Field(unit="1", above=0.0, below=1.0, meaning="required fraction").read(share, "share")
@@ -234,7 +237,10 @@ def size(
 
 @dataclass(frozen=True)
 class _Evaluations:
-    """Results of runs at several values of the free parameter, in ascending order."""
+    """Results of all runs at several values of the parameter to be sized.
+
+    The values are in ascending order.
+    """
 
     values: Array
     shares: Array
@@ -249,7 +255,10 @@ class _Evaluations:
 
 
 class _Evaluator:
-    """Function object that computes metrics and margins at values of the free parameter."""
+    """Function object that runs the circuit at values of the parameter to be sized.
+
+    It returns metrics, and margins to the requirements.
+    """
 
     def __init__(
         self,
@@ -312,16 +321,17 @@ class _Evaluator:
         return _Evaluations(np.asarray(values), met.mean(axis=1), metrics.mean(axis=1), margins, worst)
 
 
-def _range(
+def _search_range(
     ends: tuple[Any, Any] | None,
     nominal: float,
     limits: tuple[float, float],
     read_value: Callable[[Any, str], float],
     free: str,
 ) -> tuple[float, float]:
-    """Return the lower and upper end of the search range, within the limits of the parameter.
+    """Return both ends of the search range.
 
-    `ends` is the range that the user requested; None selects the default range.
+    `ends` is the range that the user requested; None selects a default range about the value `nominal`. `limits` are
+    the valid values of the parameter `free`, and `read_value` converts a value to SI units.
     """
     if ends is None:
         if not nominal > 0.0:
@@ -334,17 +344,18 @@ def _range(
     return low, high
 
 
-def _holds(results: _Evaluations, share: float) -> Any:
+def _holds(results: _Evaluations, share: float) -> NDArray[np.bool_]:
     return results.shares >= share - 1e-12
 
 
 def _refine_peaks(
     evaluator: _Evaluator, results: _Evaluations, largest: bool, progress: Progress | None
 ) -> _Evaluations:
-    """Evaluate values around each local maximum of the margin until one value is valid.
+    """Search around local maxima of the margin for a value that meets all requirements.
 
-    The largest margin comes first. Only values below the smallest valid value are considered, or above the largest
-    valid value if `largest` is True. The number of rounds is limited.
+    The search adds values to `results`. It begins at the largest margin, and its number of rounds is limited. If
+    `largest` is False, only values below the smallest valid value are of interest; otherwise, only values above the
+    largest valid value.
     """
     holds, worst = np.flatnonzero(_holds(results, evaluator.share)), results.worst
     left, right = np.append(-np.inf, worst[:-1]), np.append(worst[1:], -np.inf)

@@ -31,7 +31,7 @@ class Yield:
 
     @property
     def share(self) -> float:
-        """Fraction of runs that meet the requirement."""
+        """Number of runs that meet the requirement, divided by the number of all runs."""
         return self.good / self.runs if self.runs else math.nan
 
 
@@ -53,9 +53,9 @@ class Summary:
 
 @dataclass(frozen=True)
 class TornadoRange:
-    """Values of a metric if one parameter has a low quantile, its median and a high quantile.
+    """Values of a metric while one parameter varies and all others have their medians.
 
-    All other parameters have their medians.
+    The parameter has a low quantile, its median and a high quantile.
     """
 
     address: str
@@ -71,7 +71,7 @@ class TornadoRange:
 
 
 def wilson(n_good: int, runs: int) -> tuple[float, float]:
-    r"""Return the 95 % confidence interval of a fraction k/n.
+    r"""Return the 95 % confidence interval of a fraction, by the method of Wilson.
 
     .. math:: \frac{k + z^2/2}{n + z^2} \pm \frac{z}{n + z^2} \sqrt{\frac{k (n - k)}{n} + \frac{z^2}{4}}
 
@@ -197,7 +197,11 @@ def sobol_indices(values: Array, factors: Sequence[str]) -> list[SobolIndex]:
 
 
 def _first_and_total(rows: Array) -> Array:
-    """Return the first-order and total Sobol indices, (2, n_factors), without intervals."""
+    """Return the first-order and the total Sobol indices, (2, n_factors).
+
+    `rows` contains the metric in the blocks A and B of the sample, then in one block for each factor. Confidence
+    intervals are not included.
+    """
     # Subtract the mean: it increases the variance of the first-order estimator.
     f = rows - rows[:2].mean()
     a, b, mixed = f[0], f[1], f[2:]

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import importlib
 import warnings
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from poppet.identify.baseline_models import Score, baselines, score_table
@@ -92,7 +92,7 @@ _MODULE_OF = {name: module for module, names in _NAMES_IN.items() for name in na
 _FORMER_NAMES = {"Free": "FreeParameter", "Predicted": "Prediction", "Settings": "SearchSettings"}
 
 
-def __getattr__(name: str) -> Any:
+def __getattr__(name: str) -> object:
     # Names are imported on first use: a program loads only the methods that it calls.
     if name in _FORMER_NAMES:
         warnings.warn(f"poppet.identify.{name} is now called {_FORMER_NAMES[name]}.", DeprecationWarning, stacklevel=2)

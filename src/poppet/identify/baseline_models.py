@@ -27,7 +27,10 @@ LEAST_DEAD_TIME = 0.4
 
 @dataclass(frozen=True, eq=False)
 class Response:
-    """Response of a channel to its command within one recording."""
+    """Recorded response of one channel to its command.
+
+    The channel is an output, and the command is the input that acts on it.
+    """
 
     name: str  # `recording.channel`
     time: FloatArray  # times of the samples, strictly increasing, from 0, (n,) [s]
@@ -37,9 +40,9 @@ class Response:
     first: float  # smoothed value of the channel at time 0
 
     def commanded(self, time: FloatArray) -> FloatArray:
-        """Return the command at the times `time` [s].
+        """Return the command at given times [s].
 
-        At times before the first recorded command, the result is the first recorded command.
+        Before the first recorded command, the result is the first recorded command.
         """
         # At the sample instant of a new command, use the new one, in spite of rounding errors of both clocks.
         index = np.searchsorted(self.command_time, time + 1e-9, side="right") - 1
@@ -47,10 +50,9 @@ class Response:
         return command
 
     def even(self, step: float) -> tuple[FloatArray, FloatArray, FloatArray]:
-        """Resample command and channel at a constant time step `step` [s].
+        """Resample command and channel with a constant time step [s].
 
-        The result contains the times, the command (constant between its changes) and the linearly interpolated
-        channel.
+        The result contains the times, the command (constant between its changes) and the linearly interpolated channel.
         """
         time = np.arange(0.0, self.time[-1] + 1e-9, step)
         return time, self.commanded(time), np.interp(time, self.time, self.measured)
@@ -74,14 +76,15 @@ class FirstOrder:
     offset: float  # c
 
     def simulate(self, response: Response) -> FloatArray:
-        """Simulate the channel, starting from its first value, and return it at the sample times."""
+        """Simulate the channel from its first value, and return it at the sample times."""
         gain, offset, free = first_order_columns(response, self.dead_time, self.time_constant)
         return self.gain * gain + self.offset * offset + free
 
 
 @dataclass(frozen=True, eq=False)
 class SecondOrderArx:
-    r"""Linear second-order difference equation with dead time and a constant.
+    r"""Linear difference equation of second order, with dead time and a constant.
+
 
     .. math:: y_k = a_1 y_{k-1} + a_2 y_{k-2} + b_1 u_{k-d} + b_2 u_{k-d-1} + c
     """
@@ -93,7 +96,7 @@ class SecondOrderArx:
     constant: float  # c
 
     def simulate(self, response: Response) -> FloatArray:
-        """Simulate the channel, starting from its first value, and return it at the sample times."""
+        """Simulate the channel from its first value, and return it at the sample times."""
         from scipy.signal import lfilter, lfiltic
 
         time = np.arange(0.0, response.time[-1] + self.step, self.step)
@@ -107,7 +110,7 @@ class SecondOrderArx:
         return simulated
 
     def one_step(self, response: Response) -> tuple[FloatArray, FloatArray]:
-        """Return one-step predictions of the channel, and the measured values at the same times.
+        """Return predictions of the channel over one step, and the measured values.
 
         Each prediction uses the two previous measured values. The times have the constant step of the model.
         """
@@ -116,12 +119,10 @@ class SecondOrderArx:
         return predicted, measured[2:]
 
     def _push(self, response: Response, time: FloatArray) -> FloatArray:
-        """Return the terms of the difference equation that do not depend on the channel.
+        """Return the terms of the difference equation that the command and the constant contribute.
 
-        These terms are the contribution of the command and the constant. Before the first command takes effect, the
-        command is assumed to be the value that keeps the channel at its first value.
-
-        Before the first command arrives, the channel is at rest.
+        Before the first command takes effect, the command is assumed to be the value that keeps the channel at its
+        first value. `time` contains the times of the steps.
         """
         first_time, second_time = (time - d * self.step for d in (self.dead_steps, self.dead_steps + 1))
         start, total = response.command_time[0] - 1e-9, float(np.sum(self.b))
@@ -138,7 +139,7 @@ class SecondOrderArx:
 
 @dataclass(frozen=True)
 class Score:
-    """Agreement of one model with one measured channel.
+    """Errors of one model for one measured channel.
 
     Parameters
     ----------
@@ -168,7 +169,7 @@ class Score:
 
 
 def score_model(response: str, model: str, held_out: bool, simulated: FloatArray, measured: FloatArray) -> Score:
-    """Return the error measures of a simulated channel relative to its measurement.
+    """Return the errors of a simulated channel relative to its measurement.
 
     Examples
     --------
@@ -184,10 +185,10 @@ def score_model(response: str, model: str, held_out: bool, simulated: FloatArray
 def first_order_columns(
     response: Response, dead_time: float, time_constant: float
 ) -> tuple[FloatArray, FloatArray, FloatArray]:
-    """Return the linear terms of a first-order lag with given dead time and time constant.
+    """Return three series from which the channel of a first-order lag is composed.
 
-    The result contains the response per unit gain, the response per unit offset and the decay of the first value. The
-    modelled channel is gain times the first series plus offset times the second plus the third.
+    They are the response per unit gain, the response per unit offset, and the decay of the first value. The modelled
+    channel is gain times the first series plus offset times the second plus the third.
     """
     start = max(0.0, float(response.command_time[0]) + dead_time)
     # Between commands the response is exponential: a grid of commands and samples makes it exact.
@@ -202,7 +203,9 @@ def first_order_columns(
 
 
 def fit_first_order(responses: Sequence[Response]) -> FirstOrder:
-    """Fit a first-order lag with dead time to measured channels by minimising the simulation error.
+    """Fit a first-order lag with dead time to measured channels.
+
+    The fit minimises the simulation error.
 
     Examples
     --------
@@ -268,7 +271,10 @@ def _longest_dead_time(responses: Iterable[Response]) -> float:
 
 
 def responses_of(measurement: Measurement, commands: Mapping[str, str]) -> list[Response]:
-    """Return the channels for which `commands` names a command, each with this command."""
+    """Return the responses of all channels for which a command is known.
+
+    `commands` maps the address of a channel to that of its command.
+    """
     inputs = {item.address: item for item in measurement.inputs}
     responses = []
     for channel in measurement.channels:
@@ -286,7 +292,9 @@ def responses_of(measurement: Measurement, commands: Mapping[str, str]) -> list[
 
 
 def baselines(plan: FitPlan, commands: Mapping[str, str], result: Result | None = None) -> list[Score]:
-    """Return the scores of both linear models, and of the circuit if `result` is given.
+    """Return the errors of both linear models and, if available, of the circuit.
+
+    The circuit is included if `result` is given.
 
     Parameters
     ----------
@@ -330,7 +338,9 @@ def baselines(plan: FitPlan, commands: Mapping[str, str], result: Result | None 
 
 
 def score_table(scores: Sequence[Score]) -> str:
-    """Return a Markdown table of the NRMSE and the fit of each model.
+    """Return the errors of each model as a table in Markdown.
+
+    The errors are NRMSE and fit.
 
     Parameters
     ----------

@@ -29,7 +29,7 @@ FILE_FIELDS = {
 
 
 class ColumnReading(NamedTuple):
-    """Readings of one column in SI units; pressures are absolute."""
+    """Values of one column in SI units, in which pressures are absolute."""
 
     values: FloatArray
     written_unit: str
@@ -37,12 +37,18 @@ class ColumnReading(NamedTuple):
 
 
 def channel_field(name: str, *, is_required: bool = False) -> Field:
-    """Return the declaration of the field that describes the channel `name` in a file."""
+    """Return the declaration of the field for one channel of a data file.
+
+    `name` is the name of the channel.
+    """
     return Field(type="table", is_required=is_required, example=f'{name} = {{ column = "...", unit = "..." }}')
 
 
 def read_ambient(fields: Mapping[str, Any]) -> float:
-    """Return the ambient pressure of a file, the reference of its gauge pressures [Pa]."""
+    """Return the ambient pressure that a file states [Pa].
+
+    It is the reference of gauge pressures in the file.
+    """
     try:
         return float(Ambient(pressure=fields.get("ambient_pressure", "1 bar")).pressure)  # type: ignore[arg-type]
     except InputError as error:
@@ -50,14 +56,20 @@ def read_ambient(fields: Mapping[str, Any]) -> float:
 
 
 def open_table(folder: Path, name: Any, fields: Mapping[str, Any]) -> Table:
-    """Read the table `name`, with the options in the fields of the file that refers to it."""
+    """Read a data table that a file names.
+
+    `folder` is the folder of the file, and `fields` contains options for reading the table.
+    """
     return read_table(folder / str(name), **{key: fields[key] for key in TABLE_OPTIONS if key in fields})
 
 
 def read_column(
     channel: str, fields: Mapping[str, Any], table: Table, unit: str, kind: Kind, ambient_pressure: float
 ) -> ColumnReading:
-    """Read the column of a channel from a table and convert it to an SI unit."""
+    """Read the column of one channel, and convert it to an SI unit.
+
+    `fields` describes the column, and `unit` is the SI unit. `kind` is the kind of quantity.
+    """
     try:
         index = table.index(fields["column"])
         written_unit = str(fields.get("unit", table.units[index]))
@@ -73,17 +85,17 @@ def read_column(
 
 
 def or_file(read: Callable[[str | Path], tuple[Any, dict[str, Any]]]) -> Callable[[Function], Function]:
-    """Return a decorator that lets a function accept a file path instead of its data.
+    """Return a decorator with which a function also accepts the path of a file.
 
-    The function `read` reads the file and returns the data and the keyword arguments of the file. Keyword arguments of
-    the call override those of the file.
+    The function `read` reads the file and returns the data and the keyword arguments. Keyword arguments of the call
+    override those of the file.
     """
 
     def decorate(function: Function) -> Function:
         first = next(iter(inspect.signature(function).parameters))
 
         @wraps(function)
-        def call(*data: Any, **keywords: Any) -> Any:
+        def call(*data: Any, **keywords: Any) -> object:
             path = data[0] if data else keywords.get(first)
             if not isinstance(path, str | Path):
                 return function(*data, **keywords)

@@ -78,7 +78,7 @@ class FreeParameter:
 
     @cached_property
     def scale(self) -> float:
-        """Typical size of the parameter, never zero."""
+        """Typical size of the parameter, which is never zero."""
         span = self.high - self.low
         span = span if math.isfinite(span) and span > 0.0 else 0.0
         # A start value that is tiny compared with the bounds is not a typical size.
@@ -86,17 +86,20 @@ class FreeParameter:
 
 
 def by_name(free: Sequence[FreeParameter], x: Iterable[float]) -> dict[str, float]:
-    """Return a mapping from the name of each free parameter to its value in `x`."""
+    """Return the value of each free parameter by name.
+
+    `x` contains the values in the order of `free`.
+    """
     return {f.name: float(v) for f, v in zip(free, x, strict=True)}
 
 
 def with_starts(free: Sequence[FreeParameter], x: Iterable[float]) -> tuple[FreeParameter, ...]:
-    """Return copies of the free parameters with the start values `x`."""
+    """Return copies of the free parameters with other start values, `x`."""
     return tuple(replace(f, start=float(v)) for f, v in zip(free, x, strict=True))
 
 
 def number_specs(circuit: BaseCircuit) -> dict[str, NumberSpec]:
-    """Return a mapping from the address of each parameter of the circuit to its declaration."""
+    """Return the declaration of each parameter of a circuit by address."""
     declared = {f"{name}.{key}": spec for name, part in circuit.parts.items() for key, spec, _ in flatten(part)}
     for name, part in circuit.parts.items():
         for key, number in part.numbers().items():
@@ -113,9 +116,9 @@ def number_specs(circuit: BaseCircuit) -> dict[str, NumberSpec]:
 def read_free(
     address: str, table: Any, circuit: BaseCircuit, *, recording: str = "", name: str = "", where: str = ""
 ) -> FreeParameter:
-    """Read the table of a free parameter.
+    """Read the table of one free parameter from an input file.
 
-    `where` is the location of the table in the file. Messages use it.
+    `where` is the location of the table in the file, for messages.
     """
     # Use the circuit, not its instance: the parts declare units and limits.
     numbers = circuit.numbers()

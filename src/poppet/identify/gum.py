@@ -37,7 +37,9 @@ def effective_degrees_of_freedom(components: Sequence[tuple[float, float]]) -> f
 
 
 def coverage_factor(degrees_of_freedom: float, confidence: float = CONFIDENCE) -> float:
-    """Return the half width of a confidence interval, divided by the standard uncertainty (Student's t).
+    """Return the ratio of interval half width to standard uncertainty (Student's t).
+
+    The interval has the probability `confidence`.
 
     References
     ----------
@@ -55,9 +57,9 @@ def coverage_factor(degrees_of_freedom: float, confidence: float = CONFIDENCE) -
 
 
 def widened(estimate: Estimate, share: float) -> Estimate:
-    """Return an estimate whose standard error includes a further relative standard uncertainty.
+    """Return an estimate whose standard error includes a further uncertainty.
 
-    `share` is the further standard uncertainty, as a fraction of the value.
+    `share` is this standard uncertainty as a fraction of the value.
     """
     value, error = estimate.value, share * abs(estimate.value)
     half = coverage_factor(math.inf) * error
@@ -70,7 +72,9 @@ def widened(estimate: Estimate, share: float) -> Estimate:
 
 
 def chi_square_probability(chi_square: float, degrees_of_freedom: int) -> float:
-    """Return the probability of a larger sum of squared standardised residuals.
+    """Return the probability that chi-square is larger than a given value.
+
+    Chi-square is a sum of squared standardised residuals.
 
     Examples
     --------
@@ -83,10 +87,11 @@ def chi_square_probability(chi_square: float, degrees_of_freedom: int) -> float:
 
 
 def few_runs_probability(residuals: FloatArray) -> float:
-    r"""Return the probability of as few sign runs as observed, or fewer (Wald-Wolfowitz, exact).
+    r"""Return the probability of at most the observed number of sign runs (Wald-Wolfowitz).
 
-    A sign run is a sequence of successive residuals of equal sign. In the formula, P is the probability of 2k sign
-    runs, and n_+ and n_- are the numbers of positive and negative residuals.
+    A sign run is a sequence of successive residuals of equal sign. The probability is exact. In the formula, P is the
+    probability of 2k sign runs, and n_+ and n_- are the numbers of positive and negative residuals.
+
 
     .. math::
 
@@ -122,9 +127,11 @@ def few_runs_probability(residuals: FloatArray) -> float:
 
 
 def gain(jacobian: FloatArray) -> tuple[FloatArray, NDArray[np.bool_]]:
-    r"""Return the derivative of the estimates by the residuals, and a mask of determined parameters.
+    r"""Return the derivative of the estimates by the residuals.
 
     The derivative G is the pseudo-inverse of the Jacobian J of the residuals. cov is the covariance of the estimates.
+    The second item is a mask of the parameters that the data determine.
+
 
     .. math:: G = J^{+}, \qquad \mathrm{cov} = G G^\mathsf{T}
     """
@@ -136,7 +143,10 @@ def gain(jacobian: FloatArray) -> tuple[FloatArray, NDArray[np.bool_]]:
 
 
 def correlations(names: Sequence[str], covariance: FloatArray) -> dict[str, dict[str, float]]:
-    """Return the correlation of each pair of estimates, as a mapping from name to name to correlation."""
+    """Return the correlation between each pair of estimates.
+
+    The result maps each name to a mapping from the other names to correlations.
+    """
     errors = np.maximum(np.sqrt(np.diag(covariance)), 1e-300)
     # Divide in two steps: the product of the errors can underflow.
     table = np.clip(covariance / errors / errors[:, None], -1.0, 1.0)
@@ -145,9 +155,9 @@ def correlations(names: Sequence[str], covariance: FloatArray) -> dict[str, dict
 
 
 def corrected_penalty(numbers: int, samples: int) -> float:
-    """Return the penalty term of AICc for the number of parameters `numbers`.
+    """Return the penalty in AICc for the number of parameters.
 
-    The result is infinite if there are too few samples.
+    `numbers` is the number of parameters. The result is infinite if there are too few samples.
 
     References
     ----------
@@ -196,7 +206,7 @@ def studentised(jacobian: FloatArray, residuals: FloatArray, data_gain: FloatArr
 
 
 class ClusterCovariance(NamedTuple):
-    """Covariance and degrees of freedom of estimates from residuals that are correlated within groups."""
+    """Covariance and degrees of freedom of estimates, for residuals in correlated groups."""
 
     covariance: FloatArray  # (n, n); infinite on the diagonal if a parameter is not identifiable
     freedom: FloatArray  # degrees of freedom of each parameter, (n,)

@@ -46,7 +46,10 @@ SHRINKS, GROWS, SMALL = 0.5, 2.0, 0.1
 
 
 class LocalModel(NamedTuple):
-    """Local model of the residuals at one point: QR factors, Jacobian and derivative of the cost."""
+    """Local model of the residuals near one point.
+
+    It contains QR factors, the Jacobian and the derivative of the cost.
+    """
 
     slopes: FloatArray  # R, (k, n): the curvature of the cost is R'R
     residual: FloatArray  # q, (k,): the gradient of the cost is R'q
@@ -55,7 +58,7 @@ class LocalModel(NamedTuple):
 
 
 class SearchResult(NamedTuple):
-    """Result of a search: point, cost and termination reason."""
+    """Result of a search: end point, cost and reason why it ended."""
 
     x: FloatArray  # (n,)
     cost: float  # cost at x
@@ -65,9 +68,9 @@ class SearchResult(NamedTuple):
 
 
 def condense(columns: FloatArray) -> FloatArray:
-    """Return the triangular factor R of the matrix `columns`, (m, k), from a QR factorisation.
+    """Return the triangular factor R of a QR factorisation.
 
-    The inner products of the columns of R equal those of the columns of the matrix.
+    `columns` is the matrix, (m, k). The inner products of the columns of R equal those of the columns of the matrix.
     """
     from scipy.linalg.lapack import dgeqrf
 
@@ -173,8 +176,8 @@ def _norms(columns: FloatArray) -> FloatArray:
 def _update_curvature(bend: FloatArray, step: FloatArray, previous: LocalModel, now: LocalModel) -> FloatArray:
     """Return the estimate of the curvature S after a step.
 
-    `bend` is S before the step. The update scales S and then applies the smallest change that agrees with the observed
-    change of the derivatives.
+    `bend` is S before the step. `previous` and `now` are the derivatives before and after it. The update scales S and
+    then applies the smallest change that agrees with the observed change of the derivatives.
     """
     gradient = now.residual @ now.slopes
     slope_change = gradient - previous.residual @ previous.slopes
@@ -198,9 +201,10 @@ def _solve_step(
     radius: float,
     unseen: float,
 ) -> FloatArray:
-    """Return the step to the least modelled cost within a radius and bounds, in scaled parameters.
+    """Return the step that minimises the local model within a radius and bounds.
 
-    A parameter is fixed at a bound that stops a step. It becomes free again if the gradient points away from the bound.
+    The parameters are scaled. A parameter is fixed at a bound that stops a step. It becomes free again if the gradient
+    points away from the bound. `bend` is the curvature, and `unseen` is the squared slope outside the given directions.
     """
     from scipy.linalg.lapack import dgesdd, dsyevd
 
@@ -254,7 +258,10 @@ def _solve_step(
 def _steps_within(
     curvatures: FloatArray, slopes_along: FloatArray, radius: float, unseen: float
 ) -> tuple[FloatArray, float]:
-    """Return the steps along the principal directions to the least cost within a radius, and the damping."""
+    """Return the steps along the principal directions that minimise the local model.
+
+    The length of the step is limited by `radius`. The second item is the damping that this requires.
+    """
     # The curvatures are sorted, in ascending or descending order.
     lowest, greatest = sorted((float(curvatures[0]), float(curvatures[-1])))
     floor = unseen * max(greatest, -lowest, 1e-290)

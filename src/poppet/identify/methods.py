@@ -5,10 +5,13 @@ from __future__ import annotations
 import inspect
 from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from poppet.core.command_options import Option
 from poppet.core.plugins import Registry, import_object
+
+if TYPE_CHECKING:
+    from poppet.identify.result import Result
 
 # Nothing heavy is imported here: the command line reads these declarations for its help.
 
@@ -33,7 +36,7 @@ class MethodOption(NamedTuple):
 class Method(NamedTuple):
     """Declaration of an identification method.
 
-    A function can be given as text `module:name`. The module is then imported on first use.
+    Each function of the method can also be the string `module:name`. The module is then imported at the first use.
     """
 
     name: str
@@ -53,15 +56,16 @@ class Method(NamedTuple):
     report: Callable[[Any, Path], Any] | str = REPORT  # writes a report
     text: Callable[[Any, int | None], str] | str = SUMMARY  # terminal output with at most so many findings
 
-    def identify(self, path: str | Path, **options: Any) -> Any:
-        """Run the method on a file and return the result.
+    def identify(self, path: str | Path, **options: Any) -> Result:
+        """Run the method on an input file, and return the result.
 
-        `progress` and `stages` are ignored if the method does not accept them.
+        `progress` and `stages` are not used if the method does not accept them.
         """
         run = import_object(self.run)
         accepted = inspect.signature(run).parameters
         is_accepted = {key: key in accepted or key not in ("progress", "stages") for key in options}
-        return run(Path(path), **{key: value for key, value in options.items() if is_accepted[key]})
+        result: Result = run(Path(path), **{key: value for key, value in options.items() if is_accepted[key]})
+        return result
 
     def file_schema(self) -> dict[str, Any]:
         """Return the JSON schema of the input files of the method."""

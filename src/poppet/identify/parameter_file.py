@@ -18,7 +18,9 @@ UNTRUSTED = ("not determined", "at bound")
 
 
 def with_numbers(circuit: BaseCircuit, path: str | Path) -> tuple[BaseCircuit, list[str]]:
-    """Return a circuit with the parameter values of a file, and a list of unreliable parameters.
+    """Return a circuit with the parameter values from a result file.
+
+    The second item is a list of parameters whose estimates are not reliable.
 
     Parameters
     ----------
@@ -69,7 +71,10 @@ def with_numbers(circuit: BaseCircuit, path: str | Path) -> tuple[BaseCircuit, l
 
 
 def _muscle_fields(circuit: BaseCircuit, result: Result) -> dict[str, Any]:
-    """Return the circuit fields that describe a fitted muscle: law, parameters and size."""
+    """Return the fields of a muscle part that describe a fitted muscle.
+
+    They are law, parameters and size.
+    """
     law, values = result.comparison.get("law"), result.values()
     name = next(iter(values), "").partition(".")[0]
     muscles = {name: part for name, part in circuit.parts.items() if isinstance(part, MuscleLawPart)}

@@ -163,11 +163,11 @@ class Result(ResultFileMixin, HtmlMixin):
 
     @property
     def findings(self) -> tuple[str, ...]:
-        """Findings as sentences."""
+        """Findings of the identification as sentences."""
         return tuple(str(remark) for remark in self.remarks)
 
     def values(self) -> dict[str, Number]:
-        """Return the fitted values by address, for `Circuit.with_values`.
+        """Return the fitted values by address, as an argument of `Circuit.with_values`.
 
         Returns
         -------
@@ -252,7 +252,7 @@ class Result(ResultFileMixin, HtmlMixin):
         return plot_fitted_series(tables, path, title=self.title)
 
     def content(self) -> dict[str, Any]:
-        """Return the content of the result file as plain tables."""
+        """Return the content of the result file as nested tables."""
         return {
             "method": self.method,
             "title": self.title,
@@ -277,7 +277,7 @@ finding that replaces them otherwise."""
 
 
 def replace_uncertain_findings(notes: Iterable[Note], estimates: Mapping[str, Estimate]) -> tuple[Note, ...]:
-    """Replace or remove the findings that refer to a parameter that is not determined."""
+    """Replace or remove findings about parameters that are not determined."""
     findings = []
     for note in notes:
         fact, replacement = DEPENDENT_FINDINGS.get(note.code, ("", ""))
@@ -290,19 +290,25 @@ def replace_uncertain_findings(notes: Iterable[Note], estimates: Mapping[str, Es
 
 
 def mark_interrupted(result: Result, note: Note, *remarks: Note) -> Result:
-    """Return a result that is marked as interrupted, with further remarks and a note on the interruption."""
+    """Return a result that is marked as interrupted.
+
+    `note` describes the interruption.
+    """
     remarks = (*result.remarks, *remarks, note)
     return replace(result, conditions={**result.conditions, "interrupted": True}, remarks=remarks)
 
 
 def fitted_number(estimate: Estimate, title: str) -> Number:
-    """Return the value of an estimate as a parameter value whose source is `fitted`."""
+    """Return an estimate as a parameter value with the source `fitted`.
+
+    `title` is the title of the fit, which the source states.
+    """
     note = f"+/- {estimate.standard_error:.3g} ({estimate.verdict})"
     return Number(estimate.value, estimate.unit, Source("fitted", title, note))
 
 
 def judged(half: float, size: float, limits: tuple[float, float] = (DETERMINED, WEAK)) -> Verdict:
-    """Return the verdict on an interval.
+    """Return the verdict on an interval, such as `determined`.
 
     The verdict depends on the ratio of the half width `half` to the reference `size`. `limits` are the ratios up to
     which a parameter is determined and weakly determined.
@@ -312,7 +318,7 @@ def judged(half: float, size: float, limits: tuple[float, float] = (DETERMINED, 
 
 
 def behind(unit: str) -> str:
-    """Return a unit in the form in which it follows a value, with a leading space.
+    """Return a unit as text that follows a value, with a leading space.
 
     The result is empty for a dimensionless quantity.
 
@@ -372,9 +378,10 @@ def read_result(path: str | Path) -> Result:
 
 
 def _remarks(sentences: Sequence[str], tables: Sequence[Mapping[str, Any]]) -> tuple[Note, ...]:
-    """Return the findings of a result file.
+    """Return the findings in a result file.
 
-    A finding that this version of `poppet` does not know is kept as a sentence.
+    `tables` contains findings with codes, and `sentences` their texts. A finding that this version of `poppet` does not
+    know is kept as a sentence.
     """
     if len(tables) != len(sentences):
         return notes_of(sentences)

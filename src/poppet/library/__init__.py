@@ -176,7 +176,7 @@ def main_stage(name: str, mode: str) -> Mapping[str, Number]:
 
 
 def numbers(name: str, kind: str, variant: str = "") -> Mapping[str, Number]:
-    """Return the parameters of a kind of part in a published set.
+    """Return the parameters for one kind of part in a published set.
 
     Parameters
     ----------
@@ -211,12 +211,15 @@ def numbers(name: str, kind: str, variant: str = "") -> Mapping[str, Number]:
 
 
 def complete_sets(*kinds: str) -> tuple[str, ...]:
-    """Return the names of the sets that contain parameters for all given kinds of parts."""
+    """Return the names of all sets with parameters for all given kinds of parts."""
     return tuple(name for name, parameter_set in _SETS.items() if set(kinds) <= set(parameter_set.parts))
 
 
 def every_set(kind: str) -> list[Mapping[str, Number]]:
-    """Return the parameters for a kind of part, one mapping per variant and loaded set."""
+    """Return the parameters for one kind of part in all loaded sets.
+
+    The result contains one mapping for each variant of each set.
+    """
     # A part has numbers of loaded sets only. Each part that is made calls this function: it does not read plugins.
     loaded = [parameter_set.parts.get(kind, {}) for parameter_set in _SETS.data.values()]
     return [numbers for variants in loaded for numbers in variants.values()]

@@ -29,7 +29,7 @@ def _numbers(values: Mapping[str, float], source: Source) -> dict[str, Number]:
     return {f"sarosi.{name}": Number(values[name], unit, source) for name, unit in _UNITS.items()}
 
 
-def _printed(a1: float, a2: float, a3: float, a4: float, a5: float, a6: float) -> dict[str, float]:
+def _convert_printed(a1: float, a2: float, a3: float, a4: float, a5: float, a6: float) -> dict[str, float]:
     """Convert the printed parameters of Sarosi's law to SI.
 
     The printed parameters are for pressures in bar and contractions in per cent.
@@ -54,7 +54,7 @@ def _body(diameter: float, length: float, force: float, pressure: float) -> dict
 _FITTED = Source("fitted", MAP, "taut points; rms 6.2 N, 0.37 % of the largest force")
 _SMALL_FIT = Source("fitted", MAP, "taut points; rms 1.1 N, 0.20 % of the largest force")
 _SIMILAR = Source("assumed", note="four times that of dmsp_20_300: forces go with the area")
-_TWENTY = _printed(12.789, 419.4831, -0.5666, -8.7013, 267.672, -309.6031)
+_TWENTY = _convert_printed(12.789, 419.4831, -0.5666, -8.7013, 267.672, -309.6031)
 _FORTY = {name: value if name == "a3" else 4.0 * value for name, value in _TWENTY.items()}
 _MAPPED = {
     "limits.lowest_contraction": Number(0.01333, "1", Source("measured", MAP, "smallest contraction of the map")),
@@ -68,7 +68,7 @@ _AS_MAPPED = {
 
 SETS: Mapping[str, Mapping[str, Number]] = {
     "dmsp_10_250": {
-        **_numbers(_printed(-3.0515, 168.2348, -0.4246, -2.9021, 91.4042, -201.0267), _SMALL_FIT),
+        **_numbers(_convert_printed(-3.0515, 168.2348, -0.4246, -2.9021, 91.4042, -201.0267), _SMALL_FIT),
         **_body(0.010, 0.25, 630.0, 8e5),
         **_AS_MAPPED,
     },

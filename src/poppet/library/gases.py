@@ -71,7 +71,10 @@ class Gas:
 
     @property
     def as_real(self) -> RealGas:
-        """Critical constants and heat capacity of the gas, for the calculation of real-gas errors."""
+        """Properties of the real gas, from which errors of the ideal gas law are computed.
+
+        They are the critical constants and the heat capacity.
+        """
         heat = tuple(float(value) for name, value in self.real.items() if name.startswith("heat_capacity."))
         critical, pressure, factor = (float(self.real[name]) for name in _CRITICAL)
         return RealGas(critical, pressure, factor, heat)
@@ -105,7 +108,7 @@ _DRY_AIR = tuple(
 )
 
 
-def _real(
+def _real_gas(
     critical: tuple[float, float, float], source: Source, heat_capacity: tuple[float, ...], mixture: str = ""
 ) -> dict[str, Number]:
     """Return the parameters of a real gas as numbers with sources.
@@ -123,7 +126,10 @@ def _real(
 def _from_molar_mass(
     name: str, molar_mass: float, isentropic_exponent: float, note: str, real: Mapping[str, Number]
 ) -> Gas:
-    """Return a gas with the specific gas constant that results from a molar mass [kg/mol]."""
+    """Return a gas whose gas constant follows from its molar mass [kg/mol].
+
+    `real` contains the parameters of the real gas.
+    """
     weight = Source("standard", WEIGHTS, f"M = {1e3 * molar_mass:.6g} g/mol")
     return Gas(
         name,
@@ -152,34 +158,36 @@ AIR = Gas(
         **_sutherland("dynamic_viscosity", AIR_VISCOSITY, "Pa s"),
         **_sutherland("thermal_conductivity", AIR_CONDUCTIVITY, "W/(m K)"),
     },
-    _real(
+    _real_gas(
         (132.53, 3.786e6, 0.0335),
         Source("paper", "Lemmon et al., J. Phys. Chem. Ref. Data 29 (2000) 331"),
         _DRY_AIR,
         "0.7812 nitrogen, 0.2096 oxygen, 0.0092 argon",
     ),
 )
-_ARGON = _real(
+_ARGON = _real_gas(
     (150.687, 4.863e6, -0.0022), Source("paper", "Tegeler et al., J. Phys. Chem. Ref. Data 28 (1999) 779"), _MONATOMIC
 )
-_CARBON_DIOXIDE = _real(
+_CARBON_DIOXIDE = _real_gas(
     (304.128, 7.3773e6, 0.2239), Source("paper", "Span & Wagner, J. Phys. Chem. Ref. Data 25 (1996) 1509"), _CO2
 )
-_METHANE = _real(
+_METHANE = _real_gas(
     (190.564, 4.5992e6, 0.0114), Source("paper", "Setzmann & Wagner, J. Phys. Chem. Ref. Data 20 (1991) 1061"), _CH4
 )
-_NITROGEN = _real(
+_NITROGEN = _real_gas(
     (126.192, 3.3958e6, 0.0372), Source("paper", "Span et al., J. Phys. Chem. Ref. Data 29 (2000) 1361"), _N2
 )
-_OXYGEN = _real(
+_OXYGEN = _real_gas(
     (154.581, 5.043e6, 0.0222), Source("paper", "Schmidt & Wagner, Fluid Phase Equilib. 19 (1985) 175"), _O2
 )
 # Quantum effects dominate the critical points of these two gases: Tc after Gunn, Chueh & Prausnitz, AIChE J. 12 (1966)
 # 937.
-_HELIUM = _real(
+_HELIUM = _real_gas(
     (10.47, 0.972e6, 0.0), Source("assumed", note=f"{EFFECTIVE} Ortiz Vega et al. 2020, 11.87 cm3/mol"), _MONATOMIC
 )
-_HYDROGEN = _real((43.6, 2.318e6, 0.0), Source("assumed", note=f"{EFFECTIVE} Leachman et al. 2009, 14.44 cm3/mol"), _H2)
+_HYDROGEN = _real_gas(
+    (43.6, 2.318e6, 0.0), Source("assumed", note=f"{EFFECTIVE} Leachman et al. 2009, 14.44 cm3/mol"), _H2
+)
 
 GASES: Mapping[str, Gas] = {
     gas.name: gas

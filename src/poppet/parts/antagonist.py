@@ -25,7 +25,10 @@ MIN_SLOPE = 1e-7
 
 @dataclass(frozen=True)
 class _InverseMuscleLaw(MuscleLawPart, Controller):
-    """Static inverse of the force law of a muscle; the output pressures are limited."""
+    """Base class of controllers that invert the force law of a muscle.
+
+    For a required force, the law gives a pressure, which is then limited to the permitted range.
+    """
 
     data: Any = reference(doc="library set")
     lowest_pressure: NumberLike = number(
@@ -50,9 +53,9 @@ class _InverseMuscleLaw(MuscleLawPart, Controller):
 
     @abstractmethod
     def compute_outputs(self, scope: Scope) -> Quantities:
-        """Return the output pressures and further outputs.
+        """Return the pressures for the muscles, and further outputs.
 
-        The pressures are absolute and within the limits.
+        The pressures are absolute and within their limits.
         """
 
     def control(self, scope: Scope) -> ControlOutputs:
@@ -64,7 +67,10 @@ class _InverseMuscleLaw(MuscleLawPart, Controller):
         return scope["lowest_pressure"] - ambient, scope["highest_pressure"] - ambient
 
     def line_at(self, scope: Scope, contraction: Any) -> tuple[Any, Any]:
-        """Return the force per gauge pressure [N/Pa] and the passive force [N] at a contraction."""
+        """Return the muscle force at one contraction as a straight line over the gauge pressure.
+
+        The result contains the slope [N/Pa] and the force at zero gauge pressure [N].
+        """
         law = self.force_law(scope.numbers)
         return maximum(law.slope(contraction), MIN_SLOPE), law.passive(contraction)
 
@@ -80,7 +86,10 @@ class _InverseMuscleLaw(MuscleLawPart, Controller):
 
 
 def _law_numbers(numbers: Mapping[str, Number]) -> dict[str, Number]:
-    """Return the parameters of the force law and the highest permitted pressure of a library set."""
+    """Return the parameters of the force law in a library set.
+
+    `numbers` is the set. The result includes the highest permitted pressure if the set contains it.
+    """
     law = {name: value for name, value in numbers.items() if not name.startswith("limits.")}
     highest = numbers.get("limits.highest_pressure")
     return law if highest is None else law | {"highest_pressure": highest}
@@ -119,7 +128,7 @@ class InverseMuscle(_InverseMuscleLaw):
         return [f"force to pressure, {self.data or self.law}"]
 
     def inputs(self) -> tuple[Input, ...]:
-        return Input("force", "N", "force"), Input("contraction", "1", 0.0)
+        return Input("force", "N", "force", is_command=True), Input("contraction", "1", 0.0)
 
     def compute_outputs(self, scope: Scope) -> Quantities:
         slope, passive = self.line_at(scope, scope.inputs["contraction"])
@@ -164,7 +173,11 @@ class Antagonist(_InverseMuscleLaw):
 
     def inputs(self) -> tuple[Input, ...]:
         mean_pressure = Input("mean_pressure", "Pa", "mean_pressure", kind="pressure", low=0.0)
-        return Input("torque", "N m", "torque"), mean_pressure, *(Input(name, "1", 0.0) for name in self.measured)
+        return (
+            Input("torque", "N m", "torque", is_command=True),
+            mean_pressure,
+            *(Input(name, "1", 0.0) for name in self.measured),
+        )
 
     def compute_outputs(self, scope: Scope) -> Quantities:
         ambient, low, high = scope.surroundings.pressure, *self._limits(scope)

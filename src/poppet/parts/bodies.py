@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Hashable, Sequence
+from collections.abc import Callable, Hashable, Iterator, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, ClassVar
 
@@ -30,6 +30,12 @@ BRISTLES = 300.0
 The error is less than a thousandth of the friction force at the default tolerance. The tolerance of the motion would
 need a fifth more steps without a more accurate motion."""
 
+ELASTIC = 0.95
+"""Default break-away displacement of the elasto-plastic law, as a fraction of the deflection at the Coulomb force."""
+CREEP_LIMIT, CREEP_FORCE = 0.1, 0.95
+"""Fractions of the Stribeck velocity and of the break-away force below which bristles creep, but the body sticks."""
+DRIFT_CYCLES = 3
+"""Number of load cycles without sliding after which a drift is reported."""
 STICTION_LIMIT = 0.01
 """Fraction of the Stribeck velocity below which a body counts as stuck; its bristles can still creep."""
 MIN_IMPACT_SPEED = 0.01
@@ -50,19 +56,28 @@ class BodyStop:
 
 @dataclass(frozen=True)
 class JointStop:
-    """End stop of a joint after Hunt and Crossley."""
+    """End stop of a joint by the law of Hunt and Crossley.
+
+    The torque is k d^1.5 with the angle d of penetration, multiplied by a damping factor.
+    """
 
     position: NumberLike = number("rad", doc="angle of the stop")
     stiffness: NumberLike = number("N m/rad^1.5", 1e4, doc="contact stiffness", above=0.0, note="a rubber bumper")
     dissipation: NumberLike = number("s/rad", 1.0, doc="contact dissipation", low=0.0, note="half of the energy")
 
 
-KINDS = ("none", "viscous", "stribeck", "lugre")
+BRISTLE_LAWS = ("lugre", "elasto_plastic")
+"""Friction laws that stick: they have the deflection of bristles as a state."""
+DRY_LAWS = ("stribeck", *BRISTLE_LAWS)
+KINDS = ("none", "viscous", *DRY_LAWS)
 
 
 @dataclass(frozen=True)
 class BodyFriction:
-    """Parameters of the friction of a mass; each friction law uses a subset of them."""
+    """Parameters of the friction of a mass.
+
+    Each friction law uses only some of them.
+    """
 
     kind: str = option("viscous", *(k for k in KINDS if k != "viscous"), doc="law of friction")
     coulomb_force: NumberLike = number("N", optional=True, doc="Coulomb friction", low=0.0)
@@ -72,11 +87,15 @@ class BodyFriction:
     transition_velocity: NumberLike = number("m/s", optional=True, doc="velocity of full friction", above=0.0)
     bristle_stiffness: NumberLike = number("N/m", optional=True, doc="bristle stiffness", above=0.0)
     bristle_damping: NumberLike = number("N s/m", optional=True, doc="bristle damping", low=0.0)
+    breakaway_displacement: NumberLike = number("m", optional=True, doc="elastic deflection", above=0.0)
 
 
 @dataclass(frozen=True)
 class JointFriction:
-    """Parameters of the friction of a joint; each friction law uses a subset of them."""
+    """Parameters of the friction of a joint.
+
+    Each friction law uses only some of them.
+    """
 
     kind: str = option("viscous", *(k for k in KINDS if k != "viscous"), doc="law of friction")
     coulomb_torque: NumberLike = number("N m", optional=True, doc="Coulomb friction", low=0.0)
@@ -86,11 +105,12 @@ class JointFriction:
     transition_velocity: NumberLike = number("rad/s", optional=True, doc="velocity of full friction", above=0.0)
     bristle_stiffness: NumberLike = number("N m/rad", optional=True, doc="bristle stiffness", above=0.0)
     bristle_damping: NumberLike = number("N m s/rad", optional=True, doc="bristle damping", low=0.0)
+    breakaway_displacement: NumberLike = number("rad", optional=True, doc="elastic deflection", above=0.0)
 
 
 @dataclass(frozen=True)
 class _MovingBody(Body):
-    """Body with one coordinate, friction and end stops."""
+    """Base class of bodies with one coordinate, friction and end stops."""
 
     unit: ClassVar[str]  # of the position
     effort: ClassVar[str]  # "force" or "torque", and its unit
@@ -114,8 +134,14 @@ class _MovingBody(Body):
         return "none" if self.friction is None else str(self.friction.kind)
 
     def check(self) -> None:
-        if self._law in ("stribeck", "lugre") and getattr(self.friction, f"coulomb_{self.effort}") is None:
+        if self._law in DRY_LAWS and getattr(self.friction, f"coulomb_{self.effort}") is None:
             raise InputError("bodies.no_friction_force", f"friction.coulomb_{self.effort}", law=self._law)
+        if self._law == "elasto_plastic" and self.friction.breakaway_displacement is not None:
+            coulomb, static, stiffness = self._bristles()
+            elastic, limit = float(self.friction.breakaway_displacement), min(coulomb, static) / stiffness
+            if elastic >= limit > 0.0:
+                facts: dict[str, Any] = {"value": elastic, "limit": limit, "unit": self.unit}
+                raise InputError("bodies.breakaway", "friction.breakaway_displacement", **facts)
         if self._law == "stribeck" and self.friction.transition_velocity is None:
             raise InputError("bodies.no_transition", "friction.transition_velocity")
         low, high = (None if s is None else float(s.position) for s in (self.lower_stop, self.upper_stop))
@@ -126,32 +152,43 @@ class _MovingBody(Body):
         if (low is not None and start < low) or (high is not None and start > high):
             raise InputError("bodies.beyond_stop", "initial_position", value=start, low=low, high=high, unit=self.unit)
 
+    def _bristles(self) -> tuple[float, float, float]:
+        """Return the Coulomb and static friction, and the bristle stiffness."""
+        coulomb = float(getattr(self.friction, f"coulomb_{self.effort}"))
+        static, stiffness = getattr(self.friction, f"static_{self.effort}"), self.friction.bristle_stiffness
+        static = coulomb if static is None else float(static)
+        # At least a hundredth of a newton: a friction of zero has no stiffness.
+        default = max(static, coulomb, 1e-2) / self.presliding
+        return coulomb, static, default if stiffness is None else float(stiffness)
+
     def _friction_caption(self, numbers: CaptionNumbers) -> str:
         if self._law == "none":
             return "no friction"
         if self._law == "viscous":
             return f"friction {numbers.text(self.friction.viscous_coefficient)}"
-        return f"{self._law} friction {numbers.text(getattr(self.friction, f'coulomb_{self.effort}'))}"
+        return (
+            f"{self._law.replace('_', '-')} friction {numbers.text(getattr(self.friction, f'coulomb_{self.effort}'))}"
+        )
 
     def structure(self) -> Hashable:
         return super().structure(), self._law, self.lower_stop is not None, self.upper_stop is not None
 
     def parameters(self, ambient: Surroundings) -> dict[str, float]:
         values = super().parameters(ambient)
-        if self._law in ("stribeck", "lugre"):
-            level = values[f"friction.coulomb_{self.effort}"]
-            static = values.setdefault(f"friction.static_{self.effort}", level)
-            if self._law == "lugre":
-                # At least a hundredth of a newton: a friction of zero has no stiffness.
-                stiffness = max(static, level, 1e-2) / self.presliding
-                stiffness = values.setdefault("friction.bristle_stiffness", stiffness)
+        if self._law in DRY_LAWS:
+            coulomb, static, stiffness = self._bristles()
+            values.setdefault(f"friction.static_{self.effort}", static)
+            if self._law in BRISTLE_LAWS:
+                values.setdefault("friction.bristle_stiffness", stiffness)
                 values.setdefault("friction.bristle_damping", 2.0 * (stiffness * values[self.inertia_name]) ** 0.5)
+            if self._law == "elasto_plastic":
+                values.setdefault("friction.breakaway_displacement", ELASTIC * min(coulomb, static) / stiffness)
         return values
 
     def states(self) -> tuple[State, ...]:
         # Nominal sizes: a decimetre and a metre per second.
         result = [State("position", self.unit, 0.1, LOOSER, 0.1), State("velocity", f"{self.unit}/s", 1.0, LOOSER, 0.1)]
-        if self._law == "lugre":
+        if self._law in BRISTLE_LAWS:
             result.append(State("deflection", self.unit, self.presliding, BRISTLES, 1.0))
         return tuple(result)
 
@@ -163,10 +200,10 @@ class _MovingBody(Body):
         return {state.name: values[state.name] for state in self.states()}
 
     def _dynamics(self, scope: Scope, effort: Any, added_friction: Any, weight: Any) -> BodyDynamics:
-        """Return the rates and outputs of the body for a total effort of the actuators.
+        """Return the rates and outputs of the body.
 
-        An effort is a force or a torque. `added_friction` is the dry friction of the seals of the actuators. `weight`
-        is a constant effort towards smaller positions.
+        `effort` is the total force or torque of all actuators. `added_friction` is the dry friction of their seals.
+        `weight` is a constant force towards smaller positions.
         """
         position, velocity, inertia = scope.states["position"], scope.states["velocity"], scope[self.inertia_name]
         rates: dict[str, Any] = {}
@@ -183,7 +220,7 @@ class _MovingBody(Body):
             f"friction_{self.effort}": (friction_effort, self.effort_unit),
             f"stop_{self.effort}": (stop_effort, self.effort_unit),
         }
-        if self._law == "lugre":
+        if self._law in BRISTLE_LAWS:
             limit = STICTION_LIMIT * scope["friction.stribeck_velocity"]
             direction = where(velocity > 0.0, 1.0, -1.0)
             outputs["friction_state"] = (where(abs(velocity) > limit, direction, 0.0), "1")
@@ -192,9 +229,9 @@ class _MovingBody(Body):
         return BodyDynamics(outputs, rates, 0.5 * inertia * velocity * velocity, powers)
 
     def _friction(self, scope: Scope, added: Any, rates: dict[str, Any]) -> Any:
-        """Return the friction effort against the motion.
+        """Return the friction force or torque against the motion.
 
-        `added` increases the dry friction. The rate of the bristle deflection is added to `rates`.
+        `added` is additional dry friction. The rate of the bristle deflection is stored in `rates`.
         """
         velocity = scope.states["velocity"]
         if self._law == "none":
@@ -210,7 +247,11 @@ class _MovingBody(Body):
             return contact.stribeck_friction(velocity, *levels, stribeck, transition, 0.0) + viscous
         level = friction.sliding_level(velocity, *levels, stribeck) + 1e-9
         deflection, stiffness = scope.states["deflection"], scope["friction.bristle_stiffness"]
-        rate = friction.bristle_rate(deflection, velocity, level, stiffness)
+        if self._law == "lugre":
+            rate = friction.bristle_rate(deflection, velocity, level, stiffness)
+        else:
+            elastic = scope["friction.breakaway_displacement"]
+            rate = friction.elasto_plastic_rate(deflection, velocity, level, stiffness, elastic)
         rates["deflection"] = rate
         damping = scope["friction.bristle_damping"]
         return friction.lugre_force(deflection, rate, velocity, stiffness, damping, stribeck) + viscous
@@ -230,13 +271,37 @@ class _MovingBody(Body):
         position, velocity, force = (series(f"{name}.{key}") for key in ("position", "velocity", f"stop_{self.effort}"))
         stops = [math.nan if stop is None else float(stop.position) for stop in (self.lower_stop, self.upper_stop)]
         impacts = find_impacts(series("time"), position, velocity, force, stops)
-        return impact_notes("velocity", f"{self.unit}/s", impacts)
+        return *impact_notes("velocity", f"{self.unit}/s", impacts), *self._drift_notes(name, series)
+
+    def _drift_notes(self, name: str, series: Callable[[str], Any]) -> Iterator[Note]:
+        """Yield a note on the largest drift of a body that sticks by the LuGre law under an oscillating load."""
+        if self._law != "lugre":
+            return
+        coulomb, static, stiffness = self._bristles()
+        level, time, force = max(coulomb, static), series("time"), series(f"{name}.friction_{self.effort}")
+        # Without the reversible deflection of the bristles.
+        displacement = series(f"{name}.position") - force / stiffness
+        largest, facts = level / stiffness, {}
+        # Slower than sliding and below its friction at these speeds.
+        speed, limit = abs(series(f"{name}.velocity")), CREEP_LIMIT * float(self.friction.stribeck_velocity)
+        is_stuck = np.concatenate([[False], (speed < limit) & (abs(force) < CREEP_FORCE * level), [False]])
+        for first, after in np.flatnonzero(np.diff(is_stuck)).reshape(-1, 2):
+            rows = slice(first, after)
+            drift = abs(float(displacement[rows][-1] - displacement[rows][0]))
+            turns = np.count_nonzero(np.diff(np.sign(np.diff(force[rows]))))
+            if drift > largest and turns >= 2 * DRIFT_CYCLES:
+                largest, times = drift, time[rows]
+                facts = {"drift": drift, "start": float(times[0]), "duration": float(times[-1] - times[0])}
+                facts |= {"low": float(force[rows].min()), "high": float(force[rows].max())}
+        if facts:
+            units = {"unit": self.unit, "effort": self.effort, "effort_unit": self.effort_unit}
+            yield Note("bodies.drift", "position", **facts, level=level, **units)
 
 
 def impact_notes(address: str, unit: str, impacts: Sequence[tuple[float, float]]) -> tuple[Note, ...]:
-    """Return a note on the fastest of several impacts on end stops.
+    """Return a note on the fastest of several impacts on an end stop.
 
-    Each impact is a pair of time and velocity. Without impacts there is no note.
+    Each impact is a pair of time and velocity. Without impacts, the list is empty.
     """
     if not impacts:
         return ()
@@ -247,9 +312,10 @@ def impact_notes(address: str, unit: str, impacts: Sequence[tuple[float, float]]
 def find_impacts(
     time: Any, position: Any, velocity: Any, force: Any, stops: Sequence[float]
 ) -> list[tuple[float, float]]:
-    """Return time and velocity of each impact on an end stop in a recorded run.
+    """Return time and velocity of each impact of a body on its end stops.
 
-    Slow impacts are omitted: the body settles. The velocity between the last row before an impact and the stop is
+    The arguments are the recorded motion and stop force of a run, and the positions of the stops. Slow impacts are
+    omitted, because the body then settles. Between the last row before an impact and the stop, the velocity is
     extrapolated by the parabola of the last three rows, because a body can be decelerated before its stop.
     """
     impacts = []
@@ -259,7 +325,7 @@ def find_impacts(
         if k > 1 and gap * impact[1] > 0.0:
             # Plain floats are faster than arrays here.
             previous = [(float(time[i]) - impact[0], float(velocity[i])) for i in (k - 2, k - 1)]
-            wait, speed = _extrapolate(previous, impact[1], gap)
+            wait, speed = _extrapolate_motion(previous, impact[1], gap)
             if 0.0 <= wait <= float(time[k + 1]) - impact[0]:
                 impact = impact[0] + wait, speed
         if abs(impact[1]) > MIN_IMPACT_SPEED:
@@ -267,11 +333,11 @@ def find_impacts(
     return impacts
 
 
-def _extrapolate(previous: Sequence[tuple[float, float]], last: float, gap: float) -> tuple[float, float]:
-    """Extrapolate the motion of a body over the distance `gap`; return duration and final velocity.
+def _extrapolate_motion(previous: Sequence[tuple[float, float]], last: float, gap: float) -> tuple[float, float]:
+    """Extrapolate the motion of a body until it has travelled the distance `gap`.
 
-    The velocity follows a parabola through the `previous` two pairs of time and velocity and the velocity `last` at
-    time zero.
+    The result contains the duration and the final velocity. The velocity follows a parabola through the two pairs of
+    time and velocity in `previous`, and through the velocity `last` at time zero.
     """
     (t0, v0), (t1, v1) = previous
     first, second = (v1 - v0) / (t1 - t0), (last - v1) / -t1
@@ -296,10 +362,13 @@ class Mass(_MovingBody):
     -----
     At an inclination alpha of 90 degrees, larger positions are higher.
 
-    Only the friction law `lugre` sticks. `stribeck` has no force at a velocity of zero: a body under less than the
-    break-away force creeps at a speed of the order of the transition velocity, which therefore has no default. The
-    default bristle stiffness breaks away after 10 um; the default bristle damping makes the stuck mass critically
-    damped.
+    The friction laws `lugre` and `elasto_plastic` stick. `lugre` drifts under an oscillating load below the break-away
+    force, which a note reports. `elasto_plastic` does not drift while the deflection is below the break-away
+    displacement. `stribeck` has no force at a velocity of zero: a body under less than the break-away force creeps at a
+    speed of the order of the transition velocity, which therefore has no default.
+
+    The default bristle stiffness breaks away after 10 um; the default bristle damping makes the stuck mass critically
+    damped. The default break-away displacement is 95 % of the deflection at the Coulomb force.
 
     Examples
     --------

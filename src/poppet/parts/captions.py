@@ -29,7 +29,7 @@ def format_value(value: float, unit: str) -> str:
 
 @dataclass(frozen=True)
 class CaptionNumbers:
-    """Formatter of the numbers of a part for the caption in a schematic.
+    """Function object that formats the numbers of a part for the caption in a schematic.
 
     Parameters
     ----------

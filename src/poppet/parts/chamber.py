@@ -96,7 +96,10 @@ class Chamber(Store):
         return (*result, *self._unused(unused, "heat_transfer"))
 
     def _unused(self, names: tuple[str, ...], option: str) -> list[Note]:
-        """Return a note on the specified fields that an option of the part disables."""
+        """Return a note on fields that are specified but have no effect.
+
+        `names` are fields that the present choice of the option `option` does not use.
+        """
         specified = [name for name in names if getattr(self, name) is not None]
         if "wall_conductance" in specified and float(self.wall_conductance) == 0.0:  # type: ignore[arg-type]
             specified.remove("wall_conductance")
@@ -167,7 +170,10 @@ class Chamber(Store):
         return GasState(mass * gas_constant * temperature / scope["volume"], temperature)
 
     def _exponent(self, scope: Scope) -> Any:
-        """Return the exponent n in the law p ~ m^n for the pressure in a constant volume."""
+        """Return the exponent n of the law p ~ m^n at constant volume.
+
+        p is the pressure and m the mass of the gas.
+        """
         if self.thermal == "isothermal":
             return 1.0
         return scope["polytropic_exponent"] if self.thermal == "polytropic" else scope.surroundings.isentropic_exponent

@@ -27,11 +27,11 @@ MIN_MISSING = 4
 
 
 class Compound(Part):
-    """Part that consists of members and their connections, without equations.
+    """Part that consists of connected member parts and has no equations of its own.
 
-    A subclass declares its members with `fields.member`, the fields that it sets in them (`inherited_fields`), their
-    connections (`links`), and the names of inputs and outputs outside. A subclass whose members depend on its numbers
-    overrides `members`, `stores`, `outside` and `numbers`.
+    A subclass declares its members with `fields.member`. It also declares the fields that it sets in them
+    (`inherited_fields`), their connections (`links`), and the outer names of inputs and outputs. A subclass whose
+    members depend on its numbers overrides `members`, `stores`, `outside` and `numbers`.
     """
 
     links: ClassVar[Mapping[str, str]] = {}
@@ -42,7 +42,7 @@ class Compound(Part):
     """Mapping from outer names of outputs to the outputs of members, in the order of recordings."""
 
     def inherited_fields(self, member: str) -> dict[str, Any]:
-        """Return the values that the compound sets in the fields of a member.
+        """Return the field values that the compound sets in one member.
 
         Examples are ports and the library set.
         """
@@ -99,21 +99,21 @@ class Compound(Part):
 
     @property
     def members(self) -> dict[str, Part]:
-        """Mapping from the name of each member to the part, in the order of declaration.
+        """Mapping from the name of each member to the member part.
 
-        Optional members that the compound omits are not included.
+        The order is that of declaration. Optional members that this compound does not have are not included.
         """
         parts = {name: getattr(self, attribute(name)) for name, _ in self._member_specs()}
         return {name: part for name, part in parts.items() if part is not None}
 
     def has(self, member: str) -> bool:
-        """Return True if the options and fields of the compound include an optional member."""
+        """Return True if this compound has the optional member with a given name."""
         return True
 
     def outside(self) -> dict[str, str]:
-        """Return the mapping from outer names of inputs and outputs to names inside the compound.
+        """Return a mapping from outer names of inputs and outputs to their names inside.
 
-        Inputs precede outputs.
+        The inputs come first.
         """
         names = {**self.inlets, **self.outlets}
         return {name: inner for name, inner in names.items() if inner.partition(".")[0] in self.members}
@@ -147,12 +147,15 @@ class Compound(Part):
         return super().structure(), tuple((name, part.structure()) for name, part in self.members.items())
 
     def states(self) -> tuple[State, ...]:
-        """Return the states of all members; their names begin with the name of the member."""
+        """Return the states of all members.
+
+        Each name begins with the name of the member.
+        """
         states = ((name, state) for name, part in self.members.items() for state in part.states())
         return tuple(dataclasses.replace(state, name=f"{name}.{state.name}") for name, state in states)
 
     def inputs(self) -> tuple[Input, ...]:
-        """Return the inputs that are available outside the compound.
+        """Return the inputs that other parts and signals can drive.
 
         Their names are the keys of `inlets`.
         """
@@ -180,9 +183,9 @@ class Compound(Part):
 
 
 def number_spec(part: Part, path: str) -> NumberSpec:
-    """Return the declaration of a number by its dotted name in a part.
+    """Return the declaration of the number at a dotted path in a part.
 
-    The number is a field of the part, of a group or of a member.
+    The number can be a field of the part, of a group or of a member.
     """
     kind: Any = type(part)
     *heads, last = path.split(".")
@@ -199,10 +202,10 @@ def number_spec(part: Part, path: str) -> NumberSpec:
 def expand_compounds(
     parts: Mapping[str, Part], connections: Mapping[str, str]
 ) -> tuple[dict[str, Part], dict[str, str], dict[str, str]]:
-    """Replace each compound of a circuit by its members.
+    """Replace each compound part of a circuit by its members.
 
-    Return the elementary parts, all connections between them, and a mapping from inner names of outputs to outer
-    names.
+    The result contains the elementary parts, all connections between them, and a mapping from inner names of outputs to
+    outer names.
     """
     flat: dict[str, Part] = {}
     flat_connections: dict[str, str] = {}

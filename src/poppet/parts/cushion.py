@@ -20,16 +20,16 @@ MIN_DEAD_FRACTION = 0.01
 
 
 def cover_distance(side: str, scope: Scope) -> tuple[Any, float]:
-    """Return the distance of the piston from a cover, and its derivative, 1 or -1.
+    """Return the distance of the piston from one cover, and its derivative.
 
-    `side` selects the cover. The derivative is with respect to the position of the piston.
+    `side` selects the cover. The derivative by the position of the piston is 1 or -1.
     """
     from_cap = scope["offset"] + scope["direction"] * scope.body.position
     return (from_cap, 1.0) if side == CAP else (scope["stroke_length"] - from_cap, -1.0)
 
 
 def ring_area(outer: Any, inner: Any) -> Any:
-    """Return the area of a ring between two diameters."""
+    """Return the area between two concentric circles with given diameters."""
     return 0.25 * math.pi * (outer**2 - inner**2)
 
 
@@ -49,11 +49,11 @@ def spear_travel(depth: Any, length: Any, closing_length: Any) -> tuple[Any, Any
 
 @dataclass(frozen=True)
 class Cushion(MovingGasStore, Passage):
-    """Gas between a piston and its cover, with its flow path to the port; a member of `Cylinder`.
+    """Gas between a piston and its cover, with its flow path to the port.
 
-    The default of `closing_length` is a quarter of the spear diameter, where the ring between edge and spear has the
-    area of the bore. The default of `open_conductance` is that of an ideal nozzle with the area of the bore. The
-    default initial state is that of the chamber on this side.
+    It is a member part of `Cylinder`. The default of `closing_length` is a quarter of the spear diameter, where the
+    ring between edge and spear has the area of the bore. The default of `open_conductance` is that of an ideal nozzle
+    with the area of the bore. The default initial state is that of the chamber on this side.
     """
 
     kind: ClassVar[str] = "cushion"
@@ -91,7 +91,7 @@ class Cushion(MovingGasStore, Passage):
         if "open_conductance" not in values:
             gas = {"isentropic_exponent": ambient.isentropic_exponent, "gas_constant": ambient.gas_constant}
             nozzle = conductance_from_effective_area(values["spear_area"], **gas)
-            values["open_conductance"] = ambient.stated_size(nozzle.sonic_conductance, nozzle.critical_ratio)[0]
+            values["open_conductance"] = ambient.capacity_as_stated(nozzle.sonic_conductance, nozzle.critical_ratio)[0]
         return values
 
     def volume_and_area(self, scope: Scope) -> tuple[Any, Any]:

@@ -53,7 +53,10 @@ _INHERITED = ("side", "outer_diameter", "inner_diameter", "stroke_length", "offs
 
 @dataclass(frozen=True)
 class CylinderChamber(MovingGasStore):
-    """Gas chamber on one side of the piston; a member of `Cylinder`."""
+    """Gas chamber on one side of the piston.
+
+    It is a member part of `Cylinder`.
+    """
 
     kind: ClassVar[str] = "cylinder_chamber"
     summary: ClassVar[str] = "one side of a cylinder"
@@ -112,7 +115,10 @@ class Leakage:
 
 @dataclass(frozen=True)
 class Piston(Actuator, Passage):
-    """Piston and rod: the force on the body and the leakage; a member of `Cylinder`."""
+    """Piston and rod, which exert a force on the body.
+
+    It is a member part of `Cylinder`, and includes the leakage past the piston.
+    """
 
     kind: ClassVar[str] = "piston"
     summary: ClassVar[str] = "piston and rod of a cylinder"
@@ -179,7 +185,7 @@ class Cylinder(Compound):
     Notes
     -----
     Ports of other parts name the chambers `NAME.cap` and `NAME.rod`. A single-acting cylinder has no rod chamber: that
-    side is open to the ambient. `seal_friction` increases the dry friction (`stribeck`, `lugre`) of the body.
+    side is open to the ambient. `seal_friction` increases the dry friction of the body.
 
     With a cushion, `cap` and `rod` are the volumes at the ports. `cap_cushion` and `rod_cushion` are the volumes
     between piston and cover and exchange heat with the wall of their side. Within `length` before the end of the stroke

@@ -34,7 +34,7 @@ SENSOR_TOLERANCE = 10.0
 
 @dataclass(frozen=True)
 class Scaling:
-    """Pressures that correspond to the ends of the setpoint range."""
+    """Outlet pressures that correspond to the two ends of the setpoint range."""
 
     low: NumberLike = number("Pa", "0 bar g", doc="pressure at 0 % of the setpoint", kind="pressure")
     high: NumberLike = number("Pa", doc="pressure at 100 % of the setpoint", kind="pressure")
@@ -42,7 +42,7 @@ class Scaling:
 
 @dataclass(frozen=True)
 class FirstOrderSensor:
-    """First-order lag of a sensor, and its offset."""
+    """Parameters of a sensor: its first-order lag and its offset."""
 
     lag: NumberLike = number("s", 0.0, doc="time constant", low=0.0, note="none")
     offset: NumberLike = number("Pa", 0.0, doc="offset", note="none", varies=as_difference)
@@ -50,7 +50,10 @@ class FirstOrderSensor:
 
 @dataclass(frozen=True)
 class Converter:
-    """Analogue-to-digital converter for the sensors of outlet pressure and pilot pressure."""
+    """Parameters of the analogue-to-digital converter for the pressure sensors.
+
+    The sensors measure outlet pressure and pilot pressure.
+    """
 
     bits: NumberLike = number("1", 0.0, doc="bits of the converter", low=0.0, high=32.0, note="no quantisation")
     span: NumberLike = number("Pa", "10 bar", doc="pressure difference at full scale", above=0.0)
@@ -82,7 +85,10 @@ class OuterLoop:
 
 @dataclass(frozen=True)
 class InnerLoop:
-    """Proportional control of the pilot pressure; both solenoids are closed for small errors."""
+    """Parameters of the proportional control of the pilot pressure.
+
+    If the error is small, both solenoid valves are closed.
+    """
 
     gain: NumberLike = number("1/Pa", doc="duty per error of the pilot pressure", low=0.0)
     hold_band: NumberLike = number("Pa", 0.0, doc="hold band", low=0.0, note="none")
@@ -188,7 +194,7 @@ class Electronics(Controller):
         limits: dict[str, Any] = {"low": first, "high": last}
         if self.setpoint_type == "pressure":
             limits = {"low": "scaling.low", "high": "scaling.high", "kind": "pressure"}
-        setpoint = Input("setpoint", unit, "setpoint", delay="setpoint_delay", **limits)
+        setpoint = Input("setpoint", unit, "setpoint", delay="setpoint_delay", is_command=True, **limits)
         pressures = [Input(name, "Pa", name, kind="pressure", low=0.0) for name in self.measured]
         return setpoint, Input("power", "1", 1.0, low=0.0, high=1.0), *pressures
 
@@ -236,9 +242,9 @@ class Electronics(Controller):
     # Scaling and sensing -----------------------------------------------------------------------------------------
 
     def _target(self, scope: Scope) -> Any:
-        """Return the target of the outlet pressure for the setpoint.
+        """Return the target of the outlet pressure that belongs to the setpoint.
 
-        It is limited to the range of the scaling.
+        The target is limited to the range of the scaling.
         """
         low, high = scope["scaling.low"], scope["scaling.high"]
         target = scope.inputs["setpoint"]
@@ -248,7 +254,10 @@ class Electronics(Controller):
         return clip(target, low, high)
 
     def _read(self, scope: Scope, name: str) -> Any:
-        """Return the pressure of a sensor after analogue-to-digital conversion."""
+        """Return the pressure that a sensor delivers after analogue-to-digital conversion.
+
+        `name` is the name of the sensor.
+        """
         gauge = scope.states[f"{name}_sensor_pressure"] + scope[f"{name}_sensor.offset"] - scope.surroundings.pressure
         bits, span = scope["converter.bits"], scope["converter.span"]
         step = span * 2.0 ** (-bits)
@@ -293,10 +302,10 @@ class Electronics(Controller):
         }  # fmt: skip
 
     def _integral(self, scope: Scope, error: Any, excess: Any) -> Any:
-        """Return the integral after a sample, with its limits and anti-windup.
+        """Return the integral part of the controller after a sample, limited and with anti-windup.
 
-        `excess` is the limited correction minus the correction before the limits. The result is zero without an
-        integral time.
+        `error` is the control error. `excess` is the limited correction minus the correction before the limits. The
+        result is zero without an integral time.
         """
         integral_time, time = scope["outer.integral_time"], scope["outer.sample_time"]
         band = scope["outer.integral_band"]

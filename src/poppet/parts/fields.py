@@ -33,7 +33,7 @@ NumberLike = Number | float | str | Mapping[str, Any] | None
 class Declaration:
     """Base class of declarations of a field.
 
-    The meaning `doc` is a noun phrase. Details can follow it after a semicolon.
+    `doc` contains the meaning of the field as a noun phrase. Details can follow after a semicolon.
     """
 
     doc: str
@@ -41,13 +41,16 @@ class Declaration:
 
     @property
     def meaning(self) -> str:
-        """Noun phrase of `doc` without the details after the semicolon, for messages and labels."""
+        """Meaning of the field as a noun phrase, for messages and labels.
+
+        It is the part of `doc` before the first semicolon.
+        """
         return self.doc.partition("; ")[0]
 
 
 @dataclass(frozen=True)
 class NumberSpec(Declaration, NumberRange):
-    """Declaration of a number: unit, limits, default and meaning."""
+    """Declaration of a field with a number: unit, limits, default and meaning."""
 
     unit: str
     kind: Kind = "plain"
@@ -57,11 +60,17 @@ class NumberSpec(Declaration, NumberRange):
     varies: Callable[[Any], Mapping[str, Any]] | None = None  # changes of the declaration under the choices of a part
 
     def within(self, part: Any) -> NumberSpec:
-        """Return the declaration that applies to a part with the present options."""
+        """Return the declaration that is valid for the present options of a part.
+
+        For example, the unit of a controller gain depends on the controlled quantity.
+        """
         return self if self.varies is None else _vary(self, tuple(self.varies(part).items()))
 
     def check(self, name: str, value: float, text: str) -> None:
-        """Raise `OutOfRangeError` if a value is outside the declared limits."""
+        """Raise `OutOfRangeError` if a value is outside the declared limits.
+
+        `name` is the name of the field, and `text` the value as the user wrote it.
+        """
         self.check_range(name, value, text, self.meaning)
 
 
@@ -72,42 +81,42 @@ def _vary(spec: NumberSpec, changes: tuple[tuple[str, Any], ...]) -> NumberSpec:
 
 @dataclass(frozen=True)
 class OptionSpec(Declaration):
-    """Declaration of an option.
+    """Declaration of an option, a field with a choice of words.
 
-    Another choice of an option changes the structure of the model.
+    Another choice changes the structure of the model.
     """
 
     choices: tuple[str, ...]
 
 
 class PortSpec(Declaration):
-    """Declaration of a port; its value is the name of the connected gas node."""
+    """Declaration of a field that names the gas node connected to a port."""
 
 
 class BodySpec(Declaration):
-    """Declaration of a field whose value is the name of the body that an actuator moves."""
+    """Declaration of a field that names the body on which an actuator acts."""
 
 
 @dataclass(frozen=True)
 class GroupSpec(Declaration):
-    """Declaration of a group of numbers with a common prefix.
+    """Declaration of a group of numbers, whose addresses have a common prefix.
 
-    An example of an address is `lower_spring.rate`.
+    An example is `lower_spring.rate` in the group `lower_spring`.
     """
 
     group: type
 
 
 class ReferenceSpec(Declaration):
-    """Declaration of a field whose value is the name of a library set, or a table instead."""
+    """Declaration of a field that names a library set, or contains a table instead."""
 
 
 @dataclass(frozen=True)
 class MemberSpec(Declaration):
-    """Declaration of a member of a compound.
+    """Declaration of a member part of a compound.
 
-    `inherited` contains the names of the fields of the member that the compound sets. The compound can omit an optional
-    member.
+    `inherited` contains the names of the member fields that the compound sets. If `optional` is True, the compound can
+    omit the member.
     """
 
     part: Any  # class of the part
@@ -122,7 +131,7 @@ def number(
     unit: str, default: str | float | None = None, *, doc: str, source: SourceKind = "assumed", note: str = "",
     **limits: Any,
 ) -> Any:  # fmt: skip
-    """Declare a field with a number and a unit.
+    """Declare a field that is a number with a unit.
 
     The number is required if it has no default and is not `optional`.
     """
@@ -131,28 +140,31 @@ def number(
 
 
 def anr_temperature(doc: str) -> Any:
-    """Declare a temperature with the default 20 degC."""
+    """Declare a field for a temperature, by default 20 degC."""
     return number("K", "20 degC", doc=doc, kind="temperature", above=0.0, source="standard", note="ISO 8778, ANR")
 
 
 def anr_pressure(doc: str) -> Any:
-    """Declare a pressure with the default 1 bar absolute."""
+    """Declare a field for a pressure, by default 1 bar absolute."""
     return number("Pa", "1 bar", doc=doc, kind="pressure", above=0.0, source="standard", note="ISO 8778, ANR")
 
 
 def subsonic_index_m(source: SourceKind = "standard", note: str = "ISO 6358:1989, the ellipse") -> Any:
-    """Declare the exponent of the subsonic law."""
+    """Declare the field for the exponent m of the subsonic flow law."""
     return number("1", 0.5, doc="subsonic index m", above=0.0, high=2.0, source=source, note=note)
 
 
 def laminar_limit() -> Any:
-    """Declare the pressure ratio p2/p1 above which the flow law is regularised."""
+    """Declare the field for the pressure ratio p2/p1 above which flow is regularised."""
     doc = "laminar ratio, where the regularisation begins"
     return number("1", 0.999, low=0.5, below=1.0, doc=doc, note="width of the C1 zone")
 
 
 def option(default: str, *choices: str, doc: str) -> Any:
-    """Declare an option; the default is also one of the choices."""
+    """Declare a field whose value is one of several words.
+
+    `default` is the default, and `choices` are the other permitted words.
+    """
     return _field(OptionSpec(doc, (default, *choices)), default)
 
 
@@ -161,32 +173,38 @@ OFF_ON = ("false", "true")
 
 
 def switch(*, doc: str) -> Any:
-    """Declare a boolean option with the default false; the value is stored as text."""
+    """Declare an option with the choices false (default) and true.
+
+    The value is stored as text.
+    """
     return option(*OFF_ON, doc=doc)
 
 
 def port(doc: str, *, optional: bool = False) -> Any:
-    """Declare a port."""
+    """Declare a field that names the gas node to which a port is connected."""
     return _field(PortSpec(doc, optional=optional))
 
 
 def body(doc: str) -> Any:
-    """Declare a field for the name of the body that an actuator moves."""
+    """Declare a field that names the body on which an actuator acts."""
     return _field(BodySpec(doc))
 
 
 def group(kind: type, *, doc: str, optional: bool = False) -> Any:
-    """Declare a group of numbers."""
+    """Declare a group of numbers, which is an object of the class `kind`."""
     return _field(GroupSpec(doc, kind, optional=optional))
 
 
 def member(kind: type, *, doc: str, inherited: Sequence[str], is_open: bool = False, optional: bool = False) -> Any:
-    """Declare a member of a compound, whose `inherited` fields the compound sets."""
+    """Declare a member part of a compound.
+
+    `kind` is the class of the member. The compound sets the fields in `inherited`.
+    """
     return _field(MemberSpec(doc, kind, tuple(inherited), is_open, optional=optional))
 
 
 def reference(*, doc: str) -> Any:
-    """Declare a field for the name of a library set."""
+    """Declare a field that names a library set."""
     return _field(ReferenceSpec(doc))
 
 
@@ -196,9 +214,9 @@ def _field(spec: Spec, default: str | None = None) -> Any:
 
 
 def specs(kind: Any) -> Mapping[str, Spec]:
-    """Return the declarations of all fields of a class by field name.
+    """Return the declarations of all fields of a part class by field name.
 
-    The names are those of a circuit file (`from`, not `from_`).
+    `kind` is the class. The names are those of a circuit file (`from`, not `from_`).
     """
     # A separate function: type checkers do not accept a class as an argument of a cached function.
     return _specs(kind)
@@ -214,22 +232,22 @@ def _specs(kind: Any) -> Mapping[str, Spec]:
 def declared(kind: Any, *types: type) -> tuple[tuple[str, str, Any], ...]:
     """Return name, Python attribute and declaration of each field of a class.
 
-    If `types` are given, only declarations of these types are included.
+    If `types` contains classes of declarations, only these are included.
     """
     # Cached: a changed number makes its part again, and a run reads every part.
     return tuple((n, attribute(n), spec) for n, spec in _specs(kind).items() if not types or isinstance(spec, types))
 
 
 def attribute(name: str) -> str:
-    """Return the Python attribute for the name of a field.
+    """Return the Python attribute in which a field is stored.
 
-    The field `from` is a Python keyword and has the attribute `from_`.
+    It has the name of the field, except for `from`, a Python keyword, which is stored as `from_`.
     """
     return "from_" if name == "from" else name
 
 
 class ParameterDocstring:
-    """Docstring of a class with a generated section on parameters.
+    """Docstring of a class, extended by a section on its parameters.
 
     The section describes the declared fields. It is generated when the docstring is read.
     """
@@ -248,7 +266,14 @@ def _with_parameters(owner: Any, text: str) -> str:
 
     lines = ["Parameters", "----------"]
     for _, attribute_name, spec in declared(owner):
-        lines += [f"{attribute_name} : {_type_text(spec)}", f"    {_meaning_text(spec)}"]
+        # The meaning with the unit of a number, or the names of the fields of a group.
+        unit = f" [{spec.unit}]" if isinstance(spec, NumberSpec) and spec.unit != "1" else ""
+        meaning = f"{spec.meaning[:1].upper()}{spec.meaning[1:]}{unit}{spec.doc.removeprefix(spec.meaning)}"
+        if isinstance(spec, GroupSpec):
+            meaning += f": {', '.join(specs(spec.group))}"
+        elif isinstance(spec, MemberSpec):
+            meaning += f": {', '.join(name for name in specs(spec.part) if name not in spec.inherited)}"
+        lines += [f"{attribute_name} : {_type_text(spec)}", f"    {meaning}."]
     head, rule, rest = inspect.cleandoc(text).partition("\n-----")
     if len(lines) == 2:
         return head + rule + rest
@@ -272,23 +297,11 @@ def _type_text(spec: Any) -> str:
     return ("number" if isinstance(spec, NumberSpec) else "str") + (", optional" if spec.optional else "")
 
 
-def _meaning_text(spec: Any) -> str:
-    """Return the meaning of a parameter.
-
-    The text includes the unit of a number, or the names of the fields of a group.
-    """
-    unit = f" [{spec.unit}]" if isinstance(spec, NumberSpec) and spec.unit != "1" else ""
-    details = spec.doc.removeprefix(spec.meaning)
-    text = f"{spec.meaning[:1].upper()}{spec.meaning[1:]}{unit}{details}"
-    if isinstance(spec, GroupSpec):
-        text += f": {', '.join(specs(spec.group))}"
-    elif isinstance(spec, MemberSpec):
-        text += f": {', '.join(name for name in specs(spec.part) if name not in spec.inherited)}"
-    return f"{text}."
-
-
 def read_number(name: str, spec: NumberSpec, argument: NumberLike) -> Number:
-    """Convert the argument of a field to a checked `Number`."""
+    """Convert a user's value of a numeric field to a `Number`, and check it.
+
+    `name` is the name of the field, and `spec` its declaration.
+    """
     # A copied part has numbers that were read before.
     is_number = type(argument) is Number and argument.unit == spec.unit and argument.reference != "gauge"
     if is_number and spec.holds(argument.value):  # type: ignore[union-attr]
@@ -325,9 +338,10 @@ def read_number(name: str, spec: NumberSpec, argument: NumberLike) -> Number:
 
 
 def forget_library(part: Any, sets: Sequence[Mapping[str, Number]], path: str = "") -> None:
-    """Remove from a copied part all numbers that come from the given library sets.
+    """Remove all numbers that come from library sets from a copied part.
 
-    The current library set then supplies these numbers.
+    `sets` are these sets. The present library set then supplies the numbers again. `path` is the prefix of the
+    addresses in the sets.
     """
     if not sets:
         return
@@ -348,14 +362,17 @@ def forget_library(part: Any, sets: Sequence[Mapping[str, Number]], path: str = 
 # Cached: parts share the default of a number that they do not specify. This also makes `forget_library` fast.
 @cache
 def default_number(name: str, spec: NumberSpec) -> Number | None:
-    """Return the declared default of a number with its source, or None without a default."""
+    """Return the declared default of a number, with its source.
+
+    The result is None if there is no default.
+    """
     if spec.default is None:
         return None
     return dataclasses.replace(read_number(name, spec, spec.default), source=Source(spec.source, note=spec.note))
 
 
 def from_table(kind: type[T], table: Any) -> T:
-    """Create an object with declared fields from a table of a file.
+    """Create an object of the class `kind` from a table of a file.
 
     All errors are reported together.
     """
@@ -378,10 +395,10 @@ def from_table(kind: type[T], table: Any) -> T:
 
 
 def complete(part: Any, library: Mapping[str, Number]) -> None:
-    """Complete all fields of a frozen part in place.
+    """Set all fields of a part to their final values.
 
-    The value of a field is its argument; if there is none, the library value; if there is none, the default. A
-    required field without any of them is an error.
+    A field has the value of its argument. If there is none, it has the value in `library`, and otherwise its default. A
+    required field without any of them is an error. The part is frozen, but this function changes it in place.
     """
     with ErrorCollector() as errors:
         _complete(part, library, "", errors, part)
@@ -401,7 +418,7 @@ def _complete(part: Any, library: Mapping[str, Number], path: str, errors: Error
 
 def _read_field(
     argument: Any, spec: Spec, address: str, library: Mapping[str, Number], errors: ErrorCollector, owner: Any
-) -> Any:
+) -> object:
     match spec:
         case NumberSpec():
             spec = spec.within(owner)
@@ -431,7 +448,7 @@ def _read_field(
 
 def _read_group(
     argument: Any, spec: GroupSpec, address: str, library: Mapping[str, Number], errors: ErrorCollector, owner: Any
-) -> Any:
+) -> object:
     valid = specs(spec.group)
     if argument is None and spec.optional and not any(key.startswith(f"{address}.") for key in library):
         return None
@@ -448,12 +465,18 @@ def _read_group(
 
 
 def unknown_field(address: str, name: str, valid: Mapping[str, Any]) -> InputError:
-    """Return the error for the name of a field that does not exist in a part."""
+    """Return the error for a field name that a part does not have.
+
+    `valid` contains the valid names.
+    """
     return InputError("fields.unknown", address, table="", near=NameSuggestion(name, valid))
 
 
 def flatten(part: Any, path: str = "", owner: Any = None) -> list[tuple[str, NumberSpec, Number]]:
-    """Return dotted name, declaration and value of each number in a completed part or group."""
+    """Return dotted name, declaration and value of each number in a part or group.
+
+    `path` is the prefix of the names. `owner` is the part that contains the group.
+    """
     owner = part if owner is None else owner
     numbers: list[tuple[str, NumberSpec, Number]] = []
     for name, attribute_name, spec in declared(part.__class__, NumberSpec, GroupSpec, MemberSpec):

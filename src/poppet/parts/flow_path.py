@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Hashable, Mapping
+from collections.abc import Callable, Hashable, Iterator, Mapping
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
@@ -35,7 +35,10 @@ _FROM_AIR: dict[str, Callable[..., iso6358.Conductance]] = {
 
 
 def read_characteristic(argument: Any, address: str) -> Characteristic:
-    """Read a flow characteristic by library name, from a TOML file or from a table."""
+    """Read a flow characteristic from the library, a TOML file or a table.
+
+    `argument` is the name in the library, the path of the file, or the table.
+    """
     if isinstance(argument, Characteristic):
         return argument
     if isinstance(argument, Mapping):
@@ -106,7 +109,7 @@ class FlowPath(Passage):
 
     @property
     def _size(self) -> str:
-        """Name of the field that specifies the flow capacity."""
+        """Name of the one field that specifies the flow capacity."""
         return next(name for name in _SIZES if getattr(self, name) is not None)
 
     def notes(self) -> tuple[Note, ...]:
@@ -132,24 +135,18 @@ class FlowPath(Passage):
         if self.characteristic is not None:
             return values | {f"characteristic.{k}": v for k, v in self.characteristic.parameters().items()}
         if self._size != "sonic_conductance":
-            size = ambient.stated_size(*self._size_with_gas(values, ambient))
-            values["sonic_conductance"], values["critical_ratio"] = size
+            # Other specifications of the flow capacity give C and b for the gas of the circuit.
+            gas = {"isentropic_exponent": ambient.isentropic_exponent, "gas_constant": ambient.gas_constant}
+            if self._size == "effective_area":
+                nozzle = iso6358.conductance_from_effective_area(values[self._size], **gas)
+                conductance, ratio = nozzle.sonic_conductance, nozzle.critical_ratio
+            else:
+                ratio_of_air = values["critical_ratio"]
+                factor, shift = iso6358.factors_from_air(**gas)
+                of_air = _FROM_AIR[self._size](values[self._size], critical_ratio=ratio_of_air)
+                conductance, ratio = factor * of_air.sonic_conductance, ratio_of_air + (1.0 - ratio_of_air) * shift
+            values["sonic_conductance"], values["critical_ratio"] = ambient.capacity_as_stated(conductance, ratio)
         return {name: value for name, value in values.items() if name not in _SIZES[1:]}
-
-    def _size_with_gas(self, values: Mapping[str, float], ambient: Surroundings) -> tuple[float, float]:
-        """Return C and b for the gas of the circuit.
-
-        This applies to all specifications of the flow capacity except C itself and a characteristic.
-        """
-        name = self._size
-        gas = {"isentropic_exponent": ambient.isentropic_exponent, "gas_constant": ambient.gas_constant}
-        if name == "effective_area":
-            nozzle = iso6358.conductance_from_effective_area(values[name], **gas)
-            return nozzle.sonic_conductance, nozzle.critical_ratio
-        ratio = values["critical_ratio"]
-        factor, shift = iso6358.factors_from_air(**gas)
-        conductance = _FROM_AIR[name](values[name], critical_ratio=ratio).sonic_conductance
-        return factor * conductance, ratio + (1.0 - ratio) * shift
 
     def structure(self) -> Hashable:
         return super().structure(), None if self.characteristic is None else self.characteristic.structure()
@@ -157,7 +154,7 @@ class FlowPath(Passage):
     def size_at(self, scope: Scope, stroke: Any) -> tuple[Any, Any]:
         """Return sonic conductance and critical ratio at a stroke.
 
-        Only a characteristic depends on the stroke.
+        The stroke has an effect only if the flow path has a characteristic.
         """
         if self.characteristic is None:
             return scope["sonic_conductance"], scope["critical_ratio"]
@@ -167,14 +164,14 @@ class FlowPath(Passage):
 def characteristic_at(curve: Characteristic, scope: Scope, prefix: str, stroke: Any) -> tuple[Any, Any]:
     """Return C and b of a characteristic at a stroke.
 
-    The parameters of the characteristic are those in `scope` whose names begin with `prefix`.
+    `curve` is the characteristic. Its parameters are the elements of `scope` whose names begin with `prefix`.
     """
     values = _PrefixedParameters(scope, prefix)
     return curve.sonic_conductance_at(stroke, values), curve.critical_ratio_at(stroke, values)
 
 
 class _PrefixedParameters(Mapping[str, Any]):
-    """Mapping with all parameters of a scope whose names begin with a prefix."""
+    """Mapping to the parameters of a scope, without the common prefix of their names."""
 
     def __init__(self, scope: Scope, prefix: str) -> None:
         self._scope, self._prefix = scope, prefix
@@ -187,7 +184,7 @@ class _PrefixedParameters(Mapping[str, Any]):
         start = len(self._prefix)
         return tuple(name[start:] for name in self._scope.numbers if name.startswith(self._prefix))
 
-    def __iter__(self) -> Any:
+    def __iter__(self) -> Iterator[str]:
         return iter(self._names)
 
     def __len__(self) -> int:
@@ -198,8 +195,12 @@ def iso_flow(
     scope: Scope, name: str, ports: tuple[str, str], gas: tuple[GasState, GasState], size: tuple[Any, Any], *,
     cracking_pressure: Any = 0.0, one_way: bool = False, regime: str = "regime",
 ) -> tuple[Flow, Quantities]:  # fmt: skip
-    """Return the ISO 6358 flow between two ports, and outputs such as the mass flow rate."""
-    conductance, ratio = scope.surroundings.size_with_gas(*size)
+    """Return the ISO 6358 flow between two ports, with its outputs.
+
+    `ports` and `gas` are the names and the gas states of the two ports. `size` contains C and b. `name` is the output
+    of the mass flow rate, and `regime` that of the flow regime.
+    """
+    conductance, ratio = scope.surroundings.capacity_in_circuit_gas(*size)
     first, second = gas
     law = {"cracking_pressure": cracking_pressure, "laminar_ratio": scope["laminar_ratio"], "one_way": one_way}
     law_of_size = {"sonic_conductance": conductance, "subsonic_index": scope["subsonic_index"], **law}
@@ -214,7 +215,10 @@ def iso_flow(
 
 
 def single_flow(scope: Scope, gas: Mapping[str, GasState], size: tuple[Any, Any], **law: Any) -> PassageFlows:
-    """Return the flow of a part with the two ports `from` and `to`."""
+    """Return the flow of a part that has only the ports `from` and `to`.
+
+    `size` contains C and b.
+    """
     flow, outputs = iso_flow(scope, "mass_flow_rate", ("from", "to"), (gas["from"], gas["to"]), size, **law)
     return PassageFlows((flow,), outputs)
 
@@ -224,7 +228,7 @@ def named_flow(
 ) -> tuple[Flow, Quantities]:
     """Return one of several flows of a part.
 
-    The names of its outputs begin with the name of the flow.
+    `ends` are the two ports, and `size` contains C and b. The names of its outputs begin with `name`.
     """
     first, second = ends
     return iso_flow(scope, f"{name}_mass_flow_rate", ends, (gas[first], gas[second]), size, regime=f"{name}_regime")
@@ -267,10 +271,10 @@ class Orifice(FlowPath):
         return symbols.VARIABLE_RESTRICTION if is_variable and self.symbol is symbols.RESTRICTION else self.symbol
 
     def inputs(self) -> tuple[Input, ...]:
-        opening = Input("opening", "1", "opening", low=0.0, high=1.0)
+        opening = Input("opening", "1", "opening", low=0.0, high=1.0, is_command=True)
         if self.characteristic is None:
             return (opening,)
-        return Input("stroke", "m", "stroke" if self.stroke is not None else 0.0), opening
+        return Input("stroke", "m", "stroke" if self.stroke is not None else 0.0, is_command=True), opening
 
     def domains(self) -> dict[str, tuple[Any, tuple[float, float]]]:
         return {"stroke": (self.characteristic, ANYWHERE)} if self.characteristic is not None else {}

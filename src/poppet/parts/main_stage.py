@@ -53,7 +53,10 @@ class Stop:
 
 @dataclass(frozen=True)
 class Contact:
-    """Contact of plate and poppet at stroke zero, where the lower spring begins to act."""
+    """Contact between plate and poppet at stroke zero.
+
+    At larger strokes, the lower spring acts on the plate.
+    """
 
     width: NumberLike = number("m", doc="width of the contact", above=0.0)
     dissipation: NumberLike = number("s/m", doc="contact dissipation", low=0.0)
@@ -61,7 +64,10 @@ class Contact:
 
 @dataclass(frozen=True)
 class Exhaust:
-    """Exhaust seat; below the overlap it opens fully over the stroke `opening`."""
+    """Parameters of the exhaust seat of a main stage.
+
+    The seat opens at strokes below minus the overlap. It is fully open after a further stroke of `opening`.
+    """
 
     sonic_conductance: NumberLike = number("m^3/(s Pa)", doc="sonic conductance C of the exhaust", low=0.0)
     critical_ratio: NumberLike = number("1", doc="critical ratio b of the exhaust", low=0.0, below=1.0)
@@ -157,7 +163,7 @@ class MainStage(Passage):
 
     @property
     def curve(self) -> Characteristic:
-        """Characteristic of the supply seat."""
+        """Flow characteristic of the supply seat."""
         result: Characteristic = self.characteristic
         return result
 
@@ -185,7 +191,7 @@ class MainStage(Passage):
         return State("stroke", "m", 1e-3, LOOSER, 1.0), State("velocity", "m/s", 0.1, LOOSER, 1.0)
 
     def inputs(self) -> tuple[Input, ...]:
-        return (Input("pilot_pressure", "Pa", "pilot_pressure", kind="pressure", low=0.0),)
+        return (Input("pilot_pressure", "Pa", "pilot_pressure", kind="pressure", low=0.0, is_command=True),)
 
     def start(self, scope: Scope) -> dict[str, Any]:
         return {"stroke": scope["initial_stroke"], "velocity": scope["initial_velocity"]}
@@ -195,6 +201,7 @@ class MainStage(Passage):
 
     def flows(self, scope: Scope, gas: Mapping[str, GasState]) -> PassageFlows:
         stroke, velocity = scope.states["stroke"], scope.states["velocity"]
+        # The fraction of the poppet force that acts on the plate; it is 1 for positive strokes.
         lifted = contact.seat_fraction(stroke, scope["contact.width"])
         mass = scope["emptying_mass"] + (scope["moving_mass"] - scope["emptying_mass"]) * lifted
         back_pressure = scope.surroundings.pressure if self.mode == "paper" else gas["outlet"].pressure
@@ -204,7 +211,16 @@ class MainStage(Passage):
             names = ("coulomb", "static", "stribeck_velocity", "smoothing_velocity", "viscous")
             friction = contact.stribeck_friction(velocity, *(scope[f"friction.{name}"] for name in names))
             resistance = resistance + friction
-        force = drive - self._springs(scope, gas, lifted) - resistance
+        # Forces of both springs and of the pressure on the supply seat.
+        upper = scope["upper_spring.rate"] * (scope["upper_spring.preload"] + stroke)
+        lower = scope["lower_spring.rate"] * (scope["lower_spring.preload"] + maximum(stroke, 0.0))
+        if self.mode == "regulator":
+            difference = gas["supply"].pressure - gas["outlet"].pressure
+            lower = lower + scope["seat_balance"] * scope["seat_area"] * difference
+        # Damped on the ramp of the seat only: 0 at its ends, 1 in its middle.
+        contact_fraction = lifted * (1.0 - lifted) * 4.0
+        damped = 1.0 + contact_fraction * contact.saturation(scope["contact.dissipation"] * velocity)
+        force = drive - (upper + lifted * lower * damped) - resistance
         rates = {"stroke": velocity, "velocity": (force + self._stops(scope)) / mass}
         size = characteristic_at(self.curve, scope, "characteristic.", stroke)
         supply, outputs = named_flow(scope, gas, "supply", ("supply", "outlet"), size)
@@ -221,23 +237,6 @@ class MainStage(Passage):
         hidden: Quantities = {"displacement": (scope["plate_area"] * stroke, "m^3")}
         hidden["outlet_pressure"] = gas["outlet"].pressure, "Pa"
         return PassageFlows((supply, exhaust), {name: outputs[name] for name in OUTPUTS}, rates, hidden)
-
-    def _springs(self, scope: Scope, gas: Mapping[str, GasState], lifted: Any) -> Any:
-        """Return the force of both springs and of the pressure on the supply seat.
-
-        `lifted` is the fraction of the poppet force that acts on the plate; it is 1 for positive strokes.
-        """
-        stroke = scope.states["stroke"]
-        upper = scope["upper_spring.rate"] * (scope["upper_spring.preload"] + stroke)
-        lift = maximum(stroke, 0.0)
-        lower = scope["lower_spring.rate"] * (scope["lower_spring.preload"] + lift)
-        if self.mode == "regulator":
-            difference = gas["supply"].pressure - gas["outlet"].pressure
-            lower = lower + scope["seat_balance"] * scope["seat_area"] * difference
-        # Damped on the ramp of the seat only: 0 at its ends, 1 in its middle.
-        contact_fraction = lifted * (1.0 - lifted) * 4.0
-        damped = 1.0 + contact_fraction * contact.saturation(scope["contact.dissipation"] * scope.states["velocity"])
-        return upper + lifted * lower * damped
 
     def _stops(self, scope: Scope) -> Any:
         stroke, velocity = scope.states["stroke"], scope.states["velocity"]

@@ -13,22 +13,26 @@ STATES = (State("energy", "J", 100.0, positive=True), State("mass", "kg", 1e-3, 
 
 
 def initial_states(scope: Scope, volume: Any) -> dict[str, Any]:
-    """Return the states of gas at the initial pressure and temperature in a volume."""
+    """Return mass and energy of gas at its initial pressure and temperature.
+
+    `volume` is the initial volume of the gas [m^3].
+    """
     pressure, gas = scope["initial_pressure"], scope.surroundings
     mass = gas_law.mass(pressure, volume, scope["initial_temperature"], gas.gas_constant)
     return {"energy": pressure * volume / (gas.isentropic_exponent - 1.0), "mass": mass}
 
 
 def gas_state(scope: Scope, volume: Any) -> GasState:
-    """Return the pressure and the temperature of the gas in a volume."""
+    """Return pressure and temperature of gas from its states and its volume."""
     energy, mass, gas = scope.states["energy"], scope.states["mass"], scope.surroundings
     return GasState((gas.isentropic_exponent - 1.0) * energy / volume, energy / (mass * gas.heat_capacity_volume))
 
 
 def balance(scope: Scope, gas: GasState, volume: Any, growth: Any, flows: tuple[tuple[Any, Any], ...]) -> GasBalance:
-    """Return rates and outputs of gas in a changing volume.
+    """Return rates and outputs of the gas in a changing volume.
 
-    The energy balance is U' = sum of enthalpy flows + heat - p V'. `growth` is the rate V' of the volume.
+    The energy balance is U' = sum of enthalpy flows + heat - p V'. `growth` is the rate of change V' of the volume.
+    `flows` contains the mass flow rate and the enthalpy flow rate of each flow.
     """
     heat = scope["wall_conductance"] * (scope["wall_temperature"] - gas.temperature)
     work = -gas.pressure * growth
@@ -51,9 +55,9 @@ class MovingGasStore(Store):
 
     @abstractmethod
     def volume_and_area(self, scope: Scope) -> tuple[Any, Any]:
-        """Return the volume and its derivative with respect to the travel of the body.
+        """Return the gas volume, and its derivative by the travel of the body.
 
-        The travel is positive in the direction of the part.
+        The derivative is an area. The travel is positive in the direction of the part.
         """
 
     def states(self) -> tuple[State, ...]:

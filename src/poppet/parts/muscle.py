@@ -31,9 +31,10 @@ CONTRACTION_TOLERANCE = 1e-9
 
 @dataclass(frozen=True)
 class Hysteresis:
-    """Hysteresis of the force: it opposes the motion and remains when the motion stops.
+    """Parameters of the hysteresis of a muscle force.
 
-    It is the sum of a constant and a term proportional to the gauge pressure.
+    The hysteresis opposes the motion, and remains when the motion stops. It is the sum of a constant and a term
+    proportional to the gauge pressure.
     """
 
     kind: str = option("coulomb", "maxwell", doc="law of hysteresis")
@@ -46,7 +47,7 @@ class Hysteresis:
 
 @dataclass(frozen=True)
 class Limits:
-    """Measured range of the force law and limits by the manufacturer."""
+    """Range of the force law that was measured, and limits by the manufacturer."""
 
     lowest_contraction: NumberLike = number("1", optional=True, doc="lowest contraction")
     highest_contraction: NumberLike = number("1", optional=True, doc="highest contraction", below=1.0)
@@ -160,28 +161,22 @@ class Muscle(MuscleLawPart, MovingGasStore, Actuator):
         pressure, contraction = gas[SELF].pressure - scope.surroundings.pressure, self._contraction(scope)
         speed, rates = scope["direction"] * scope.body.velocity, dict[str, Any]()
         static = self.force_law(scope.numbers).force(pressure, contraction)
-        resistance = scope["damping"] * speed + self._hysteresis(scope, pressure, speed, rates)
+        resistance = scope["damping"] * speed
+        if self.hysteresis is not None:
+            # Rates of the elements of the Maxwell slip model, and their force against the contraction.
+            slips = [state.name for state in self.states()[len(super().states()) :]]
+            reach, level = scope["hysteresis.reach"], scope["hysteresis.force"]
+            for k, name in enumerate(slips, 1):
+                slip = scope.states[name]
+                if self.hysteresis.kind == "coulomb":
+                    rates[name] = bristle_rate(slip, speed / reach, 1.0, 1.0)
+                else:
+                    rates[name] = slip_rate(slip, speed, reach * k / len(slips))
+            level = level + scope["hysteresis.force_per_pressure"] * maximum(pressure, 0.0)
+            resistance = resistance + level * sum(scope.states[name] for name in slips) / len(slips)
         force = taut(static - resistance, scope["slack_force"])
         outputs: Quantities = {"contraction": (contraction, "1"), "force": (force, "N")}
         return ActuatorForce(scope["direction"] * force, outputs, rates)
-
-    def _hysteresis(self, scope: Scope, pressure: Any, speed: Any, rates: dict[str, Any]) -> Any:
-        """Return the hysteresis force against the contraction.
-
-        The rates of the elements of the Maxwell slip model are added to `rates`.
-        """
-        if self.hysteresis is None:
-            return 0.0
-        slips = [state.name for state in self.states()[len(super().states()) :]]
-        reach, level = scope["hysteresis.reach"], scope["hysteresis.force"]
-        for k, name in enumerate(slips, 1):
-            slip = scope.states[name]
-            if self.hysteresis.kind == "coulomb":
-                rates[name] = bristle_rate(slip, speed / reach, 1.0, 1.0)
-            else:
-                rates[name] = slip_rate(slip, speed, reach * k / len(slips))
-        level = level + scope["hysteresis.force_per_pressure"] * maximum(pressure, 0.0)
-        return level * sum(scope.states[name] for name in slips) / len(slips)
 
     # Notes on runs --------------------------------------------------------------------------------------------------
 

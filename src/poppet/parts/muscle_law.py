@@ -20,7 +20,7 @@ REQUIRED = {"sarosi": "sarosi", "chou_hannaford": "braid_angle", "tondu_lopez": 
 
 @dataclass(frozen=True)
 class SarosiNumbers:
-    """Parameters a1 to a6 of Sarosi's force law."""
+    """Parameters a1 to a6 of the muscle force law of Sarosi."""
 
     a1: NumberLike = number("N/Pa", doc="Sarosi's a1")
     a2: NumberLike = number("N", doc="Sarosi's a2")
@@ -85,7 +85,7 @@ class MuscleLawPart(Part):
                 return braid_of(values)
 
     def pressure_for(self, force: Any, contraction: Any) -> Any:
-        """Return the gauge pressure at which the muscle exerts a force.
+        """Return the gauge pressure at which the muscle exerts a given force.
 
         Hysteresis and damping are not included.
 
@@ -105,5 +105,8 @@ class MuscleLawPart(Part):
 
 
 def braid_of(numbers: Mapping[str, Any]) -> ChouHannaford:
-    """Return the law of a braided muscle with the nominal size in the given parameters."""
+    """Return the force law of a braided muscle from its nominal size.
+
+    `numbers` contains nominal diameter, nominal length and braid angle.
+    """
     return ChouHannaford(numbers["nominal_diameter"], numbers["nominal_length"], numbers["braid_angle"])

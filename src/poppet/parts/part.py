@@ -54,7 +54,7 @@ Quantities = dict[str, tuple[Any, str]]
 
 @dataclass(frozen=True)
 class State:
-    """Continuous state of a part with its local name and SI unit."""
+    """Declaration of a continuous state of a part, with local name and SI unit."""
 
     name: str
     unit: str
@@ -77,6 +77,7 @@ class Input:
     delay: str = ""  # name of the parameter that delays a signal
     slope_of: str = ""  # input whose time derivative it is; it cannot be driven on its own
     by_signal: bool = False  # only a signal can drive it
+    is_command: bool = False  # setpoint or command that a user changes to move a body
 
 
 @dataclass(frozen=True)
@@ -108,7 +109,7 @@ class GasState:
 
 @dataclass(frozen=True)
 class BodyMotion:
-    """Travel [m] and speed [m/s] of a body at the point where its actuators act."""
+    """Travel [m] and speed [m/s] of a body, as seen by its actuators."""
 
     position: Any
     velocity: Any
@@ -116,7 +117,7 @@ class BodyMotion:
 
 @dataclass(frozen=True)
 class ActuatorForce:
-    """Force of an actuator on a body [N], and dry friction that it adds to the body [N].
+    """Force of an actuator on a body, and dry friction that it adds [N].
 
     The force is positive towards larger positions.
     """
@@ -131,7 +132,7 @@ class ActuatorForce:
 class BodyDynamics:
     """Outputs, state rates and energy [J] of a body.
 
-    `powers` are those of the actuators minus the load, and of friction and stops [W].
+    `powers` contains the power of the actuators minus that of the load, and the power of friction and stops [W].
     """
 
     outputs: Quantities
@@ -142,7 +143,10 @@ class BodyDynamics:
 
 @dataclass(frozen=True)
 class Flow:
-    """Gas flow between two ports; it is positive from `source` to `target`."""
+    """Gas flow between two ports.
+
+    It is positive from `source` to `target`.
+    """
 
     name: str  # output of the mass flow rate
     source: str | None  # a port or `SELF`; None is outside the circuit
@@ -163,7 +167,7 @@ class PassageFlows:
 
 @dataclass(frozen=True)
 class GasBalance:
-    """Outputs and state rates of a gas node that result from its flows.
+    """Outputs and state rates that the flows into a gas node cause.
 
     `heat` is the heat from the wall and `work` the work on the gas [W]. `energy` is given only if it is linear in the
     states [J].
@@ -190,9 +194,9 @@ class ControlOutputs:
 
 @dataclass(frozen=True)
 class Surroundings:
-    """Ambient pressure [Pa], ambient temperature [K] and gas properties of a circuit.
+    """Ambient pressure, ambient temperature and gas properties of a circuit.
 
-    The values are floats or symbols.
+    The values are floats or symbols in SI units.
     """
 
     pressure: Any
@@ -212,14 +216,17 @@ class Surroundings:
         """Specific heat capacity at constant volume [J/(kg K)]."""
         return self.gas_constant / (self.isentropic_exponent - 1.0)
 
-    def size_with_gas(self, conductance: Any, ratio: Any) -> tuple[Any, Any]:
-        """Convert C and b from the basis of the circuit file to the gas of the circuit."""
+    def capacity_in_circuit_gas(self, conductance: Any, ratio: Any) -> tuple[Any, Any]:
+        """Convert stated C and b to the gas of the circuit.
+
+        A circuit file can state them as measured with air.
+        """
         return conductance * self.conductance_factor, ratio + (1.0 - ratio) * self.ratio_shift
 
-    def stated_size(self, conductance: float, ratio: float) -> tuple[float, float]:
-        """Convert C and b from the gas of the circuit to the basis of the circuit file.
+    def capacity_as_stated(self, conductance: float, ratio: float) -> tuple[float, float]:
+        """Convert C and b of the circuit gas to their stated form.
 
-        This is the inverse of `size_with_gas`.
+        A circuit file can state them as measured with air. This is the inverse of `capacity_in_circuit_gas`.
         """
         return conductance / self.conductance_factor, (ratio - self.ratio_shift) / (1.0 - self.ratio_shift)
 
@@ -228,7 +235,8 @@ class Surroundings:
 class Scope:
     """Values that the equations of one part can use.
 
-    These are parameters, states, inputs and discrete states (floats or symbols), the surroundings and the time [s].
+    They are the parameters, states, inputs and discrete states of the part (floats or symbols), the ambient conditions
+    and the time [s].
     """
 
     numbers: Mapping[str, Any]
@@ -241,7 +249,10 @@ class Scope:
 
     @property
     def body(self) -> BodyMotion:
-        """Motion of the body that the part acts on; the part must have a body."""
+        """Motion of the body on which the part acts.
+
+        The part must have a body.
+        """
         assert self.motion is not None
         return self.motion
 
@@ -283,51 +294,57 @@ class Part(ABC):
         self.check()
 
     def library_sets(self) -> Sequence[Mapping[str, Number]]:
-        """Return all library sets whose numbers a copy of the part can contain.
+        """Return all library sets from which numbers of the part can come.
 
-        The numbers from `library_numbers` replace these numbers in the copy.
+        If a copy of the part selects another set, numbers from these sets are replaced.
         """
         return library.every_set(self.kind) if hasattr(self, "data") else ()
 
     def library_numbers(self) -> Mapping[str, Number]:
-        """Return the numbers of the selected library set, for fields without an argument."""
+        """Return the numbers of the selected library set.
+
+        They are used for fields without an argument.
+        """
         data = getattr(self, "data", None)
         return {} if data is None else library.numbers(str(data), self.kind, self.variant())
 
     def variant(self) -> str:
-        """Return the variant of the library set that the options of the part select."""
+        """Return the variant of the library set that the options select."""
         return ""
 
     def check(self) -> None:  # noqa: B027 - most parts have no rule beyond those of their fields
         """Raise `InputError` if the values of several fields contradict each other."""
 
     def check_start(self, travel: float) -> None:  # noqa: B027 - most parts have no body
-        """Raise `InputError` if the initial travel of the body [m] is not possible for the part."""
+        """Raise `InputError` if the part cannot start at the initial travel of its body.
+
+        `travel` is this initial travel [m].
+        """
 
     def notes(self) -> tuple[Note, ...]:
-        """Return notes on the fields of the part, which accompany every result.
+        """Return notes on the fields of the part.
 
-        The addresses in the notes are relative to the part.
+        They accompany every result. Their addresses are relative to the part.
         """
         return ()
 
     def remarks(self, name: str, series: Callable[[str], Any]) -> tuple[Note, ...]:
-        """Return notes on a finished run.
+        """Return notes on a finished run, for example on a limit that was exceeded.
 
-        `series` is a function that returns the (n_times,) array of an output, or of `time`.
+        `name` is the name of the part. `series` is a function that returns the (n_times,) array of an output, or of
+        `time`.
         """
         return ()
 
     def numbers(self) -> dict[str, Number]:
-        """Return the mapping from dotted local names to all numbers of the part."""
+        """Return all numbers of the part by dotted name, for example `lower_spring.rate`."""
         return {name: value for name, _, value in flatten(self)}
 
     def parameters(self, ambient: Surroundings) -> dict[str, float]:
-        """Return the run-time parameters of the part by name: numbers and derived values.
+        """Return the values of all parameters of the part in a run, by name.
 
-        All values are in SI; pressures are absolute.
-
-        The names depend on the structure only.
+        They are the numbers, and values that are computed from them. All values are in SI units, and pressures are
+        absolute. The names do not depend on the values.
         """
         values = {}
         for name, spec, value in flatten(self):
@@ -341,21 +358,21 @@ class Part(ABC):
         return values
 
     def ports(self) -> dict[str, str]:
-        """Return the mapping from the name of each connected port to the gas node."""
+        """Return a mapping from the name of each connected port to its gas node."""
         connected = ((name, getattr(self, attribute)) for name, attribute, _ in declared(type(self), PortSpec))
         return {name: node for name, node in connected if node is not None}
 
     def outer_ports(self) -> dict[str, str]:
-        """Return a mapping from ports of other parts to the gas nodes of this part.
+        """Return a mapping from ports of other parts to gas nodes of this part.
 
-        It contains the ports that a field of this part names.
+        It contains only ports that are named in a field of this part.
         """
         return {}
 
     def stores(self) -> tuple[str, ...]:
-        """Return the local names of the gas nodes of the part to which ports can be connected.
+        """Return the local names of the gas nodes of the part.
 
-        An empty name is the part itself.
+        Ports can be connected to them. An empty name is the part itself.
         """
         return ()
 
@@ -364,7 +381,7 @@ class Part(ABC):
         return next((getattr(self, attribute) for _, attribute, _ in declared(type(self), BodySpec)), None)
 
     def list_internal_outputs(self) -> tuple[str, ...]:
-        """Return the names of the outputs that are internal with the present options."""
+        """Return the names of the outputs that plots omit by default."""
         return self.internal_outputs
 
     def caption(self, numbers: CaptionNumbers) -> list[str]:
@@ -374,27 +391,27 @@ class Part(ABC):
         return [self.kind.replace("_", " "), *values]
 
     def symbol_for(self, is_driven: bool) -> Symbol | str:
-        """Return the symbol of the part, or the text of its box.
+        """Return the symbol of the part in a schematic, or the text of its box.
 
         `is_driven` is True if a signal or a connection drives an input of the part.
         """
         return self.symbol
 
     def options(self) -> dict[str, str]:
-        """Return the options that determine the structure of the model."""
+        """Return the names and choices of all options, which determine the structure of the model."""
         return {name: getattr(self, attribute) for name, attribute, _ in declared(type(self), OptionSpec)}
 
     def structure(self) -> Hashable:
-        """Return a hashable key of the compiled model.
+        """Return a hashable key that determines the equations of the part.
 
-        It contains all properties on which the model depends, but no values of numbers.
+        Parts with equal keys differ only in the values of their numbers.
         """
         return self.kind, tuple(self.options().items()), tuple(sorted(self.ports().items())), self.body_name()
 
     def replaced_fields(self, fields: Iterable[str]) -> tuple[str, ...]:
-        """Return the names of fields that contradict the given `fields` and must be removed.
+        """Return the names of fields that must be removed if other fields are set.
 
-        A file that sets `fields` replaces the previous specification.
+        `fields` are the fields that a file sets. The result contains the fields that would contradict them.
         """
         return ()
 
@@ -407,7 +424,7 @@ class Part(ABC):
         return ()
 
     def memory(self) -> tuple[DiscreteState, ...]:
-        """Return the discrete states of the part; timers are not included."""
+        """Return the discrete states of the part, without its timers."""
         return ()
 
     def timers(self) -> tuple[Timer, ...]:
@@ -420,20 +437,24 @@ class Part(ABC):
         return {}
 
     def update(self, timer: str, scope: Scope) -> dict[str, Any]:
-        """Return the new values of discrete states and timers at an instant of `timer`.
+        """Return the new discrete states and timers at a sample instant.
 
-        The result includes the next time of this timer. Other discrete states keep their values.
+        `timer` is the timer that is due. The result includes its next time. Discrete states that are not in the result
+        keep their values.
         """
         raise NotImplementedError(f"{self.kind} has no timers")
 
     def can_resume(self, target: str) -> bool:
-        """Return True if the initial value `target` has an effect with the present options."""
+        """Return True if an initial value has an effect with the present options.
+
+        `target` is the name of the parameter for this initial value.
+        """
         return target != "wall_temperature" or any(state.name == target for state in self.states())
 
     def domains(self) -> dict[str, tuple[Any, tuple[float, float]]]:
         """Return the characteristics whose domain limits a state or an input.
 
-        The keys are names of states and inputs. Each value is a characteristic with the positions of the end stops.
+        The keys are names of states and inputs. Each value is a characteristic with the positions of the two end stops.
         """
         return {}
 
@@ -446,22 +467,23 @@ class Store(Part):
 
     @abstractmethod
     def gas(self, scope: Scope) -> GasState:
-        """Return the gas state at the ports of the node."""
+        """Return pressure and temperature of the gas at the ports of the node."""
 
     @abstractmethod
     def balance(self, scope: Scope, flows: tuple[tuple[Any, Any], ...]) -> GasBalance:
-        """Return rates and outputs of the node for all its flows.
+        """Return rates and outputs of the gas node.
 
-        Each flow is a pair of mass flow rate [kg/s] and enthalpy flow rate [W], positive into the node.
+        `flows` contains all its gas flows. Each flow is a pair of mass flow rate [kg/s] and enthalpy flow rate [W],
+        positive into the node.
         """
 
 
 class Passage(Part):
-    """Base class of flow paths: parts that move gas between gas nodes."""
+    """Base class of parts through which gas flows between gas nodes."""
 
     @abstractmethod
     def flows(self, scope: Scope, gas: Mapping[str, GasState]) -> PassageFlows:
-        """Return gas flows, rates and outputs of the flow path.
+        """Return the gas flows of the flow path, with rates and outputs.
 
         `gas` maps each port name to the gas state at this port.
         """
@@ -487,7 +509,7 @@ class Body(Part):
 
     @abstractmethod
     def motion(self, scope: Scope) -> BodyMotion:
-        """Return travel and speed of the body at the point where the actuators act."""
+        """Return travel and speed of the body, as its actuators see them."""
 
     @abstractmethod
     def dynamics(self, scope: Scope, force: Any, friction: Any) -> BodyDynamics:
@@ -505,7 +527,7 @@ class Controller(Part):
     """Inputs that the controller needs; a run notes each of them that is not connected."""
 
     def sensors(self) -> dict[str, tuple[str, str]]:
-        """Return the measured input and the parameter group of each sensor, by state name.
+        """Return a mapping from sensor states to measured input and parameter group.
 
         Sensors are not part of an exported controller.
         """
@@ -517,17 +539,17 @@ class Controller(Part):
 
 
 def is_port(end: str) -> bool:
-    """Return True if the end of a tube is a port of another part.
+    """Return True if the end of a tube names a port of another part.
 
-    An example is `valve.outlet`. Otherwise the end is a gas node.
+    An example is `valve.outlet`. Otherwise the end names a gas node.
     """
     return end.partition(".")[2] in PORTS
 
 
 def advance_clock(scope: Scope, timer: str, period: Any, phase: Any = 0.0) -> dict[str, Any]:
-    """Return the next instant of a periodic timer, and its incremented counter.
+    """Return the next sample instant of a periodic timer, and the incremented counter.
 
-    Each instant is computed from the counter, which avoids the accumulation of rounding errors.
+    The instant is computed from the counter, so rounding errors do not accumulate.
     """
     count = scope.memory[f"{timer}_count"] + 1.0
     return {timer: phase + count * period, f"{timer}_count": count}

@@ -147,9 +147,9 @@ class PID(SampledLoop):
 
     def inputs(self) -> tuple[Input, ...]:
         unit, command = self.command_unit, COMMANDS[command_of(self)]
-        manual = Input("manual_command", unit, "bias", kind=command.kind, low=command.low)
+        manual = Input("manual_command", unit, "bias", kind=command.kind, low=command.low, is_command=True)
         if self.is_of_openings:
-            manual = Input("manual_command", unit, 0.0, low=-1.0, high=1.0)
+            manual = Input("manual_command", unit, 0.0, low=-1.0, high=1.0, is_command=True)
         feedforward = (Input("feedforward", unit, 0.0),) if self.feedforward == "true" else ()
         return *super().inputs(), Input("automatic", "1", 1.0, low=0.0, high=1.0), manual, *feedforward
 
@@ -233,10 +233,10 @@ class PID(SampledLoop):
     def _integral_increment(
         self, scope: Scope, gains: dict[str, Any], error: Any, command: Any, limits: tuple[Any, Any]
     ) -> Any:
-        """Return the increment of the integral in one sample, with anti-windup.
+        """Return the change of the integral in one sample, with anti-windup.
 
-        `command` is the command before its limits. The error moves it to a margin beyond a limit at most, and
-        back-calculation removes a fraction of the excess.
+        `command` is the command before its limits. The error can move the command to a margin beyond a limit at most.
+        Back-calculation then removes a fraction of the excess.
         """
         time, integral_time, (low, high) = scope["sample_time"], gains["integral_time"], limits
         if "integral_dead_band" in scope:

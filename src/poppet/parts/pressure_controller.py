@@ -16,7 +16,7 @@ from poppet.parts.sampled_loop import NEXT_SAMPLE, SampledLoop, is_first
 
 @dataclass(frozen=True)
 class ValveModel:
-    """Flow parameters of a valve in the model that the controller inverts."""
+    """Parameters of the valve model that the controller inverts."""
 
     sonic_conductance: NumberLike = number("m^3/(s Pa)", doc="sonic conductance C of the open valve", above=0.0)
     critical_ratio: NumberLike = number("1", 0.3, doc="critical ratio b", low=0.0, below=1.0)
@@ -85,7 +85,7 @@ class PressureController(SampledLoop):
 
     def _open_rates(self, scope: Scope, pressure: Any) -> tuple[Any, Any]:
         stated_sizes = ((scope[f"{v}.sonic_conductance"], scope[f"{v}.critical_ratio"]) for v in ("fill", "vent"))
-        fill, vent = (scope.surroundings.size_with_gas(*size) for size in stated_sizes)
+        fill, vent = (scope.surroundings.capacity_in_circuit_gas(*size) for size in stated_sizes)
         return open_rates(
             maximum(pressure, 0.0), scope.inputs["supply_pressure"], scope.inputs["exhaust_pressure"],
             gas_temperature=scope.inputs["gas_temperature"], supply_temperature=scope["supply_temperature"],

@@ -124,11 +124,21 @@ class ProportionalValve(Compound):
         # A target that a controller changes has no plateaus, but the outlet can oscillate about it.
         is_driven = np.repeat(ends - starts < MIN_PLATEAU_ROWS, ends - starts + 1) & ~is_idle
         notes += _oscillation_notes(time, outlet, target, tolerance, is_driven, has_power)
-        # A target that changes in most rows has no plateaus.
+        # A plateau is a period with a constant target. A target that changes in most rows has no plateaus.
         for first, last in zip(starts, ends, strict=True) if 2 * ends.size < time.size else ():
-            if not is_idle[last]:
-                rows = slice(first, last + 1)
-                notes += _plateau_notes(time[rows], outlet[rows], target[last], tolerance, not has_power[last])
+            if is_idle[last] or last - first < MIN_PLATEAU_ROWS:
+                continue
+            facts = {"target_bar": target[last] / 1e5, "time": time[last], "unpowered": not has_power[last]}
+            # The last 30 %: earlier rows can belong to the step response.
+            rows = slice(first, last + 1)
+            final_rows = outlet[rows][time[rows] >= time[last] - 0.3 * (time[last] - time[first])]
+            swing, error = np.ptp(final_rows), abs(outlet[last] - target[last])
+            reversals = np.count_nonzero(np.diff(np.sign(final_rows - final_rows.mean())))
+            if reversals >= MIN_REVERSALS and swing > tolerance:
+                notes.append(Note("valve.not_held", **facts, swing_bar=swing / 1e5))
+            elif error > tolerance:
+                missed = {"outlet_bar": outlet[last] / 1e5, "missed_bar": error / 1e5}
+                notes.append(Note("valve.not_reached", **facts, **missed))
         return tuple(notes)
 
     def inherited_fields(self, member: str) -> dict[str, Any]:
@@ -143,9 +153,10 @@ class ProportionalValve(Compound):
 
 
 def _first_note(code: str, is_true: Any, **series: Any) -> list[Note]:
-    """Return a note on the first row in which a condition is true.
+    """Return a note with values of the first row in which a condition is true.
 
-    The facts of the note are the values of `series` in this row. Without such a row the list is empty.
+    `is_true` contains the condition for each row. The facts of the note are the values of `series` in the row. If the
+    condition is never true, the list is empty.
     """
     return [Note(code, **{name: values[k] for name, values in series.items()}) for k in np.flatnonzero(is_true)[:1]]
 
@@ -178,7 +189,10 @@ def _oscillation_notes(
 
 
 def _turning_points(values: list[float], threshold: float) -> list[int]:
-    """Return the indices of the extrema between which the values rise or fall by more than a threshold."""
+    """Return the indices at which a series changes between rising and falling.
+
+    A rise or fall counts if it exceeds `threshold`.
+    """
     turns: list[int] = []
     low = high = 0
     direction = 0
@@ -191,21 +205,3 @@ def _turning_points(values: list[float], threshold: float) -> list[int]:
             turns.append(low)
             direction, high = 1, k
     return turns
-
-
-def _plateau_notes(time: Any, outlet: Any, target: float, tolerance: float, unpowered: bool) -> list[Note]:
-    """Return a note if the outlet pressure oscillates or misses the target on a plateau.
-
-    A plateau is a period with a constant target pressure.
-    """
-    facts = {"target_bar": target / 1e5, "time": time[-1], "unpowered": bool(unpowered)}
-    # The last 30 %: earlier rows can belong to the step response.
-    final_rows = outlet[time >= time[-1] - 0.3 * (time[-1] - time[0])]
-    swing = np.ptp(final_rows)
-    reversals = np.count_nonzero(np.diff(np.sign(final_rows - final_rows.mean())))
-    if time.size > MIN_PLATEAU_ROWS and reversals >= MIN_REVERSALS and swing > tolerance:
-        return [Note("valve.not_held", **facts, swing_bar=swing / 1e5)]
-    error = abs(outlet[-1] - target)
-    if time.size > MIN_PLATEAU_ROWS and error > tolerance:
-        return [Note("valve.not_reached", **facts, outlet_bar=outlet[-1] / 1e5, missed_bar=error / 1e5)]
-    return []

@@ -15,9 +15,9 @@ from poppet.core.units import Kind
 
 @dataclass(frozen=True)
 class ControlledQuantity:
-    """Properties of a quantity that a controller measures or commands.
+    """Properties of a physical quantity that a controller can measure or command.
 
-    These are SI unit, kind, default, lower limit and nominal size.
+    They are SI unit, kind, default, lower limit and typical size.
     """
 
     unit: str
@@ -45,13 +45,13 @@ COMMANDS = {OPENING: ControlledQuantity("1", 1.0), **QUANTITIES}
 
 
 def quantity_of(part: Any) -> str:
-    """Return the name of the quantity that a controller measures."""
+    """Return the name of the quantity that a controller measures, for example `pressure`."""
     name = getattr(part, "quantity", "pressure")
     return name if name in QUANTITIES else "pressure"  # the field itself reports an invalid name
 
 
 def command_of(part: Any) -> str:
-    """Return the name of the quantity that a controller commands."""
+    """Return the name of the quantity that a controller commands, for example `opening`."""
     name = getattr(part, "command_quantity", OPENING)
     return name if name in COMMANDS else OPENING
 
@@ -72,7 +72,10 @@ def gain_unit(quantity: str, command: str) -> str:
 
 
 def as_setpoint(part: Any) -> dict[str, Any]:
-    """Return declaration changes for a number that is a value of the measured quantity."""
+    """Return the declaration of a setpoint, adapted to the measured quantity of a controller.
+
+    The result contains changed properties of the declaration, such as the unit and the limits.
+    """
     name = quantity_of(part)
     if name == "pressure":
         return {}
@@ -82,17 +85,26 @@ def as_setpoint(part: Any) -> dict[str, Any]:
 
 
 def as_difference(part: Any) -> dict[str, Any]:
-    """Return declaration changes for a number that is a difference of the measured quantity."""
+    """Return the declaration of a difference, adapted to the measured quantity of a controller.
+
+    The result contains changed properties of the declaration, such as the unit.
+    """
     return {"unit": QUANTITIES[quantity_of(part)].unit}
 
 
 def as_gain(part: Any) -> dict[str, Any]:
-    """Return declaration changes for a number that is a gain, command per error."""
+    """Return the declaration of a gain (command per error), adapted to a controller.
+
+    The result contains changed properties of the declaration, such as the unit.
+    """
     return {"unit": gain_unit(quantity_of(part), command_of(part))}
 
 
 def as_command(part: Any) -> dict[str, Any]:
-    """Return declaration changes for a number that is a value of the command."""
+    """Return the declaration of a command value, adapted to a controller.
+
+    The result contains changed properties of the declaration, such as the unit and the limits.
+    """
     name = command_of(part)
     if name == OPENING:
         return {}
@@ -102,18 +114,24 @@ def as_command(part: Any) -> dict[str, Any]:
 
 
 def as_limit(part: Any) -> dict[str, Any]:
-    """Return declaration changes for a limit of a command that is not an opening."""
+    """Return the declaration of a command limit, adapted to a controller.
+
+    It is used if the command is not the opening of a valve. The result contains changed properties of the declaration.
+    """
     return {key: value for key, value in as_command(part).items() if key != "default"}
 
 
 def as_command_change(part: Any) -> dict[str, Any]:
-    """Return declaration changes for a number that is a difference of commands."""
+    """Return the declaration of a difference of commands, adapted to a controller.
+
+    The result contains changed properties of the declaration, such as the unit.
+    """
     return {"unit": COMMANDS[command_of(part)].unit}
 
 
 def of_openings(part: Any) -> dict[str, Any]:
-    """Return declaration changes for a number that only applies if the command is an opening.
+    """Return changes that make a declaration optional unless the command is an opening.
 
-    For other commands the number is optional and has no default.
+    A number with this declaration has an effect only if the command is the opening of a valve.
     """
     return {} if command_of(part) == OPENING else {"default": None, "optional": True}

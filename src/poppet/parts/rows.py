@@ -18,7 +18,10 @@ from poppet.parts.quantities import OPENING, QUANTITIES, gain_unit
 
 @dataclass(frozen=True)
 class NumberTable:
-    """Table of numbers in named columns; the first column increases from row to row."""
+    """Table of numbers in named columns.
+
+    The values in the first column increase from row to row.
+    """
 
     columns: Mapping[str, tuple[Number, ...]]
     form: tuple[str, ...] = ()
@@ -29,7 +32,7 @@ class NumberTable:
 
     @classmethod
     def column_specs(cls, *form: str) -> Mapping[str, NumberSpec]:
-        """Return the declaration of each column by name, beginning with the increasing column."""
+        """Return the declaration of each column by name, the increasing column first."""
         raise NotImplementedError
 
     @classmethod
@@ -66,13 +69,16 @@ class NumberTable:
         return cls(columns, form)
 
     def numbers(self) -> dict[str, Number]:
-        """Return all numbers by name and row index, such as `pressure_1` and `gain_1`."""
+        """Return all numbers of the table by column name and row number.
+
+        Examples of names are `pressure_1` and `gain_1`.
+        """
         return {f"{name}_{k}": n for name, column in self.columns.items() for k, n in enumerate(column, 1)}
 
     def parameters(self, ambient_pressure: float) -> dict[str, float]:
-        """Return the run-time values of all numbers, in SI and absolute.
+        """Return the values of all numbers in a run.
 
-        The names are those of `numbers`.
+        The values are in SI units, and pressures are absolute. The names are those that `numbers` returns.
         """
         values = {name: number.absolute(ambient_pressure) for name, number in self.numbers().items()}
         first_column = next(iter(self.columns))
@@ -82,11 +88,14 @@ class NumberTable:
         return values
 
     def column(self, name: str, values: Mapping[str, Any]) -> list[Any]:
-        """Return the run-time values of one column, floats or symbols."""
+        """Return the values of one column as a list.
+
+        `values` contains floats or symbols for all numbers of the table.
+        """
         return [values[f"{name}_{k}"] for k in range(1, len(self.columns[name]) + 1)]
 
     def structure(self) -> Hashable:
-        """Return the names of the columns and the count of rows."""
+        """Return the column names and the number of rows, which determine the model."""
         return tuple(self.columns), len(next(iter(self.columns.values())))
 
     def with_numbers(self, changes: Mapping[str, Number]) -> Self:
@@ -133,7 +142,10 @@ class ForceRows(NumberTable):
         return _COLUMNS
 
     def law(self, values: Mapping[str, Any]) -> ForceTable:
-        """Return the force law for run-time values of the table, floats or symbols."""
+        """Return the force law that the table defines.
+
+        `values` contains floats or symbols for all numbers of the table.
+        """
         return ForceTable(*(self.column(name, values) for name in _COLUMNS))
 
 
@@ -181,7 +193,10 @@ class GainSchedule(NumberTable):
         return super().read(table, *(form or ("pressure", OPENING)))
 
     def at(self, point: Any, values: Mapping[str, Any]) -> dict[str, Any]:
-        """Return the interpolated gains at an operating point by name."""
+        """Return the controller gains at an operating point, interpolated in the table.
+
+        `values` contains floats or symbols for all numbers of the table.
+        """
         point_column = self.form[0]
         gaps = range(1, len(self.columns[point_column]))
         steps = {name: [values[f"{name}_{k + 1}"] - values[f"{name}_{k}"] for k in gaps] for name in self.columns}

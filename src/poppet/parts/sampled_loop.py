@@ -36,7 +36,7 @@ AT_ONCE, NEXT_SAMPLE = "at_once", "next_sample"
 
 @dataclass(frozen=True)
 class SampledLoop(Controller):
-    """Base class of sampled controllers of one measured quantity.
+    """Base class of sampled controllers that control one measured quantity.
 
     The command opens a fill and a vent valve, or it is the setpoint of an inner loop.
 
@@ -69,7 +69,10 @@ class SampledLoop(Controller):
 
     @property
     def is_of_openings(self) -> bool:
-        """True if the command opens valves; False if it is the setpoint of another loop."""
+        """True if the command opens valves.
+
+        Otherwise the command is the setpoint of another loop.
+        """
         return command_of(self) == OPENING
 
     @property
@@ -84,7 +87,10 @@ class SampledLoop(Controller):
 
     @property
     def _sensor_state(self) -> str:
-        """Name of the state of the sensor; the state is also an output."""
+        """Name of the state that contains the lagged sensor value.
+
+        The state is also an output.
+        """
         return f"sensor_{self.controls}"
 
     def parameters(self, ambient: Surroundings) -> dict[str, float]:
@@ -94,23 +100,24 @@ class SampledLoop(Controller):
 
     @abstractmethod
     def compute_command(self, scope: Scope, measured: Any) -> tuple[Any, Any, dict[str, Any]]:
-        """Return command, opening of the vent valve and new discrete states after a sample.
+        """Return the results of one sample of the controller.
 
-        A positive command fills. The opening is 0..1.
+        They are the command, the opening of the vent valve from 0 to 1, and the new discrete states. A positive command
+        opens the fill valve.
         """
 
     @abstractmethod
     def law_memory(self) -> tuple[DiscreteState, ...]:
-        """Return the discrete states of the control law.
+        """Return the discrete states of the control law itself.
 
-        Commands and clock are not included.
+        The states of commands and clock are not included.
         """
 
     @abstractmethod
     def law_outputs(self, scope: Scope) -> Quantities:
-        """Return the outputs of the control law.
+        """Return the outputs of the control law itself.
 
-        Commands and sensor are not included.
+        Outputs of commands and sensor are not included.
         """
 
     def states(self) -> tuple[State, ...]:
@@ -129,7 +136,8 @@ class SampledLoop(Controller):
     def inputs(self) -> tuple[Input, ...]:
         measured = QUANTITIES[self.controls]
         options: dict[str, Any] = {"kind": measured.kind, "low": measured.low}
-        return tuple(Input(name, measured.unit, name, **options) for name in ("setpoint", "measurement"))
+        setpoint = Input("setpoint", measured.unit, "setpoint", is_command=True, **options)
+        return setpoint, Input("measurement", measured.unit, "measurement", **options)
 
     def sensors(self) -> dict[str, tuple[str, str]]:
         return {self._sensor_state: ("measurement", "sensor")}
@@ -152,7 +160,10 @@ class SampledLoop(Controller):
         return ControlOutputs(outputs, {self._sensor_state: rate})
 
     def _sensed(self, scope: Scope) -> Any:
-        """Return the lagged value of the sensor; the sensor offset is not included."""
+        """Return the measured quantity after the lag of the sensor.
+
+        The offset of the sensor is not included.
+        """
         return where(scope["sensor.lag"] > 0.0, scope.states[self._sensor_state], scope.inputs["measurement"])
 
     def update(self, timer: str, scope: Scope) -> dict[str, Any]:
@@ -166,5 +177,5 @@ class SampledLoop(Controller):
 
 
 def is_first(scope: Scope) -> Any:
-    """Return True if the present sample is the first one of a run."""
+    """Return True during the first sample of a run."""
     return scope.memory["sample_count"] < 0.5

@@ -32,7 +32,10 @@ class Solenoid:
 
 
 def check(name: str, valve: Solenoid) -> None:
-    """Raise `OutOfRangeError` if the sum of both delays is not shorter than a period."""
+    """Raise `OutOfRangeError` if a valve has no time to open and close in one period.
+
+    The sum of both delays must be shorter than the period. `name` is the prefix of addresses in the error.
+    """
     fraction = (float(valve.opening_delay) + float(valve.closing_delay)) * float(valve.frequency)  # type: ignore[arg-type]
     if fraction >= 1.0:
         text = valve.frequency.display()  # type: ignore[union-attr]
@@ -58,14 +61,17 @@ def averaged_opening(duty: Any, frequency: Any, opening_delay: Any, closing_dela
 
 
 def slew_rate(opening: Any, target: Any, rate_limit: Any) -> Any:
-    """Return the rate of change of an opening that follows a target with limited speed [1/s]."""
+    """Return the rate of change of a valve opening that moves with limited speed [1/s].
+
+    The opening follows `target`.
+    """
     return rate_limit * clip((target - opening) / SLEW_WIDTH, -1.0, 1.0)
 
 
 def initial_states() -> dict[str, float]:
-    """Return initial discrete states and timers of a closed valve.
+    """Return the discrete states and timers of a closed solenoid valve at the start.
 
-    The first period starts at time zero.
+    The first period begins at time zero.
     """
     return {"period": 0.0, "release": NEVER, "change": NEVER, "period_count": 0.0, "command": 0.0, "open": 0.0}
 
@@ -73,9 +79,9 @@ def initial_states() -> dict[str, float]:
 def update(
     timer: str, time: Any, states: Mapping[str, Any], duty: Any, frequency: Any, opening_delay: Any, closing_delay: Any
 ) -> dict[str, Any]:
-    """Return the changed discrete states of a switched valve at an instant of one timer.
+    """Return the changed discrete states of a switched valve at a sample instant.
 
-    The armature moves only if a command persists for its delay.
+    `timer` is the timer that is due. The armature moves only if a command lasts longer than its delay.
     """
     if timer == "change":
         return {"change": NEVER, "open": states["command"]}

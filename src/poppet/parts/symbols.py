@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 
 class Stroke(NamedTuple):
-    """Line of a symbol: an open polyline or a closed outline."""
+    """Line of a symbol, which is an open polyline or a closed outline."""
 
     points: tuple[tuple[float, float], ...]
     is_closed: bool = False
@@ -19,12 +19,12 @@ Symbol = tuple[Stroke, ...]
 
 
 def line(*points: tuple[float, float], dashed: bool = False) -> Symbol:
-    """Return a symbol that is a polyline."""
+    """Return a symbol that consists of one open polyline."""
     return (Stroke(points, is_dashed=dashed),)
 
 
 def outline(*points: tuple[float, float], filled: bool = False) -> Symbol:
-    """Return a symbol that is a closed outline."""
+    """Return a symbol that consists of one closed outline."""
     return (Stroke(points, is_closed=True, is_filled=filled),)
 
 
@@ -62,7 +62,10 @@ def spring(left: float, right: float, y: float) -> Symbol:
 
 
 def coil(left: float, bottom: float) -> Symbol:
-    """Return the symbol of the coil of a proportional solenoid."""
+    """Return the symbol of the coil of a proportional solenoid.
+
+    `left` and `bottom` are the position of its lower left corner.
+    """
     return rectangle(left, bottom, 0.22, 0.28) + line((left, bottom), (left + 0.22, bottom + 0.28))
 
 
@@ -84,8 +87,11 @@ RELIEF_VALVE = (
 )
 
 
-def _blocked(*positions: float, depth: float, width: float) -> Symbol:
-    """Return short lines for blocked ports at the bottom and the top of a valve square."""
+def _blocked_port_lines(*positions: float, depth: float, width: float) -> Symbol:
+    """Return the lines that mark blocked ports of a valve square.
+
+    The ports are at its bottom and its top.
+    """
     strokes: Symbol = ()
     for low, stop in ((0.24, 0.24 + depth), (0.76, 0.76 - depth)):
         for x in positions:
@@ -97,7 +103,7 @@ VALVE = (
     rectangle(0.02, 0.24, 0.48, 0.52)
     + rectangle(0.5, 0.24, 0.48, 0.52)
     + arrow((0.14, 0.24), (0.38, 0.76))
-    + _blocked(0.74, depth=0.14, width=0.08)
+    + _blocked_port_lines(0.74, depth=0.14, width=0.08)
 )
 CONTINUOUS_VALVE = VALVE + line((0.02, 0.84), (0.98, 0.84)) + line((0.02, 0.16), (0.98, 0.16))
 SPOOL_VALVE = (
@@ -108,7 +114,7 @@ SPOOL_VALVE = (
     + arrow((0.1, 0.76), (0.1, 0.24))
     + arrow((0.86, 0.24), (1.18, 0.76))
     + arrow((0.86, 0.76), (1.18, 0.24))
-    + _blocked(0.38, 0.62, depth=0.12, width=0.07)
+    + _blocked_port_lines(0.38, 0.62, depth=0.12, width=0.07)
     + line((-0.28, 0.16), (1.28, 0.16))
     + line((-0.28, 0.84), (1.28, 0.84))
     + coil(-0.5, 0.36)

@@ -52,7 +52,10 @@ _START = {
 
 @dataclass(frozen=True)
 class TubeSegment(Passage):
-    """Flow path between two neighbouring cells of a tube; a member of `Tube`."""
+    """Flow path between two neighbouring cells of a tube.
+
+    It is a member part of `Tube`.
+    """
 
     kind: ClassVar[str] = "tube_segment"
     summary: ClassVar[str] = "a piece of a tube"
@@ -76,7 +79,7 @@ class TubeSegment(Passage):
         if self.loss == FRICTION:  # the choked flow is that of the cross-section
             gas = {"isentropic_exponent": ambient.isentropic_exponent, "gas_constant": ambient.gas_constant}
             nozzle = iso6358.conductance_from_effective_area(0.25 * math.pi * values["bore"] ** 2, **gas)
-            values["sonic_conductance"], _ = ambient.stated_size(nozzle.sonic_conductance, 0.0)
+            values["sonic_conductance"], _ = ambient.capacity_as_stated(nozzle.sonic_conductance, 0.0)
         return values
 
     def states(self) -> tuple[State, ...]:
@@ -99,9 +102,12 @@ class TubeSegment(Passage):
         return PassageFlows((flow,), {"mass_flow_rate": (mass, "kg/s")}, {"mass_flow_rate": rate})
 
     def _temperature_and_loss(self, scope: Scope, mass: Any, first: GasState, second: GasState) -> tuple[Any, Any]:
-        """Return the stagnation temperature of the flow and the pressure loss."""
+        """Return the stagnation temperature of the flow, and its pressure loss.
+
+        `mass` is the mass flow rate. `first` and `second` are the gas states of both cells.
+        """
         pressures, surroundings = (first.pressure, second.pressure), scope.surroundings
-        conductance, ratio = surroundings.size_with_gas(scope["sonic_conductance"], scope["critical_ratio"])
+        conductance, ratio = surroundings.capacity_in_circuit_gas(scope["sonic_conductance"], scope["critical_ratio"])
         # Times the square root of the temperature, which follows.
         sonic = conductance * iso6358.REFERENCE_DENSITY * sqrt(iso6358.REFERENCE_TEMPERATURE) * maximum(*pressures)
         temperature = iso6358.temperature_of_flow(
@@ -123,7 +129,7 @@ class TubeSegment(Passage):
 
 @dataclass(frozen=True)
 class Profile:
-    """Initial states of the cells and flow paths of a tube.
+    """Initial states of all cells and flow paths of a tube.
 
     A state that is not set has the initial value of the whole tube.
     """
@@ -132,7 +138,7 @@ class Profile:
     defaults: Mapping[str, Number]
 
     def numbers(self) -> dict[str, Number]:
-        """Return the initial states as numbers by name and index, such as `pressure_3`."""
+        """Return the initial states by name and index, for example `pressure_3`."""
         return {**self.defaults, **self.specified}
 
     def with_numbers(self, values: Mapping[str, Number]) -> Profile:
@@ -199,26 +205,22 @@ class Tube(Compound):
                 errors.add("tube.one_cell", "cells", ends=[self.from_, self.to])
             if self.loss == FRICTION and self.inertia != "true":
                 errors.add("tube.friction_without_inertia", "loss")
-        object.__setattr__(self, "profile", self._profile())
-
-    def _profile(self) -> Profile:
         table = self.profile.specified if isinstance(self.profile, Profile) else self.profile or {}
         if not isinstance(table, Mapping):
             raise InputError("fields.no_table", "profile", value=table)
         defaults: dict[str, Any] = {}
         for k in range(1, self._count + 1):
             defaults |= {f"pressure_{k}": self.initial_pressure, f"temperature_{k}": self.initial_temperature}
+        at_rest = Number(0.0, "kg/s", Source("assumed", note="at rest"))
         for name in self._open_passages if self.inertia == "true" else ():
-            defaults[f"mass_flow_rate_{self._cell_index(name)}"] = Number(
-                0.0, "kg/s", Source("assumed", note="at rest")
-            )
+            defaults[f"mass_flow_rate_{self._cell_index(name)}"] = at_rest
         with ErrorCollector() as errors:
             errors.extend(unknown_field(f"profile.{key}", key, defaults) for key in table if key not in defaults)
             numbers = {}
             for key in (key for key in table if key in defaults):
                 with errors.collecting():
                     numbers[key] = read_number(f"profile.{key}", _START[key.rpartition("_")[0]], table[key])
-        return Profile(numbers, defaults)
+        object.__setattr__(self, "profile", Profile(numbers, defaults))
 
     @property
     def _count(self) -> int:
@@ -226,7 +228,7 @@ class Tube(Compound):
 
     @property
     def _ends(self) -> tuple[str, str]:
-        """Connection types of the first and the second end: at a port, at a node, or closed."""
+        """Connection types of both ends: at a port, at a gas node, or closed."""
         first, second = (
             CLOSED if end is None else AT_PORT if is_port(end) else AT_NODE for end in (self.from_, self.to)
         )
@@ -240,7 +242,7 @@ class Tube(Compound):
 
     @property
     def _spacing(self) -> float:
-        """Distance of neighbouring cells as a fraction of the length of the tube.
+        """Distance between neighbouring cells, divided by the length of the tube.
 
         A cell at a port has half the length of the others.
         """
@@ -248,7 +250,7 @@ class Tube(Compound):
 
     @cached_property
     def _passages(self) -> dict[str, tuple[str, str, float]]:
-        """Both ends and the length of each flow path, by name.
+        """Mapping from the name of each flow path to its two ends and its length.
 
         The length is in units of the cell spacing. A closed end is included with a length of half a spacing.
         """
@@ -260,11 +262,14 @@ class Tube(Compound):
 
     @property
     def _open_passages(self) -> list[str]:
-        """Names of all flow paths except the one at a closed end."""
+        """Names of all flow paths that are not at a closed end."""
         return [name for name in self._passages if name != "outlet" or self._ends[1] != CLOSED]
 
     def _cell_index(self, passage: str) -> str:
-        """Return the index of the cell upstream of a flow path, which is 0 for the inlet."""
+        """Return the index of the cell upstream of a flow path.
+
+        The index is 0 for the first flow path, `inlet`.
+        """
         return {"inlet": "0", "outlet": str(self._count)}.get(passage) or passage.partition("_")[0]
 
     def _value(self, name: str) -> float:
@@ -302,7 +307,10 @@ class Tube(Compound):
 
     @property
     def _size(self) -> tuple[float, float]:
-        """C [m^3/(s Pa)] and b of the whole tube; unspecified values result from the tube formula."""
+        """C [m^3/(s Pa)] and b of the whole tube.
+
+        Unspecified values follow from the tube formula.
+        """
         conductance, ratio = iso6358.tube(self._value("length"), self._value("bore"))
         return (
             conductance if self.sonic_conductance is None else self._value("sonic_conductance"),
@@ -325,9 +333,9 @@ class Tube(Compound):
 
     @property
     def resume(self) -> dict[str, str]:  # type: ignore[override]
-        """Mapping from outputs of cells and of flow paths with inertia to initial values.
+        """Mapping from outputs to the initial values that a continued run takes from them.
 
-        A run can continue from these outputs.
+        The outputs are those of cells, and of flow paths with inertia.
         """
         targets = {}
         for key in self.profile.numbers():

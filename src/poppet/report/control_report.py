@@ -47,7 +47,7 @@ _STYLE = "pre { overflow-x: auto; background: var(--wash); padding: .6rem .9rem;
 
 
 def margin_table(tuning: Tuning) -> ReportTable:
-    """Return the robustness margins of every tuned control loop."""
+    """Return a table of the robustness margins of all tuned control loops."""
     rows = [
         (name, m.sensitivity, m.complementary, m.gain_margin, m.phase_margin, m.delay_margin, m.crossover)
         for point in tuning.points
@@ -58,7 +58,10 @@ def margin_table(tuning: Tuning) -> ReportTable:
 
 
 def verification_table(tuning: Tuning) -> ReportTable:
-    """Return metrics of the nonlinear plant's response to a step up and back."""
+    """Return metrics of the simulated response to a setpoint step and its reverse.
+
+    The simulation uses the nonlinear plant.
+    """
     si_unit = QUANTITIES[tuning.quantity].unit
     unit = readable_unit_of(si_unit)
     rows = [
@@ -82,7 +85,10 @@ def write_tuning(tuning: Tuning, circuit: BaseCircuit, path: str | Path) -> Path
 
 
 def tuning_page(tuning: Tuning, circuit: BaseCircuit) -> str:
-    """Return the report of a controller tuning as HTML: gains, sensitivities, steps and margins."""
+    """Return the report of a controller tuning as HTML.
+
+    It contains gains, sensitivities, steps and margins.
+    """
     title = f"{circuit.title or 'A circuit'}: gains of {tuning.controller}"
     step = (
         "step up and back of the nonlinear plant; its size makes the proportional part equal to the sine"
@@ -103,9 +109,9 @@ def tuning_page(tuning: Tuning, circuit: BaseCircuit) -> str:
 
 
 def figure_table(comparison: Comparison) -> ReportTable:
-    """Return the metrics of every controller on the nominal plant.
+    """Return a table with the metrics of each controller on the nominal plant.
 
-    If the plant was sampled, the median and the worst value of all samples follow.
+    If the plant parameters were varied, the median and the worst value of all samples follow.
     """
     kinds = comparison.kinds
     units = {key: readable_metric_unit(kind, *comparison.units) for key, kind in kinds.items()}
@@ -126,7 +132,10 @@ def write_comparison(comparison: Comparison, path: str | Path, *, title: str = "
 
 
 def comparison_page(comparison: Comparison, title: str) -> str:
-    """Return the report of a controller comparison as HTML: metrics and responses with their spread."""
+    """Return the report of a controller comparison as HTML.
+
+    It contains metrics, and responses with their spread.
+    """
     failures = [f"{name}: {n} runs did not reach their end." for name, n in comparison.failed.items() if n]
     warnings = "".join(paragraph(text, bold=True) for text in failures)
     sign = "; positive values fill" if comparison.command_quantity == OPENING else ""
@@ -142,7 +151,7 @@ def comparison_page(comparison: Comparison, title: str) -> str:
 
 
 def loop_figure(tuning: Tuning) -> Figure:
-    """Draw sensitivity versus frequency and the step response of a tuned control loop.
+    """Draw the sensitivity and the step response of a tuned control loop.
 
     Each plant for which the sensitivity is bounded has its own curves.
     """
@@ -195,7 +204,7 @@ def plot_comparison(comparison: Comparison, path: str | Path | None = None, *, t
 
 
 def response_figure(comparison: Comparison) -> Figure:
-    """Draw the response and the nominal command for every controller.
+    """Draw the response and the command of each controller on the nominal plant.
 
     A band shows the spread of the response over all samples of the plant.
     """
@@ -205,7 +214,10 @@ def response_figure(comparison: Comparison) -> Figure:
 
 
 def spread_figure(comparison: Comparison) -> Figure:
-    """Draw the metrics of every controller: samples, median and nominal value."""
+    """Draw the metrics of each controller for all plant samples.
+
+    Median and nominal value are marked.
+    """
     figure = new_figure(_total_width(comparison), _STRIP + 1.0)
     _draw_spreads(figure, comparison, 0.45)
     return figure
@@ -256,7 +268,10 @@ def _draw_responses(figure: Figure, comparison: Comparison) -> None:
 
 
 def sample_sentence(comparison: Comparison) -> str:
-    """Return a sentence with the number, the seed and the parameter ranges of the plant samples."""
+    """Return a sentence on the random plant parameters of a comparison.
+
+    It contains the number and the seed of the samples, and the ranges of the parameters.
+    """
     if not comparison.draws:
         return "Nominal parameters only."
     ranges = ", ".join(f"{address} ±{100.0 * size:g} %" for address, size in comparison.ranges.items())

@@ -55,7 +55,10 @@ _METHODS = {
 
 
 def yield_table(ensemble: Ensemble) -> ReportTable:
-    """Return the yield of each requirement (fraction of good runs) with its confidence interval."""
+    """Return a table of yields, the fractions of runs that meet each requirement.
+
+    The table contains confidence intervals.
+    """
     rows = [
         (y.name, y.text or "all requirements", y.good, 100.0 * y.share, f"{100.0 * y.low:.4g} ... {100.0 * y.high:.4g}")
         for y in ensemble.yields()
@@ -64,7 +67,7 @@ def yield_table(ensemble: Ensemble) -> ReportTable:
 
 
 def metric_table(ensemble: Ensemble) -> ReportTable:
-    """Return the mean, the standard deviation and quantiles of every metric."""
+    """Return a table with mean, standard deviation and quantiles of each metric."""
     rows = []
     for s in ensemble.summaries():
         values = s.mean, *(s.quantiles.get(q, math.nan) for q in QUANTILES), s.least, s.greatest
@@ -83,7 +86,10 @@ def _in_usual_unit(value: float, unit: str) -> float:
 
 
 def write_ensemble(ensemble: Ensemble, path: str | Path) -> Path:
-    """Write the HTML report of an ensemble; equal datasets give equal bytes."""
+    """Write the report of an ensemble as HTML.
+
+    Equal datasets give equal bytes.
+    """
     return write_page(path, lambda: ensemble_page(ensemble))
 
 
@@ -199,12 +205,12 @@ def _worst_cases(ensemble: Ensemble, units: Mapping[str, str]) -> list[str | Rep
 
 
 def in_usual_unit(values: Array, unit: str) -> Array:
-    """Convert values from an SI unit to the unit that reports use."""
+    """Convert values from an SI unit to the unit in which reports show them."""
     return values if unit not in USUAL else np.asarray(convert(values, unit, USUAL[unit]))
 
 
 def usual_unit(unit: str) -> str:
-    """Return the unit that reports use for an SI unit, as printed.
+    """Return the unit in which reports show values of an SI unit.
 
     The text is empty for a dimensionless quantity.
     """
@@ -232,7 +238,7 @@ def yield_figure(yields: list[Yield]) -> Figure:
 
 
 def _label_rows(axes: Any, names: list[str], *, is_labelled: bool = True) -> None:
-    """Label horizontal bars with names, from top to bottom."""
+    """Write names beside horizontal bars, from top to bottom."""
     axes.set_yticks(range(len(names)), list(reversed(names)) if is_labelled else [""] * len(names))
     axes.set_ylim(-0.6, len(names) - 0.4)
     axes.grid(visible=False, axis="y")
@@ -256,10 +262,10 @@ def bands_figure(bands: Bands, units: Mapping[str, str], curve: str) -> Figure:
     return figure
 
 
-def _panels(titles: list[str], draw: Callable[[int, Any], None], height: float = _PANEL) -> Figure:
-    """Return a figure with one small panel for each title, in rows of two or three.
+def _figure_with_panels(titles: list[str], draw: Callable[[int, Any], None], height: float = _PANEL) -> Figure:
+    """Return a figure with a small panel for each title.
 
-    `draw` draws the panel with a given index.
+    There are two or three panels in a row. `draw` draws the panel with a given index.
     """
     columns = 2 if len(titles) in (1, 2, 4) else 3
     rows, width = -(-len(titles) // columns), (WIDTH - 0.8 - (columns - 1) * _GAP) / columns
@@ -273,7 +279,10 @@ def _panels(titles: list[str], draw: Callable[[int, Any], None], height: float =
 
 
 def histogram_figure(ensemble: Ensemble, rows: Mapping[str, Array]) -> Figure:
-    """Draw the histogram of every metric, with the bounds of the requirements."""
+    """Draw the histogram of each metric, with the bounds of the requirements.
+
+    `rows` contains the metrics of all runs.
+    """
     metrics = ensemble.plan.metrics
 
     def draw(k: int, axes: Any) -> None:
@@ -284,11 +293,14 @@ def histogram_figure(ensemble: Ensemble, rows: Mapping[str, Array]) -> Figure:
             _draw_bounds(ensemble, metric, axes.axvline, axes.get_xlim())
         axes.set(xlabel=usual_unit(metric.unit), ylabel="runs")
 
-    return _panels([metric.name.replace("_", " ") for metric in metrics], draw)
+    return _figure_with_panels([metric.name.replace("_", " ") for metric in metrics], draw)
 
 
 def _draw_bounds(ensemble: Ensemble, metric: Metric, line: Callable[..., Any], limits: tuple[float, float]) -> None:
-    """Draw the bounds of the requirements on a metric if they are within or near the axis limits."""
+    """Draw the required bounds of a metric into a panel.
+
+    Bounds far outside the axis limits are omitted. `line` draws one bound.
+    """
     span = limits[1] - limits[0]
     for requirement in ensemble.plan.requirements:
         for _, bound in requirement.bounds if requirement.metric == metric.name else ():
@@ -298,7 +310,7 @@ def _draw_bounds(ensemble: Ensemble, metric: Metric, line: Callable[..., Any], l
 
 
 def scatter_figure(ensemble: Ensemble, rows: Mapping[str, Array], units: Mapping[str, str]) -> Figure:
-    """Draw every metric versus the parameter that has the largest effect on it."""
+    """Draw each metric versus the parameter that affects it most."""
     metrics = ensemble.plan.metrics
     strongest = {name: ranges[0].address for name, ranges in ensemble.tornado().items() if ranges}
     is_good = np.ones(len(rows["done"]), dtype=np.bool_)
@@ -316,13 +328,13 @@ def scatter_figure(ensemble: Ensemble, rows: Mapping[str, Array], units: Mapping
             _draw_bounds(ensemble, metric, axes.axhline, axes.get_ylim())
         axes.set_xlabel(with_unit(address, units[address]), fontsize=8.5)
 
-    return _panels([with_unit(metric.name.replace("_", " "), metric.unit) for metric in metrics], draw)
+    return _figure_with_panels([with_unit(metric.name.replace("_", " "), metric.unit) for metric in metrics], draw)
 
 
 def tornado_figure(metric: Metric, ranges: list[TornadoRange], indices: list[SobolIndex] | None) -> Figure:
     """Draw the effect of each parameter on a metric as a tornado chart.
 
-    Sobol indices are drawn beside the chart if they are available.
+    If Sobol indices are available, they are drawn beside the chart.
     """
     effects = [effect for effect in ranges if math.isfinite(effect.size)][:MAX_BARS]
     names = [effect.address for effect in effects]
@@ -421,9 +433,9 @@ def _margin_table(sizing: Sizing) -> ReportTable:
 
 
 def curve_figure(sizing: Sizing) -> Figure:
-    """Draw every metric versus the free parameter.
+    """Draw each metric versus the parameter that is sized.
 
-    The yield is also drawn if there are several runs at each value.
+    If there are several runs at each value, the yield is also drawn.
     """
     unit = readable_unit(sizing.unit, float(np.median(sizing.values)))
     x = np.array([scaled(value, sizing.unit, unit) for value in sizing.values])

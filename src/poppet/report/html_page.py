@@ -29,7 +29,7 @@ Content: TypeAlias = "str | ReportTable | Iterable[str | ReportTable] | None"
 
 
 class Section(NamedTuple):
-    """Heading and content of a section of a page.
+    """Section of a page, with heading and content.
 
     A section without content is omitted.
     """
@@ -41,7 +41,7 @@ class Section(NamedTuple):
 def render(content: Content) -> str:
     """Return content as HTML text.
 
-    The content is HTML, a table, or a sequence of both.
+    The content can be HTML, a table, or a sequence of both.
     """
     if content is None or isinstance(content, str):
         return content or ""
@@ -51,7 +51,8 @@ def render(content: Content) -> str:
 def write_page(path: str | Path, text: Callable[[], str]) -> Path:
     """Write an HTML page to a file.
 
-    The file name is checked before the function `text` is called, because that may take long.
+    `text` is a function that returns the page. The file name is checked before this function is called, because it may
+    take long.
     """
     target = Path(path)
     by_suffix(target, dict.fromkeys((".html", ".htm"), ""))
@@ -84,35 +85,44 @@ def document(title: str, sections: Iterable[tuple[str, Content]], *, style: str 
 
 
 def head(title: str, lead: str) -> str:
-    """Return the title and the first line of a page as HTML."""
+    """Return the title and the first paragraph of a page as HTML."""
     return f'<h1>{html.escape(title)}</h1>\n<p class="lead">{html.escape(lead)}</p>\n'
 
 
 def paragraph(text: str, *, css_class: str = "", bold: bool = False) -> str:
-    """Return a text as an HTML paragraph, or an empty text if it is empty."""
+    """Return a text as an HTML paragraph.
+
+    The result is empty if the text is empty.
+    """
     content = f"<strong>{html.escape(text)}</strong>" if bold else html.escape(text)
     kind = f' class="{css_class}"' if css_class else ""
     return f"<p{kind}>{content}</p>\n" if text else ""
 
 
 def folded(summary: str, content: Content, *, is_open: bool = False) -> str:
-    """Return content as an HTML block that the reader can unfold, or an empty text without content.
+    """Return content as an HTML block that the reader can unfold.
 
-    `summary` is the visible line.
+    `summary` is the line that is always visible. Without content, the text is empty.
     """
     body, state = render(content), " open" if is_open else ""
     return f"<details{state}><summary>{html.escape(summary)}</summary>\n{body}</details>\n" if body else ""
 
 
 def items(texts: Iterable[object], tag: str = "ul", css_class: str = "") -> str:
-    """Return texts as an HTML list, or an empty text if there are none."""
+    """Return texts as an HTML list.
+
+    `tag` is the kind of list. Without texts, the result is empty.
+    """
     rows = "".join(f"<li>{html.escape(str(text))}</li>\n" for text in texts)
     kind = f' class="{css_class}"' if css_class else ""
     return f"<{tag}{kind}>\n{rows}</{tag}>\n" if rows else ""
 
 
 def findings(notes: Iterable[Note | str], tag: str = "ul") -> str:
-    """Return notes as an HTML list, or an empty text if there are none."""
+    """Return notes as an HTML list.
+
+    `tag` is the kind of list. Without notes, the text is empty.
+    """
     return items(grouped(notes), tag, "findings")
 
 

@@ -15,7 +15,7 @@ from poppet.timeseries.recording import Recording
 MAX_STROKES = 12
 ROUNDING = 1e-13
 """Fraction of the largest eigenvalue below which a real eigenvalue is zero."""
-STROKES = "Strokes; the time is from 2 % to 98 % of the travel."
+STROKES = "Strokes; the time is from 2 % of the travel, or from the last change of a command, to 98 %."
 ENERGY = "Air, work and efficiency: work of the actuators divided by the exergy of the supplied air."
 _UNITS = {"m": ("mm", 1e3), "rad": ("deg", 180.0 / math.pi), "m/s": ("mm/s", 1e3), "rad/s": ("deg/s", 180.0 / math.pi)}
 _CODES = "regime", "contact", "friction_state"
@@ -23,18 +23,21 @@ _CODES = "regime", "contact", "friction_state"
 
 
 def stroke_table(metrics: LoadMetrics) -> ReportTable:
-    """Return a row of metrics for each of the first strokes of moving bodies."""
+    """Return a table of metrics for the first strokes of all moving bodies."""
     rows = []
     for stroke in metrics.strokes[:MAX_STROKES]:
         speed_unit, arrival = f"{stroke.unit}/s", metrics.met(stroke)
         end = _motion_text(abs(arrival.velocity), arrival.unit) if arrival else "none met"
         travel = _motion_text(stroke.travel, stroke.unit)
         speeds = (_motion_text(speed, speed_unit) for speed in (stroke.mean_speed, stroke.peak_speed))
-        rows.append([stroke.body, f"{stroke.start:.4g}", travel, f"{stroke.duration:.4g}", *speeds, end])
+        command = "none" if stroke.command is None else f"{stroke.command} at {stroke.command_time:.4g} s"
+        from_command = "" if stroke.from_command is None else f"{stroke.from_command:.4g}"
+        times = f"{stroke.start:.4g}", travel, f"{stroke.duration:.4g}"
+        rows.append([stroke.body, *times, *speeds, end, from_command, command])
     n_omitted = len(metrics.strokes) - len(rows)
-    rows += [[f"and {n_omitted} more", *[""] * 6]] if n_omitted > 0 else []
-    headings = "begins [s]", "travel", "time [s]", "mean speed", "peak speed", "at the end stop"
-    return ReportTable(("body", *numeric(*headings)), rows)
+    rows += [[f"and {n_omitted} more", *[""] * 8]] if n_omitted > 0 else []
+    headings = "begins [s]", "travel", "time [s]", "mean speed", "peak speed", "at the end stop", "from command [s]"
+    return ReportTable(("body", *numeric(*headings), "command"), rows)
 
 
 def _motion_text(value: float, unit: str) -> str:
@@ -43,7 +46,7 @@ def _motion_text(value: float, unit: str) -> str:
 
 
 def energy_table(metrics: LoadMetrics) -> ReportTable:
-    """Return the air consumption, the work and the efficiency of a run.
+    """Return a table of the air consumption, the work and the efficiency of a run.
 
     Quantities that are not available are omitted.
     """
@@ -64,9 +67,9 @@ def energy_table(metrics: LoadMetrics) -> ReportTable:
 
 
 def mode_table(linear: LinearModel) -> ReportTable:
-    """Return a row for each real eigenvalue or conjugate pair of a linear model.
+    """Return a table of the modes of a linear model.
 
-    The poles of a sampled model are converted to continuous time.
+    A mode is a real eigenvalue or a conjugate pair. The poles of a sampled model are converted to continuous time.
     """
     is_sampled = bool(getattr(linear, "sample_time", 0.0))
     modes = [complex(value) for value in linear.poles()]
@@ -91,9 +94,9 @@ def mode_table(linear: LinearModel) -> ReportTable:
 
 
 def extreme_table(recording: Recording) -> ReportTable:
-    """Return the first, last, lowest and highest value of every output.
+    """Return a table of the first, last, lowest and highest value of each output.
 
-    Codes are omitted; internal outputs come last.
+    State codes are omitted. Internal outputs come last.
     """
     units = {
         name: USUAL.get(unit, unit)

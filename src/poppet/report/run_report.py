@@ -83,6 +83,19 @@ def run_page(
             ("steps", f"{accepted:.0f} accepted, {rejected:.0f} rejected"),
             ("ambient pressure", f"{recording.ambient_pressure / 1e5:.6g} bar"),
         ]
+        balance_rows = [
+            (
+                balance.name,
+                *(f"{value} {balance.unit}" for value in (f"{balance.error:.2g}", f"{balance.allowed:.2g}",
+                                                          f"{balance.through:.4g}")),
+                "kept" if balance.is_kept else Markup("<strong>NOT kept</strong>"),
+            )
+            for balance in recording.residuals
+            if balance.allowed > 0.0
+        ]  # fmt: skip
+        caption = "Residual: increase of the stored quantity minus the integrals of the flows into it."
+        columns = numeric("residual", "allowed", "throughput")
+        balances = ReportTable(("balance", *columns, ""), balance_rows, caption)
         start = head(title, lead) + paragraph(recording.outcome, bold=True) + findings(recording.remarks)
         sections = [
             Section("", start),
@@ -90,14 +103,14 @@ def run_page(
             Section("Run", curves),
             Section("Circuit", picture(draw_circuit(circuit), "circuit", "The circuit; * marks assumed values.")),
             Section("Values", extreme_table(recording) if recording.time.size else ""),
-            Section("Balances", _balance_table(recording)),
+            Section("Balances", balances),
             Section("Solver", ReportTable(("", ""), settings)),
-            Section("Parameters", _parameters(circuit)),
+            Section("Parameters", _parameter_tables(circuit)),
         ]
     return document(title, sections, style=stylesheet("run"))
 
 
-def _parameters(circuit: BaseCircuit) -> str:
+def _parameter_tables(circuit: BaseCircuit) -> str:
     """Return tables of the parameters, grouped by the source of their values.
 
     The least certain source comes first.
@@ -117,18 +130,3 @@ def _parameters(circuit: BaseCircuit) -> str:
         table = ReportTable(("parameter", "as written", Column("SI", "s"), "source"), rows, css_class="numbers")
         text += folded(f"{kind} ({len(rows)})", table, is_open=kind == "assumed")
     return text
-
-
-def _balance_table(recording: Recording) -> ReportTable:
-    rows = [
-        (
-            balance.name,
-            *(f"{value} {balance.unit}" for value in (f"{balance.error:.2g}", f"{balance.allowed:.2g}",
-                                                      f"{balance.through:.4g}")),
-            "kept" if balance.is_kept else Markup("<strong>NOT kept</strong>"),
-        )
-        for balance in recording.residuals
-        if balance.allowed > 0.0
-    ]  # fmt: skip
-    caption = "Residual: increase of the stored quantity minus the integrals of the flows into it."
-    return ReportTable(("balance", *numeric("residual", "allowed", "throughput"), ""), rows, caption)

@@ -16,18 +16,21 @@ STACKED_COLUMNS = 3
 
 
 class Markup(str):
-    """HTML text that a table or a page includes unchanged; any other text is escaped."""
+    """HTML text that a table or a page includes unchanged.
+
+    Any other text is escaped.
+    """
 
     __slots__ = ()
 
 
 def code(text: object, suffix: str = "") -> Markup:
-    """Return a text as a `code` element, followed by a suffix of HTML."""
+    """Return a text as an HTML element of program code, with HTML text after it."""
     return Markup(f"<code>{html.escape(str(text))}</code>{suffix}")
 
 
 def with_detail(text: str, detail: str) -> Markup:
-    """Return an HTML cell with a second line in a soft colour.
+    """Return an HTML cell with a second line in a light colour.
 
     The second line is omitted if `detail` is empty.
     """
@@ -39,7 +42,7 @@ def with_detail(text: str, detail: str) -> Markup:
 class Column:
     """Column of a table: heading with unit, `time [s]`, and number format, `.2f`.
 
-    A column with a format is aligned on the right; the format does not apply to text.
+    If it has a format, the column is aligned on the right. Texts are not formatted.
     """
 
     heading: str
@@ -55,16 +58,17 @@ class Column:
 def numeric(*headings: str, digits: str = "s") -> tuple[Column, ...]:
     """Return a column of numbers for each heading.
 
-    `digits` is the number format; the default `s` is for numbers that are already text.
+    `digits` is the number format. The default `s` is for numbers that are already text.
     """
     return tuple(Column(heading, digits) for heading in headings)
 
 
 @dataclass(frozen=True)
 class ReportTable:
-    """Rows of cells under headings; a cell is a number, text, `Markup` or None.
+    """Table of a report: rows of cells under headings.
 
-    A plain text in `columns` is the heading of a column of text. A table without headings has no header row.
+    A cell is a number, text, `Markup` or None. A plain text in `columns` is the heading of a column of text. A table
+    without headings has no header row.
 
     Examples
     --------
@@ -95,7 +99,7 @@ class ReportTable:
         return [column.heading for column in self._columns()]
 
     def cells(self) -> list[list[str]]:
-        """Return the content of the table as text, row by row."""
+        """Return the cells of the table as texts, row by row."""
         columns = self._columns()
         return [[column.format(value) for column, value in zip(columns, row, strict=True)] for row in self.rows]
 
@@ -106,7 +110,10 @@ class ReportTable:
         return aligned([header, *cells] if any(header) else cells, is_number)
 
     def csv(self) -> str:
-        """Return the table as CSV; numbers have all digits."""
+        """Return the table as CSV text.
+
+        Numbers have all digits.
+        """
         stream = io.StringIO()
         writer = csv.writer(stream, lineterminator="\n")
         writer.writerow(self.headings)
@@ -114,7 +121,10 @@ class ReportTable:
         return stream.getvalue()
 
     def html(self) -> str:
-        """Return the table as an HTML element, or an empty text if it has no rows."""
+        """Return the table as an HTML element.
+
+        The text is empty if the table has no rows.
+        """
         if not self.rows:
             return ""
         columns, is_stacked = self._columns(), len(self.columns) >= STACKED_COLUMNS

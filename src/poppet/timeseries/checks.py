@@ -46,10 +46,10 @@ def numbers(name: str, series: ArrayLike) -> FloatArray:
 
 
 def first_bad_time(time: FloatArray, owner: str = "") -> tuple[int, InputError] | None:
-    """Return the index of the first invalid sample of a time base, and the error.
+    """Return the index of the first invalid time and the error, or None.
 
-    A time base must be a nonempty vector of finite, strictly increasing times. The result is None if it is valid.
-    `owner` is the name of the series in the error message.
+    Times must be a vector of at least one finite value, and must increase strictly. `owner` is the name of the series
+    in the error message.
     """
     if time.ndim != 1 or not time.size:
         return 0, InputError("series.time.shape", owner=owner, shape=time.shape)
@@ -67,9 +67,9 @@ def first_bad_time(time: FloatArray, owner: str = "") -> tuple[int, InputError] 
 
 
 def name_problems(names: tuple[str, ...], units: Iterable[str]) -> list[InputError]:
-    """Return an error for each duplicate name and for each unit without a series.
+    """Return an error for each name that occurs twice or that no series has.
 
-    `units` are the names for which a unit is specified.
+    `units` contains the names for which a unit is specified. Each of them must be in `names`.
     """
     duplicates = [name for name in dict.fromkeys(names) if names.count(name) > 1]
     unnamed = [name for name in units if name not in names]
@@ -79,9 +79,10 @@ def name_problems(names: tuple[str, ...], units: Iterable[str]) -> list[InputErr
 
 
 def path_problems(owner: str, times: FloatArray, values: FloatArray) -> list[InputError]:
-    """Return the errors in the points of a signal: lengths, times and values.
+    """Return all errors in the points of a signal.
 
-    `owner` is the name of the signal in the error messages.
+    The number of times must equal the number of values, and all points must be valid. `owner` is the name of the signal
+    in the error messages.
     """
     if times.shape != values.shape or times.ndim != 1:
         return [InputError("signals.lengths", owner=owner, times=times.size, values=values.size)]
@@ -99,12 +100,18 @@ def path_problems(owner: str, times: FloatArray, values: FloatArray) -> list[Inp
 
 
 def not_finite(**fields: float) -> list[InputError]:
-    """Return an error for each argument that is not a finite number."""
+    """Return an error for each argument that is not a finite number.
+
+    The arguments are values by name.
+    """
     return [InputError("numbers.not_finite", name, value=v) for name, v in fields.items() if not _is_finite(v)]
 
 
 def not_positive(unit: str, **fields: float) -> list[InputError]:
-    """Return an error for each argument that is not a finite number above zero."""
+    """Return an error for each argument that is not a finite number above 0.
+
+    The arguments are values by name, and `unit` is their unit.
+    """
     return [
         InputError("numbers.not_positive", name, value=value, unit=unit)
         for name, value in fields.items()

@@ -106,17 +106,20 @@ class Columns(HtmlMixin):
         )  # fmt: skip
 
     def fields(self) -> dict[str, Any]:
-        """Return the arguments that reproduce this object, by their names in the constructor."""
+        """Return the constructor arguments that create an equal object.
+
+        The keys are the names of the arguments.
+        """
         arguments = {name: getattr(self, name) for name in _SAME_NAME}
         return arguments | {"notes": self.remarks, "outcome": self.ending or ""}
 
-    def __reduce__(self) -> Any:
+    def __reduce__(self) -> tuple[partial[Self], tuple[()]]:
         # Values instead of functions, which can contain compiled code.
         return partial(type(self), **self.fields()), ()
 
     @property
     def remarks(self) -> tuple[Note, ...]:
-        """Notes of the recording as objects with a code and facts."""
+        """Notes of the recording as objects, with code, address and facts."""
         if callable(self._remarks):
             self._remarks = notes_of(self._remarks())
         return self._remarks
@@ -130,7 +133,7 @@ class Columns(HtmlMixin):
 
     @property
     def figures(self) -> Any:
-        """Load metrics of a simulation (`poppet.circuit.load_metrics.LoadMetrics`).
+        """Metrics of the loads in a simulation (`poppet.circuit.load_metrics.LoadMetrics`).
 
         The value is None if the circuit has no loads.
         """
@@ -148,7 +151,7 @@ class Columns(HtmlMixin):
 
     @property
     def outcome(self) -> str:
-        """Termination reason of a simulation as text.
+        """Reason why a simulation ended, as text.
 
         The text is empty for measurements. `ending` contains the reason as a note with a code and facts.
         """
@@ -192,7 +195,8 @@ class Columns(HtmlMixin):
             kind = "time" if name == "time" else type(name).__name__
             if kind in _NO_NAMES:
                 raise InputError(f"series.key.{kind}", key=repr(name))
-            raise InputError("series.unknown", name=str(name), near=NameSuggestion(str(name), self.names))
+            near = NameSuggestion(str(name), self.names)
+            raise InputError("names.unknown", str(name), meaning="an output of the recording", near=near)
         return row
 
     def unit(self, name: str) -> str:

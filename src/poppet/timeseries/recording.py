@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping, Sequence
 from fnmatch import fnmatchcase
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -14,6 +14,11 @@ from poppet.core.errors import InputError, UnitError, needed
 from poppet.core.units import check_unit, convert, same_dimension
 from poppet.timeseries.checks import FloatArray
 from poppet.timeseries.columns import Columns
+
+if TYPE_CHECKING:
+    import pandas
+    import xarray
+    from matplotlib.figure import Figure
 
 
 class Recording(Columns):
@@ -71,7 +76,10 @@ class Recording(Columns):
         return Recording(**(self.fields() | changed))
 
     def last(self) -> dict[str, float]:
-        """Return the last value of every series by name, in the unit of the series."""
+        """Return the last value of each series by name.
+
+        The value is in the unit of the series.
+        """
         return {name: float(row[-1]) for name, row in zip(self.names, self._values, strict=True)}
 
     def select(self, names: str | Iterable[str]) -> Recording:
@@ -104,7 +112,9 @@ class Recording(Columns):
         )
 
     def between(self, start: float, stop: float) -> Recording:
-        """Return a recording of all samples in a time window, including both limits.
+        """Return the samples of a time window as a recording.
+
+        Samples at both limits of the window are included.
 
         Parameters
         ----------
@@ -197,7 +207,7 @@ class Recording(Columns):
             row_units[row] = unit
         return self._with(units=tuple(row_units), values=values)
 
-    def to_pandas(self) -> Any:
+    def to_pandas(self) -> pandas.DataFrame:
         """Return the recording as a pandas table.
 
         Returns
@@ -213,7 +223,7 @@ class Recording(Columns):
         frame.attrs["units"] = dict(zip(self.names, self.units, strict=True))
         return frame
 
-    def to_xarray(self) -> Any:
+    def to_xarray(self) -> xarray.Dataset:
         """Return the recording as an xarray data set.
 
         Returns
@@ -274,7 +284,7 @@ class Recording(Columns):
 
         return cls(**recording_files.read(Path(path)).fields())
 
-    def plot(self, path: str | Path | None = None, **options: Any) -> Any:
+    def plot(self, path: str | Path | None = None, **options: Any) -> Figure:
         """Draw the series over time, in one panel for each quantity.
 
         Parameters

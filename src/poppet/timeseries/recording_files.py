@@ -28,9 +28,9 @@ if TYPE_CHECKING:
 
 
 def write(recording: Columns, path: Path) -> Path:
-    """Write a recording to a file in the format of the suffix.
+    """Write a recording to a file, whose suffix determines the format.
 
-    The content is complete before the file appears under its name, so a failure leaves no incomplete file.
+    The file is replaced completely or not at all, so a failure leaves no incomplete file.
     """
     writer = by_suffix(path, {".csv": _write_csv, ".parquet": _write_parquet, ".mat": _write_mat})
     if not recording.time.size:  # the run failed at its start; no reader accepts an empty file
@@ -39,7 +39,7 @@ def write(recording: Columns, path: Path) -> Path:
 
 
 def read(path: Path, *, time: str = "time", time_unit: str = "") -> Columns:
-    """Read a recording from a file in the format of the suffix.
+    """Read a recording from a file, whose suffix determines the format.
 
     For CSV files, `time` is the name of the time column and `time_unit` the unit of the time.
     """
@@ -61,9 +61,10 @@ def read(path: Path, *, time: str = "time", time_unit: str = "") -> Columns:
 
 
 def _of_headings(table: Table, title: str, time_name: str, time_unit: str) -> Columns:
-    """Convert a CSV table to a recording, with names and units from the headings.
+    """Convert a CSV table to a recording.
 
-    `title` is the title of the recording.
+    The headings contain names and units. `title` is the title of the recording. `time_name` and `time_unit` are the
+    name and the unit of the time column.
     """
     try:
         names, units = zip(*map(split_heading, table.names), strict=True)
@@ -87,7 +88,10 @@ def _of_headings(table: Table, title: str, time_name: str, time_unit: str) -> Co
 
 
 def _of_metadata(table: Table, suffix: str) -> Columns:
-    """Convert a Parquet or MAT table to a recording, with the metadata of `_metadata`."""
+    """Convert a Parquet or MAT table that `write` has written to a recording.
+
+    The metadata in the file contains title, notes, names and units.
+    """
     meta = table.meta
     if not meta:
         raise InputError("series.foreign", suffix=suffix)
@@ -107,8 +111,8 @@ def _of_metadata(table: Table, suffix: str) -> Columns:
     return Columns(**(checked.fields() | metadata))
 
 
-def _metadata(recording: Columns, columns: Sequence[str]) -> str:
-    """Return title, notes, names and units of a recording as JSON text.
+def _metadata_text(recording: Columns, columns: Sequence[str]) -> str:
+    """Return the metadata of a recording as JSON text: title, notes, names and units.
 
     `columns` are the names of the columns in the file, in the order of the series.
     """
@@ -146,10 +150,10 @@ def _write_parquet(recording: Columns, stream: IO[bytes]) -> None:
     from poppet.timeseries.tables.reading import arrow
 
     pa = arrow()
-    variables = _apart(recording.names)
+    variables = _unique_column_names(recording.names)
     headings = [("time", "s"), *zip(variables, recording.units, strict=True)]
     fields = [pa.field(name, pa.float64(), metadata={"unit": unit}) for name, unit in headings]
-    schema = pa.schema(fields, metadata={METADATA: _metadata(recording, variables)})
+    schema = pa.schema(fields, metadata={METADATA: _metadata_text(recording, variables)})
     columns = [pa.array(row) for row in (recording.time, *recording.values)]
     pa.parquet.write_table(pa.Table.from_arrays(columns, schema=schema), stream)
 
@@ -159,16 +163,16 @@ def _write_mat(recording: Columns, stream: IO[bytes]) -> None:
 
     # Names for MATLAB have letters, digits and underscores, and at most 63 characters: 58 leave space for a counter.
     stems = (re.sub(r"\W", "_", name.replace(".", "__"), flags=re.ASCII) for name in recording.names)
-    variables = _apart((stem if stem[:1].isalpha() else f"x{stem}")[:58] for stem in stems)
-    content: dict[str, Any] = {"time": recording.time, METADATA: _metadata(recording, variables)}
+    variables = _unique_column_names((stem if stem[:1].isalpha() else f"x{stem}")[:58] for stem in stems)
+    content: dict[str, Any] = {"time": recording.time, METADATA: _metadata_text(recording, variables)}
     content.update(zip(variables, recording.values, strict=True))
     savemat(stream, content, oned_as="column")
 
 
-def _apart(names: Iterable[str]) -> list[str]:
-    """Make column names unique and different from the name of the time column.
+def _unique_column_names(names: Iterable[str]) -> list[str]:
+    """Make column names unique, and different from the name of the time column.
 
-    A repeated name gets a counter as its ending.
+    A repeated name gets a number as its ending.
     """
     plain_names = list(names)
     assigned = ["time", METADATA]

@@ -109,24 +109,24 @@ class SegmentTable:
 
 
 def lines(start: FloatArray, value: FloatArray, slope: FloatArray, jump: NDArray[np.bool_]) -> SegmentTable:
-    """Return segments that are straight lines, without sines.
+    """Return a signal of straight lines as segments.
 
-    `jump` is True for each segment at whose start the signal is discontinuous.
+    `start`, `value` and `slope` describe each line. `jump` is True for a segment at whose start the signal jumps.
     """
     zero = np.broadcast_to(0.0, start.shape)  # takes no memory
     return SegmentTable(start, value, slope, zero, zero, zero, zero, jump)
 
 
 def held(value: float) -> SegmentTable:
-    """Return a constant signal as one segment."""
+    """Return a signal with one constant value as a segment."""
     return lines(np.zeros(1), np.array([float(value)]), np.zeros(1), np.zeros(1, dtype=bool))
 
 
 def polyline(times: FloatArray, values: FloatArray, end: float) -> SegmentTable:
     """Return straight lines between given points as segments.
 
-    The first value is valid before the first point and the last value after the last point. Segments that start at or
-    after `end` are omitted.
+    Before the first point, the signal has the first value, and after the last point the last value. Segments that would
+    start at or after the time `end` are omitted.
     """
     slope = np.append(np.diff(values) / np.diff(times), 0.0)
     if times[0] > 0.0:  # each table starts at 0
@@ -140,12 +140,14 @@ def polyline(times: FloatArray, values: FloatArray, end: float) -> SegmentTable:
 def wave(
     mean: float, amplitude: float, phase: float, starts: Floats, frequencies: Floats, rates: Floats
 ) -> SegmentTable:
-    """Return sine segments whose phase is continuous.
+    """Return a sine with variable frequency as segments of continuous phase.
 
-    Each segment has a start, a frequency and a rate of change of the frequency (`rates`).
+    Each segment has a start, a frequency, and a rate of change of the frequency (`rates`).
     """
     start, frequency, rate = (np.array(series, dtype=float) for series in (starts, frequencies, rates))
-    turns = np.append(0.0, _turns(frequency[:-1], rate[:-1], np.diff(start)))
+    tau = np.diff(start)
+    # Without whole turns: a large number of turns would reduce the accuracy of the phase.
+    turns = np.append(0.0, np.remainder((frequency[:-1] + 0.5 * rate[:-1] * tau) * tau, 1.0))
     phases = phase + 2.0 * np.pi * np.cumsum(turns)
     zeros, ones = np.zeros_like(start), np.ones_like(start)
     return SegmentTable(
@@ -154,9 +156,9 @@ def wave(
 
 
 class Signal(ABC):
-    """Base class of input signals over time.
+    """Base class of signals over time.
 
-    Each subclass defines the segments of its signal.
+    Each subclass defines how its signal is divided into segments.
     """
 
     remarks: tuple[Note, ...] = ()
@@ -221,7 +223,7 @@ class Signal(ABC):
 
     @abstractmethod
     def bounds(self) -> tuple[float, float]:
-        """Return the limits between which all values of the signal are.
+        """Return the lower and the upper limit of all values of the signal.
 
         Returns
         -------
@@ -249,9 +251,9 @@ class Signal(ABC):
         return ()
 
     def delayed(self, delay: float) -> Signal:
-        """Return the signal with a delay.
+        """Return the signal delayed by a given time.
 
-        The first value is valid until the delayed signal starts.
+        Until the delayed signal starts, its value is the first value.
 
         Parameters
         ----------
@@ -267,9 +269,9 @@ class Signal(ABC):
 
 @dataclass(frozen=True)
 class DelayedSegments(Signal):
-    """Signal with a delay.
+    """Signal that is delayed by a given time.
 
-    The first value is valid until the delayed signal starts.
+    Until the delayed signal starts, its value is the first value.
 
     Parameters
     ----------
@@ -314,9 +316,9 @@ class DelayedSegments(Signal):
 
 
 class MergedSegments(NamedTuple):
-    """Segments of all inputs with common start times.
+    """Segments of all inputs, divided at common start times.
 
-    Equal coefficients are stored once. For a million equal pulses, only the start times need memory.
+    Equal coefficients are stored only once. For a million equal pulses, only the start times need memory.
     """
 
     starts: FloatArray  # (n,) start of each segment [s]
@@ -328,7 +330,7 @@ class MergedSegments(NamedTuple):
 
 
 def merge(tables: Sequence[SegmentTable]) -> MergedSegments:
-    """Merge the segments of all inputs into segments with common start times.
+    """Divide the segments of all inputs at common start times.
 
     Parameters
     ----------
@@ -358,7 +360,7 @@ def merge(tables: Sequence[SegmentTable]) -> MergedSegments:
     last_of_group = all_starts[np.append(first_of_group[1:], True)]
     jumps, courses = np.zeros(len(starts), dtype=bool), np.zeros(len(starts), dtype=np.int64)
     rows: list[NDArray[np.int64]] = []  # for each input so far: its coefficient row in every course
-    courses_by_table = [_own_courses(table) for table in tables]
+    courses_by_table = [_distinct_coefficients(table) for table in tables]
     for table, (coefficients, of_segment) in zip(tables, courses_by_table, strict=True):
         k = np.searchsorted(table.start, last_of_group, side="right") - 1
         # The count of jumps increases at a start that has a jump.
@@ -374,12 +376,10 @@ def merge(tables: Sequence[SegmentTable]) -> MergedSegments:
     return MergedSegments(starts, courses, np.ascontiguousarray(joined), jumps)
 
 
-def _own_courses(table: SegmentTable) -> tuple[FloatArray, NDArray[np.int64]]:
-    """Return the distinct coefficients of a table, and their index for each segment.
+def _distinct_coefficients(table: SegmentTable) -> tuple[FloatArray, NDArray[np.int64]]:
+    """Return the distinct coefficients of a signal, and their index for each segment.
 
-    The coefficients have the shape (m, 7).
-
-    Constant segments with equal values have the same coefficients.
+    The coefficients have the shape (m, 7). Constant segments with equal values share their coefficients.
     """
     constant = np.flatnonzero((table.slope == 0.0) & (table.amplitude == 0.0))
     row_of_segment = np.arange(len(table))
@@ -388,12 +388,3 @@ def _own_courses(table: SegmentTable) -> tuple[FloatArray, NDArray[np.int64]]:
     rows, row_of_segment = np.unique(row_of_segment, return_inverse=True)
     names = ("value", "slope", "amplitude", "frequency", "chirp_rate", "phase", "start")
     return np.column_stack([getattr(table, name)[rows] for name in names]), row_of_segment
-
-
-def _turns(frequency: FloatArray, rate: FloatArray, tau: FloatArray) -> FloatArray:
-    """Return the phase of a swept sine after the time tau, as a fraction of a turn.
-
-    `frequency` is the frequency at tau = 0, and `rate` the rate of change of the frequency. The function removes whole
-    turns, because a large number of turns would reduce the accuracy of the phase.
-    """
-    return np.remainder((frequency + 0.5 * rate * tau) * tau, 1.0)

@@ -27,7 +27,7 @@ _MAX_PERIODS = _MAX_BITS // 2  # two edges per period
 
 @dataclass(frozen=True, eq=False)
 class _Course(Signal):
-    """Signal with values at strictly increasing times.
+    """Base class of signals that are given by values at strictly increasing times.
 
     The first time is not negative. The arrays are read-only.
     """
@@ -79,9 +79,9 @@ class Constant(Signal):
 
 @dataclass(frozen=True, eq=False)
 class Steps(_Course):
-    """Signal that is constant between steps.
+    """Signal that changes in steps.
 
-    At the time of a step, the value is the one after the step.
+    At the time of a step, the signal has the value after the step.
 
     Parameters
     ----------
@@ -119,9 +119,9 @@ class Steps(_Course):
 
 @dataclass(frozen=True, eq=False)
 class Points(_Course):
-    """Signal of straight lines between points.
+    """Signal that consists of straight lines between points.
 
-    The first value is valid before the first point and the last value after the last point.
+    Before the first point, it has the first value, and after the last point the last value.
 
     Parameters
     ----------
@@ -136,7 +136,7 @@ class Points(_Course):
     >>> ramp.evaluate([0.0, 2.0, 9.0]).tolist()
     [0.0, 200000.0, 400000.0]
     >>> print(*ramp.notes(9.0, "valve.pilot_pressure"))
-    valve.pilot_pressure is kept at its last value, 400000, after t = 3 s.
+    valve.pilot_pressure has no values after t = 3 s. From then on, the last value, 400000, is used.
     """
 
     def notes(self, duration: float, name: str, shift: float = 0.0) -> tuple[Note, ...]:
@@ -148,9 +148,9 @@ class Points(_Course):
 
 @dataclass(frozen=True, eq=False)
 class SampledSignal(_Course):
-    """Measured signal with linear interpolation between the samples.
+    """Measured signal, interpolated linearly between its samples.
 
-    The first value is valid before the first sample and the last value after the last sample.
+    Before the first sample, it has the first value, and after the last sample the last value.
 
     Parameters
     ----------
@@ -262,7 +262,7 @@ class Chirp(_Wave):
 class Prbs(Signal):
     """Pseudo-random binary signal.
 
-    Each bit has the duration `bit_time` and one of two levels with equal probability.
+    Each bit takes the time `bit_time`. Its level is one of two with equal probability.
 
     Parameters
     ----------
@@ -313,9 +313,9 @@ class Prbs(Signal):
 
 
 class _Pulses(Signal):
-    """Signal that alternates between two levels.
+    """Base class of signals that alternate between a high and a low level.
 
-    In each period, it is first high for the fraction `duty`, then low.
+    Each period begins with the high level, which has the fraction `duty` of the period.
     """
 
     if TYPE_CHECKING:  # declared in each subclass in its own order

@@ -308,7 +308,7 @@ MISTAKES = [
     ("decimal comma", replaced('"0.2 m^3"', '"0,2 m^3"'), "0,2 m^3", "decimal point"),
     ("unknown part", replaced('from = "tank"', 'from = "tonk"'), "tonk", "Did you mean tank"),
     ("joined with itself", replaced('to = "room"', 'to = "tank"'), "[parts.bleed]", "Connect two different"),
-    ("joined to a passage", replaced('to = "room"', 'to = "valve"'), 'to = "valve"', "through a chamber"),
+    ("joined to a passage", replaced('to = "room"', 'to = "valve"'), 'to = "valve"', "Insert a chamber"),
     (
         "part of no passage",
         CONTRACT + '[parts.spare]\nkind = "chamber"\nvolume = 1.0\n',
@@ -323,7 +323,7 @@ MISTAKES = [
         "Remove one",
     ),
     ("no kind", replaced('kind = "chamber"\n', ""), "[parts.tank]", "Use one of: reservoir"),
-    ("no volume", replaced('volume = "0.2 m^3"\n', ""), "[parts.tank]", "Specify it in m"),
+    ("no volume", replaced('volume = "0.2 m^3"\n', ""), "[parts.tank]", "Specify the value in m"),
     ("unknown set", replaced('data = "varga2012" ', 'data = "varga2021" '), "varga2021", "Did you mean varga2012"),
     ("unknown mode", replaced('mode = "paper" ', 'mode = "papr" '), "papr", "Did you mean paper"),
     (
@@ -336,7 +336,7 @@ MISTAKES = [
     ("field of another signal", replaced("times = [", "tims = ["), "tims", "times"),
     ("times not increasing", replaced('"20 s", "40 s"', '"40 s", "20 s"'), "times =", "keep only one sample"),
     ("times twice", replaced('"20 s", "40 s"', '"20 s", "20 s"'), "times =", "keep only one sample"),
-    ("times not from zero", replaced('"0 s", "20 s"', '"1 s", "20 s"'), "times =", "Begin with time 0"),
+    ("times not from zero", replaced('"0 s", "20 s"', '"1 s", "20 s"'), "times =", "Add a step at time 0"),
     ("times and values", replaced('"0 s", "20 s", "40 s"', '"0 s", "20 s"'), "times =", "one value for each time"),
     ("unit of a value", replaced('"0 bar g"', '"0 mm"'), "values =", "the value in the form"),
     ("times are no list", replaced('["0 s", "20 s", "40 s"]', '"0 s"'), "times =", "Write, for example, ["),
@@ -357,7 +357,7 @@ MISTAKES = [
     ("unknown table", replaced("[run]", "[rn]"), "[rn]", "Did you mean run"),
     ("gas constant", replaced("gas_constant = 287.05", "gas_constant = 0"), "gas_constant", "Correct the value"),
     ("unknown gas", replaced("gas_constant = 287.05", 'name = "heliumm"'), "heliumm", "Did you mean helium"),
-    ("no TOML", replaced('kind = "chamber"', "kind = chamber"), "kind = chamber", "text values require quotes"),
+    ("no TOML", replaced('kind = "chamber"', "kind = chamber"), "kind = chamber", "Text values require quotes"),
 ]
 
 
@@ -386,10 +386,10 @@ def test_all_errors_are_reported_in_file_order():
     ):
         assert text.count(old) == 1
         text = text.replace(old, new)
-    found = problems_of(text)
-    assert len(found) == 7
-    assert [problem.line for problem in found] == sorted(problem.line or 0 for problem in found)
-    assert [problem.address for problem in found] == [
+    problems = problems_of(text)
+    assert len(problems) == 7
+    assert [problem.line for problem in problems] == sorted(problem.line or 0 for problem in problems)
+    assert [problem.address for problem in problems] == [
         "parts.tank.volume",
         "parts.tank.wall_conductance",
         "parts.bleed.from",
@@ -417,10 +417,10 @@ class TestFiles:
     def test_missing_file_suggests_circuit_files(self, tmp_path):
         (tmp_path / "tank.toml").write_text(SMALL, encoding="utf-8")
         (tmp_path / "tank_2.toml").write_text("[recordings.one]\n", encoding="utf-8")
-        for table, near in (("parts", ["tank.toml"]), ("recordings", ["tank_2.toml"])):
+        for table, suggestions in (("parts", ["tank.toml"]), ("recordings", ["tank_2.toml"])):
             with pytest.raises(InputError) as caught:
                 TomlFile.read(tmp_path / "tank_1.toml", table)
-            assert caught.value.facts["near"].names == near
+            assert caught.value.facts["near"].names == suggestions
 
     def test_missing_file_without_a_suggestion(self, tmp_path):
         (tmp_path / "pyproject.toml").write_text("[project]\n", encoding="utf-8")
@@ -496,8 +496,8 @@ class TestTwice:
 
 
 def test_dotted_keys_have_lines():
-    found = problems_of('parts.a.kind = "reservoir"\nparts.a.pressure = "-1 bar"\n')
-    assert {problem.line for problem in found} == {1, 2}
+    problems = problems_of('parts.a.kind = "reservoir"\nparts.a.pressure = "-1 bar"\n')
+    assert {problem.line for problem in problems} == {1, 2}
 
 
 def test_lines_of_tables_keys_and_long_values():

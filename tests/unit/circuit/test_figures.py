@@ -14,7 +14,7 @@ import pytest
 import poppet
 from poppet import Circuit
 from poppet.circuit.load_metrics import turning_points
-from poppet.parts import Chamber, Cylinder, Guide, Joint, Mass, Orifice, Reservoir
+from poppet.parts import Chamber, Cylinder, DirectionalValve, Guide, Joint, Mass, Orifice, Reservoir
 from poppet.timeseries.signals import Points, Steps
 
 sys.path.insert(0, str(Path(__file__).parents[2] / "laws"))
@@ -27,10 +27,10 @@ MASS = 20.0
 SIZE = {"sonic_conductance": 1e-9, "critical_ratio": 0.3}
 
 
-def lift(conductance: float = 1e4, signals=None, **more) -> Circuit:
+def lift(conductance: float = 1e4, signals=None, **fields) -> Circuit:
     """Return a circuit in which a single-acting cylinder lifts a mass, nearly isothermal, with low viscous friction."""
     side = {"dead_volume": DEAD, "wall_conductance": conductance}
-    slide = Mass(mass=MASS, inclination="90 deg", friction={"viscous_coefficient": 300.0}, **more)
+    slide = Mass(mass=MASS, inclination="90 deg", friction={"viscous_coefficient": 300.0}, **fields)
     parts = {
         "supply": Reservoir(pressure=SUPPLY),
         "fill": Orifice(from_="supply", to="cylinder.cap", **SIZE),
@@ -109,17 +109,21 @@ def test_metrics_do_not_depend_on_the_tolerance(name):
     circuit = poppet.load(EXAMPLES / f"{name}.toml")
     usual, tight = (circuit.simulate(relative_tolerance=tolerance).figures for tolerance in (1e-6, 5e-7))
     assert len(usual.strokes) == len(tight.strokes) == 2
-    for one, other in zip(usual.strokes, tight.strokes, strict=True):
+    for usual_metrics, tight_metrics in zip(usual.strokes, tight.strokes, strict=True):
         for field in ("start", "duration", "travel", "mean_speed", "peak_speed"):
-            assert getattr(one, field) == pytest.approx(getattr(other, field), rel=5e-3), field
+            assert getattr(usual_metrics, field) == pytest.approx(getattr(tight_metrics, field), rel=5e-3), field
     # The first of each end; what comes after is a rebound.
     for sign in (1.0, -1.0):
-        first = [next((a.velocity for a in each.arrivals if sign * a.velocity > 0.0), 0.0) for each in (usual, tight)]
+        first = [
+            next((a.velocity for a in metrics.arrivals if sign * a.velocity > 0.0), 0.0) for metrics in (usual, tight)
+        ]
         assert first[0] == pytest.approx(first[1], rel=5e-3)
     scale = usual.work
-    for one, other in zip(usual.works, tight.works, strict=True):
+    for usual_metrics, tight_metrics in zip(usual.works, tight.works, strict=True):
         for field in ("done", "returned", "on_load", "lost"):
-            assert getattr(one, field) == pytest.approx(getattr(other, field), rel=5e-3, abs=1e-3 * scale), field
+            assert getattr(usual_metrics, field) == pytest.approx(
+                getattr(tight_metrics, field), rel=5e-3, abs=1e-3 * scale
+            ), field
     for field in ("air_used", "exergy", "work", "efficiency"):
         assert getattr(usual, field) == pytest.approx(getattr(tight, field), rel=5e-3), field
 
@@ -138,15 +142,68 @@ def test_work_does_not_exceed_the_exergy():
 def test_turning_points_omit_small_reversals():
     back = 1.0 - 0.15 * np.sin(np.linspace(0.0, np.pi, 20))
     creeping = np.concatenate((np.linspace(0.0, 1.0, 50), back, np.linspace(1.0, 0.0, 50)))
-    turns = turning_points(creeping)
+    turns = turning_points(creeping, 0.2)
     assert [round(float(creeping[k]), 9) for k in turns] == [0.0, 1.0, 0.0]
-    assert turning_points(np.zeros(5)) == []
+    assert turning_points(np.zeros(5), 0.2) == []
+
+
+def test_small_moves_are_strokes_with_their_own_impacts_and_commands():
+    """Check moves of 10 mm back and 15 mm forth after one of 100 mm, whose times follow from the recorded rows."""
+    circuit = poppet.load(EXAMPLES / "cylinder_position.toml")
+    changes = [0.2, 1.5, 2.5]
+    signals = {"position.setpoint": Steps([0.0, *changes], [0.05, 0.15, 0.14, 0.155])}
+    recording = circuit.with_signals(signals).simulate(3.5, 1e-3)
+    strokes = recording.figures.strokes
+    assert [round(1e3 * stroke.travel, -1) for stroke in strokes] == [100.0, -10.0, 20.0]
+    time, position = recording.time, recording["slide.position"]
+    for stroke, change in zip(strokes, changes, strict=True):
+        assert (stroke.command, stroke.command_time) == ("position.setpoint", change)
+        rows = (time >= change) & (time < change + 0.9)
+        way = np.abs(position[rows] - position[rows][0])
+        arrival = time[rows][way >= 0.98 * way.max()][0]
+        assert stroke.from_command == pytest.approx(arrival - change, abs=1.1e-3)
+        assert stroke.start > change
+
+
+def test_arrival_belongs_to_the_move_that_met_the_stop():
+    side = {"dead_volume": "1 m^3"}
+    hollow = Cylinder(body="slide", bore="1 mm", stroke_length="10 m", offset="5 m", cap=side, rod=side)
+    stop = {"position": 1.0, "stiffness": 1e6, "dissipation": 20.0}
+    circuit = Circuit(
+        {"slide": Mass(mass=2.0, upper_stop=stop), "cylinder": hollow},
+        # Up to the stop, then back for 0.4 s.
+        {"slide.load_force": Steps([0.0, 8.0, 8.4], [-4.0, 2.0, -4.0])},
+    )
+    recording = circuit.simulate(12.0, 2e-3)
+    figures, last = recording.figures, recording["slide.velocity"][recording.time > 8.4].max()
+    speeds = [arrival and arrival.velocity for arrival in map(figures.met, figures.strokes)]
+    assert speeds == [pytest.approx(2.0, rel=1e-3), None, pytest.approx(last, rel=0.01)]
+    assert last < 0.8
+    assert [stroke.command for stroke in figures.strokes] == [None] * 3
+
+
+def test_commands_of_another_cylinder_cause_no_stroke():
+    """Two drives at one finite supply: each stroke names the command of its own valve."""
+    parts, signals = {"supply": Chamber(volume="50 l", initial_pressure="7 bar")}, {}
+    for name, change in (("a", 0.3), ("b", 0.31)):
+        valve = {"supply": "supply", "outlet": f"{name}.cap", "exhaust": "ambient", "switching_time": "10 ms"}
+        parts[f"valve_{name}"] = DirectionalValve(**valve, **SIZE)
+        parts[name] = Cylinder(body=f"slide_{name}", bore=BORE, stroke_length=STROKE, acting="single",
+                               cap={"dead_volume": DEAD})  # fmt: skip
+        parts[f"slide_{name}"] = Mass(mass=1.0, friction={"viscous_coefficient": 200.0})
+        signals[f"valve_{name}.command"] = Steps([0.0, change], [0.0, 1.0])
+    strokes = Circuit(parts, signals).simulate(1.0, 1e-3).figures.strokes
+    assert {stroke.body: stroke.command for stroke in strokes if stroke.travel > 0.1} == {
+        f"slide_{name}": f"valve_{name}.command" for name in "ab"
+    }
 
 
 def test_joints_have_metrics_of_torque_and_angle():
     side = {"dead_volume": DEAD, "initial_pressure": 3e5}
-    made = Cylinder(body="arm", bore=BORE, stroke_length=STROKE, offset=STROKE / 2, cap=side, rod={"dead_volume": 1.0})
-    circuit = Circuit({"arm": Joint(inertia=0.05, pulley_radius=0.05), "cylinder": made})
+    cylinder = Cylinder(
+        body="arm", bore=BORE, stroke_length=STROKE, offset=STROKE / 2, cap=side, rod={"dead_volume": 1.0}
+    )
+    circuit = Circuit({"arm": Joint(inertia=0.05, pulley_radius=0.05), "cylinder": cylinder})
     figures = circuit.simulate(0.03).figures
     assert figures.strokes[0].unit == "rad"
     assert figures.works[0].done > 1.0
@@ -165,6 +222,6 @@ def test_only_runs_with_bodies_have_load_metrics():
     })  # fmt: skip
     assert guide.simulate(1.0).figures is None
     recording = lift().simulate(1.0)
-    kept = pickle.loads(pickle.dumps(recording)).figures
-    assert kept == recording.figures == recording.converted(["bar"]).select("slide.*").figures
-    assert json.loads(json.dumps(kept.as_dict()))["works"][0]["body"] == "slide"
+    restored = pickle.loads(pickle.dumps(recording)).figures
+    assert restored == recording.figures == recording.converted(["bar"]).select("slide.*").figures
+    assert json.loads(json.dumps(restored.as_dict()))["works"][0]["body"] == "slide"

@@ -249,7 +249,8 @@ def test_command_prints_poles_and_kinks(capsys, tmp_path, monkeypatch):
     assert "pole [1/s]" in out
     assert "Eigenvalues over a sample:" in out
     assert "times 0 (recomputed in every sample)" in out
-    assert "- the rate of tank.pressure" in out
+    assert "- The linear model is valid only for small changes" in out
+    assert "rate of change of tank.pressure" in out
     assert json.loads((tmp_path / "linear.json").read_text())["sample_time"] == 1e-3
 
 

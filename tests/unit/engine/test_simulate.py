@@ -145,7 +145,7 @@ class TestProgress:
 
         recording = self.circuit().simulate("2000 s", "1 s", 1e-9, progress=interrupt, throw=False)
         assert recording.outcome.startswith("The run was interrupted after t = ")
-        assert recording.outcome.endswith("The rows up to that time are kept.")
+        assert recording.outcome.endswith("The results up to that time are kept.")
         assert 0.0 <= recording.time[-1] < 2000.0
         assert np.all(np.isfinite(recording.values))
 
@@ -195,13 +195,13 @@ class TestFailures:
         assert recording.time.tolist() == [k / 100 for k in range(recording.time.size)]
         assert str(caught.value) == recording.outcome
         assert "tank.mass has fallen to" in recording.outcome
-        assert "check whether a flow source empties this gas node" in recording.outcome
+        assert "Check whether a flow source empties this gas node" in recording.outcome
         assert np.all(recording["tank.pressure"] > 0.0)
         assert np.diff(recording["tank.mass"]) == pytest.approx(np.full(recording.time.size - 1, -1e-5), rel=1e-6)
 
     def test_partial_recording_without_raising(self):
         recording = draining().simulate("10 s", "0.01 s", throw=False)
-        assert recording.outcome.startswith("The solver stalled after t = 1.18 s")
+        assert recording.outcome.startswith("The solver stopped after t = 1.18 s")
         assert any("CVODES and Radau failed as well" in note for note in recording.notes)
 
     def test_more_steps_than_allowed(self):

@@ -241,7 +241,7 @@ def test_too_small_stated_scatter_is_enlarged_and_reported():
 
 def test_too_large_stated_scatter_is_reported():
     result = identify_flow(bench(np.linspace(0.05, 0.95, 20), meters={"u_mass_flow_rate": Instrument(relative=0.01)}))
-    assert has_finding(result, "the stated scatter is probably too large")
+    assert has_finding(result, "The stated scatter is probably too large")
 
 
 def test_influence_equals_the_shift_of_a_refit():
@@ -261,7 +261,7 @@ def test_influential_point_is_reported():
     points = bench(np.linspace(0.05, 0.95, 20))
     points.mass_flow_rate[15] *= 1.05
     result = identify_flow(points)
-    assert has_finding(result, "A single point (number 15 at ")
+    assert has_finding(result, "Without a single point (number 15 at ")
 
 
 # Parameters that are not determined
@@ -304,18 +304,18 @@ def test_one_pressure_ratio_leaves_a_range_of_conductances():
     # between choked flow, C = Ce, and b = 0, C = Ce/0.8
     assert conductance.low < 2e-8 * math.sqrt(1.0 - (0.3 / 0.7) ** 2) < conductance.high
     assert conductance.high > 2e-8 * math.sqrt(1.0 - (0.3 / 0.7) ** 2) / 0.8
-    assert has_finding(result, "Possibly no point is choked")
+    assert has_finding(result, "The flow is possibly not choked at any point")
 
 
 def test_missing_choked_point_is_reported_with_the_correlation():
     result = identify_flow(bench(np.linspace(0.5, 0.95, 12)))
-    assert has_finding(result, "No point is choked (lowest p2/p1: 0.5")
+    assert has_finding(result, "The flow is not choked at any point (lowest p2/p1: 0.5")
     correlation = result.correlation["sonic_conductance"]["critical_ratio"]
     assert correlation < -0.5
     assert has_finding(result, f"({correlation:+.3f})")
     assert result.comparison["standard_formulas"]["note"].startswith("No point is saturated")
     with_choked = plain_result(0.05, 0.95, 12)
-    assert not has_finding(with_choked, "No point is choked")
+    assert not has_finding(with_choked, "The flow is not choked at any point")
     assert with_choked.comparison["standard_formulas"]["note"] == ""
 
 
@@ -330,7 +330,7 @@ def test_points_near_equal_pressure_are_reported_and_have_no_effect():
     assert has_finding(result, "Points near p2/p1 = 1 (number 12 at 0.996, 13 at 0.999, 14 at 1) have little weight")
     assert abs(result.parameters["critical_ratio"].value - 0.3) < 0.02
     without_uncertainty = identify_flow(bench([*np.linspace(0.05, 0.95, 12), 0.996], meters={}))
-    assert has_finding(without_uncertainty, "no uncertainty of the pressures is stated")
+    assert has_finding(without_uncertainty, "the uncertainty of the pressures is not stated")
 
 
 def test_absent_cracking_pressure_is_at_its_bound():
@@ -348,7 +348,7 @@ def test_absent_cracking_pressure_is_at_its_bound():
 def test_wrong_shape_of_the_law_is_reported(law):
     result = identify_flow(bench(np.linspace(0.05, 0.96, 24), **law))
     assert has_finding(result, "The residuals depend systematically on p2/p1")
-    assert has_finding(result, 'Try subsonic_index = "free" or cracking_pressure = "free"')
+    assert has_finding(result, 'Repeat the fit with subsonic_index = "free" or cracking_pressure = "free"')
     assert "determined" not in [e.verdict for e in result.parameters.values()]
 
 
@@ -399,13 +399,13 @@ def test_pressure_below_the_atmosphere_is_reported():
 def test_gauge_read_as_absolute_is_reported():
     p_1 = np.linspace(1.3e5, 8e5, 15)
     result = identify_flow(bench(101325.0 / p_1, pressure_1=p_1, shift=-101325.0))
-    assert has_finding(result, "gauge pressures that were read as absolute: with +101.3 kPa")
+    assert has_finding(result, "gauge pressures that were read as absolute pressures: with +101.3 kPa")
     assert "determined" not in [e.verdict for e in result.parameters.values()]
 
 
 def test_absolute_read_as_gauge_is_reported():
     result = identify_flow(bench(np.linspace(0.1, 0.95, 16), pressure_1=np.tile([4e5, 8e5], 8), shift=101325.0))
-    assert has_finding(result, "absolute pressures that were read as gauge: with -101.3 kPa")
+    assert has_finding(result, "absolute pressures that were read as gauge pressures: with -101.3 kPa")
     assert "determined" not in [e.verdict for e in result.parameters.values()]
 
 

@@ -187,7 +187,7 @@ def test_bootstrap_and_delta_method_bands_agree(printed_fit, draws, tolerance):
 def test_monotone_constraint_is_kept_for_rising_c(rising_spline_fit):
     result = rising_spline_fit
     assert not result.comparison["monotone"]["rejected"]
-    assert result.findings[0].startswith("The data are consistent with a C(x) that never falls")
+    assert result.findings[0].startswith("The data do not contradict a conductance C(x) that never falls")
     curve = result.series["sonic_conductance"]
     tested = curve["x"] >= STROKES[0]
     assert np.max(np.abs(curve["y"] - rising_conductance(curve["x"]))[tested]) < 0.02 * 1.6e-8
@@ -205,7 +205,7 @@ def test_monotone_constraint_is_rejected_for_falling_c(printed_spline_fit):
     result = printed_spline_fit
     assert result.comparison["monotone"]["rejected"]
     assert undocumented(result) == []
-    assert "never falls: C falls by" in result.findings[0]
+    assert "never falls with the stroke: C falls by" in result.findings[0]
 
 
 def test_common_uncertainty_widens_band_only(printed_fit):
@@ -231,9 +231,9 @@ def test_gaps_repeats_extrapolation_and_missing_b_are_reported():
     tests.append(replace(tests[5], sonic_conductance=1.1 * tests[5].sonic_conductance, name="again"))
     text = " ".join(identify_characteristic(tests, degree_conductance=5, domain=(0.0, 1e-3)).findings)
     assert "1 of 13 tests do not determine b (t3)" in text
-    assert "No test is between" in text
+    assert "The curve is interpolated between" in text
     assert "(t5 and again)" in text
-    assert "The domain extends to 0 mm, but the tests only to 0.05 mm" in text
+    assert "between 0.05 mm, the last tested stroke, and 0 mm, the end of the domain" in text
 
 
 # Recordings --------------------------------------------------------------------------------------------------------
@@ -261,7 +261,9 @@ def test_points_among_recordings_are_reported():
     tests = [simulate_recording(x, k) for k, x in enumerate((0.2e-3, 0.5e-3, 0.8e-3))]
     number = StrokePoint(1e-3, 1.5e-8, 0.4, 1.5e-10, 0.01, name="flow bench")
     mixed = identify_characteristic([*tests, number], degree_conductance=1, degree_ratio=0, joint=False)
-    sentences = [sentence for sentence in mixed.findings if "1 of 4 tests contribute only C and b" in sentence]
+    sentences = [
+        sentence for sentence in mixed.findings if "1 of 4 tests contribute only their values of C and b" in sentence
+    ]
     assert len(sentences) == 1
     assert "(flow bench)" in sentences[0]
     recordings_only = identify_characteristic(tests, degree_conductance=1, degree_ratio=0, joint=False)
@@ -447,9 +449,9 @@ def test_all_tested_strokes_can_be_knots():
 
 
 def test_band_of_few_tests_agrees_with_scatter_of_fits():
-    """Check the band with six knots and seven strokes, which have one degree of freedom."""
+    """Check the band at the strokes with six knots and seven strokes, which have one degree of freedom."""
     strokes = np.linspace(0.05e-3, 1e-3, 7)
-    knots, x = tuple(strokes[[0, 1, 2, 3, 5, 6]]), np.linspace(0.1e-3, 0.95e-3, 30)
+    knots = tuple(strokes[[0, 1, 2, 3, 5, 6]])
     # The spline can represent this truth.
     truth = identify_characteristic(
         simulate_tests(rising_conductance, lambda _: 0.4, strokes), form="spline", knots=knots
@@ -462,8 +464,8 @@ def test_band_of_few_tests_agrees_with_scatter_of_fits():
     for seed in range(30):
         tests = simulate_tests(curve("sonic_conductance"), curve("critical_ratio"), strokes, noise=0.01, seed=seed)
         band = identify_characteristic(tests, form="spline", knots=knots).series["sonic_conductance"]
-        curves.append(np.interp(x, band["x"], band["y"]))
-        halves.append(np.interp(x, band["x"], 0.5 * (band["high"] - band["low"])))
+        curves.append(np.interp(strokes, band["x"], band["y"]))
+        halves.append(np.interp(strokes, band["x"], 0.5 * (band["high"] - band["low"])))
     ratio = np.array(halves) / (1.96 * np.std(curves, axis=0))
     print(f"band over scatter: median {np.median(ratio):.2f}, worst {np.max(ratio):.1f}")
     assert 0.8 < np.median(ratio) < 1.3

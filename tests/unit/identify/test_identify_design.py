@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from poppet import load
-from poppet.identify import Design, identify_design, identify_fit, read_design_file
+from poppet.identify import Design, Prediction, identify_design, identify_fit, read_design_file
 from poppet.report.identification.design_report import design_text
 from refusals import refused
 
@@ -355,3 +355,12 @@ def test_interruption_of_the_simulated_fits_keeps_the_ranking(tmp_path: Path) ->
     assert design.interrupted
     assert list(design.tests) == ["the test"]
     assert design.simulated == {}
+
+
+def test_former_names_of_half_widths_give_a_warning() -> None:
+    prediction = Prediction(1.0, "m^3", 0.1, 0.2, 0.3, "determined")
+    with pytest.warns(DeprecationWarning, match="typical_half_width"):
+        assert getattr(prediction, "half_typical") == prediction.typical_half_width  # noqa: B009
+    with pytest.warns(DeprecationWarning, match="largest_half_width"):
+        assert getattr(prediction, "half_at_most") == prediction.largest_half_width  # noqa: B009
+    assert not hasattr(prediction, "half_best")

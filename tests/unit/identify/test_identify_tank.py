@@ -82,7 +82,7 @@ def test_joint_fit_shares_valve_but_not_wall_conductance() -> None:
         "a": {**without_temperature(simulate_recording("charge")), "direction": "charge", "supply_pressure": "6 bar g"},
         "b": without_temperature(simulate_recording("discharge", seed=4)),
     }
-    parameters = identify_tank(TankTest(recordings=recordings, volume="20 l")).parameters
+    parameters = identify_tank(TankTest(recordings=recordings, volume="20 l", uncertainties={"leak": 0})).parameters
     check_truth(parameters, "valve.sonic_conductance", "valve.critical_ratio")
     check_truth(parameters, "a.tank.wall_conductance", "b.tank.wall_conductance")
 
@@ -128,7 +128,7 @@ def test_free_offset_recovers_sensor_offset() -> None:
 def test_offset_is_free_if_valve_closes_within_recording() -> None:
     shifted = without_temperature(simulate_recording(closes=30.0)) | {"closes": "30 s"}
     shifted["tank.pressure"] = shifted["tank.pressure"] + 3000.0
-    result = identify_tank(TankTest(recordings={"a": shifted}, volume="20 l"))
+    result = identify_tank(TankTest(recordings={"a": shifted}, volume="20 l", uncertainties={"leak": 0}))
     check_truth(result.parameters)
     offset = result.parameters["a.tank.pressure.offset"]
     assert abs(offset.value - 3000.0) < 3.0 * offset.standard_error
@@ -248,8 +248,8 @@ def test_empty_cells_and_repeated_times_are_reported() -> None:
     run["time"][5] = run["time"][4]
     run["tank.pressure"][9] = np.nan
     findings = identify_tank(TankTest(recordings={"a": run}, volume="20 l")).findings
-    assert any("1 of 601 samples have an empty cell" in sentence for sentence in findings)
-    assert any("1 samples with repeated times were merged" in sentence for sentence in findings)
+    assert any("1 of 601 samples were skipped" in sentence for sentence in findings)
+    assert any("1 samples have the same time as another sample" in sentence for sentence in findings)
 
 
 def test_errors_of_file_have_line_numbers(tmp_path: Path) -> None:

@@ -128,8 +128,8 @@ def test_table_reports_all_mistakes_at_once():
     with pytest.raises(InputErrors) as caught:
         TableCurve((0.0, 2e-3, 1e-3), plain(1.0, 2.0))
     assert [type(problem) for problem in caught.value.problems] == [InputError, InputError]
-    assert "2 values for 3 strokes do not match." in str(caught.value)
-    assert "stroke 3 = 1 mm, after 2 mm, must be larger than the previous stroke." in str(caught.value)
+    assert "2 values for 3 strokes do not match" in str(caught.value)
+    assert "Stroke 3 = 1 mm must be larger than the stroke before it, 2 mm." in str(caught.value)
 
 
 def test_table_of_one_point_is_refused():
@@ -162,8 +162,9 @@ def test_error_edge_names_value_limit_source_and_cure():
     with pytest.raises(OutOfRangeError) as caught:
         strict.sonic_conductance_at(1.2 * MILLIMETRE)
     assert str(caught.value) == (
-        "stroke = 1.20 mm is outside 0 ... 1.00 mm, the range in which C(x) was fitted (varga2012, Table 1); "
-        'the polynomial would give C = 3.94e-08 m^3/(s Pa). Limit the stroke, or set edge = "hold".'
+        "stroke = 1.20 mm is outside 0 ... 1.00 mm, the range in which C(x) was fitted (varga2012, Table 1). "
+        'Outside this range, the polynomial gives C = 3.94e-08 m^3/(s Pa). Limit the stroke, or set edge = "hold" '
+        "to use the value at the nearest end of the range."
     )
 
 
@@ -479,19 +480,19 @@ def test_read_table_with_options():
         (
             CONSTANT,
             {"source": "messured"},
-            'source = "messured" must begin with a kind of source. Did you mean',
+            'source = "messured" must begin with the kind of the source. Did you mean',
         ),
         (CONSTANT, {"source": 3}, "source = 3 must be text."),
-        (CONSTANT, {"critical_ratio": 1.2}, "critical_ratio = 1.2 at 0 mm is not possible: b must not be 1 or more"),
+        (CONSTANT, {"critical_ratio": 1.2}, "critical_ratio = 1.2 at a stroke of 0 mm is physically impossible: b of"),
         (POLYNOMIAL, {"domain": ["0 mm"]}, "domain = ['0 mm'] must be a list of two values."),
         (POLYNOMIAL, {"argument_unit": "kg"}, "kg"),
         (POLYNOMIAL, {"sonic_conductance": [-2e-8, 1e-8]}, "sonic_conductance = -1e-08"),
         (POLYNOMIAL, {"sonic_conductance": []}, "A polynomial must have at least one coefficient."),
-        (TABLE, {"stroke": ["0 mm", "1 mm", "1 mm"]}, "stroke 3 = 1 mm, after 1 mm, must be larger than"),
+        (TABLE, {"stroke": ["0 mm", "1 mm", "1 mm"]}, "Stroke 3 = 1 mm must be larger than"),
         (TABLE, {"stroke": "0 mm"}, "stroke = '0 mm' must be a list of strokes."),
         (TABLE, {"stroke": ["0 mm", "x", "1 mm"]}, 'stroke[1] = "x"'),
         (TABLE, {"stroke": [], "sonic_conductance": []}, "stroke has 0 points: a table must have at least two points."),
-        (TABLE, {"sonic_conductance": [1e-8, 1e-8]}, "2 values for 3 strokes do not match."),
+        (TABLE, {"sonic_conductance": [1e-8, 1e-8]}, "2 values for 3 strokes do not match"),
         (TABLE, {"domain": ["0 mm", "1 mm"]}, "domain is not a valid field of a characteristic of kind table."),
     ],
 )

@@ -161,9 +161,9 @@ def test_missing_fields_say_how_to_give_them():
     with pytest.raises(InputErrors) as caught:
         complete(Outer(), {})
     assert [str(problem) for problem in caught.value.problems] == [
-        "size is missing: the size has no default. Specify it in m.",
-        "to is missing: the store it feeds must be the name of a part. Specify a reservoir or chamber.",
-        "spring.rate is missing: the rate has no default. Specify it in N/m.",
+        "size is missing: the size has no default. Specify the value in m.",
+        "to is missing: the store it feeds must be the name of a part. Specify the name of a reservoir or a chamber.",
+        "spring.rate is missing: the rate has no default. Specify the value in N/m.",
     ]
 
 

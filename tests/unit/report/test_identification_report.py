@@ -293,7 +293,7 @@ def test_most_urgent_finding_gives_next_step():
     assert "longer" in next_step(example_result(remarks=(weak,)))
     assert "nearly equal" in next_step(example_result(remarks=(weak, choked)))
     assert next_step(example_result(remarks=(weak, choked, indistinguishable))) == str(indistinguishable)
-    assert "not fitted" in next_step(example_result(remarks=()))
+    assert "not used in the fit" in next_step(example_result(remarks=()))
     assert next_step(example_result(remarks=(), conditions={"validation": ["again"]})) == ""
 
 

@@ -41,7 +41,7 @@ MOST_POINTS = 240
 
 @dataclass(frozen=True)
 class BenchResult(ResultFileMixin, HtmlMixin):
-    """Characteristic values, tables of cases, curves and notes of one test valve."""
+    """Results for one test valve: characteristic values, tables, curves and notes."""
 
     title: str
     source: str  # `circuit`, `recordings` or `stand-in`
@@ -54,7 +54,7 @@ class BenchResult(ResultFileMixin, HtmlMixin):
     outcome: str = "done"  # `done`, `failed` if a test could not be run, or `interrupted`
 
     def content(self) -> dict[str, Any]:
-        """Return the result as nested dictionaries, the content of the result file."""
+        """Return the content of the result file as nested dictionaries."""
         figures = {
             name: {"value": f.value, "unit": f.unit, "definition": f.definition, "standard": DEFINITIONS[name].standard}
             | ({"bound": f.bound} if f.bound else {})
@@ -111,21 +111,21 @@ def read_bench_result(path: str | Path) -> BenchResult:
                 curves.setdefault(test, []).append(PlottedCurve(name, case, x, y))
         rows = {name: data[test.table or name] for name, test in TESTS.items() if (test.table or name) in data}
         conditions, comparison = data.get("conditions", {}), data.get("comparison", {})
-        outcome, notes = data.get("outcome", "done"), _notes(data)
+        outcome, notes = data.get("outcome", "done"), _notes_of_content(data)
         return BenchResult(data["title"], data["source"], figures, rows, curves, notes, conditions, comparison, outcome)
     except (ValueError, KeyError, TypeError, AttributeError, RecursionError) as error:
         raise InputError("bench.no_result", path=str(path), why=str(error)) from None
 
 
 def is_result(data: Mapping[str, Any]) -> bool:
-    """Return True if the content of a file is a bench result."""
+    """Return True if the content of a file is that of a bench result."""
     return data.get("method") == METHOD
 
 
-def _notes(data: Mapping[str, Any]) -> dict[str, tuple[Note, ...]]:
-    """Return the notes of a result file, grouped by test.
+def _notes_of_content(data: Mapping[str, Any]) -> dict[str, tuple[Note, ...]]:
+    """Return the notes in the content of a result file, grouped by test.
 
-    Without note codes in the file, each note is a sentence that begins with the name of a test.
+    If the file contains no note codes, each note is a sentence that begins with the name of a test.
     """
     pairs: list[tuple[str, Any]] = [(entry["test"], {**entry}) for entry in data.get("codes", ())]
     for _, table in pairs:

@@ -76,9 +76,9 @@ def characteristic_trial(scale: Scale, volume: float, sweep: float, hold: float)
 
 @dataclass(frozen=True, eq=False)
 class SetpointSweep:
-    """Recorded sweep of the setpoint `x` and the outlet `y` in % FS.
+    """Recorded sweep of the setpoint `x` with the outlet pressure `y`, in % FS.
 
-    `late` is the setpoint delayed by the lag of the outlet. `parts` are the rising and falling branches.
+    `late` is the setpoint, delayed by the lag of the outlet. `parts` are the rising and falling branches.
     """
 
     time: FloatArray
@@ -91,10 +91,10 @@ class SetpointSweep:
 
 @dataclass(frozen=True, eq=False)
 class Branches:
-    """Outlet pressure of all rising (`up`) and falling (`down`) branches.
+    """Outlet pressure of all rising (`up`) and all falling (`down`) branches.
 
-    Each array has one row per branch and one column per setpoint of `GRID`. A value is NaN if the branch does not
-    reach that setpoint.
+    Each array has one row for each branch and one column for each setpoint of `GRID`. A value is NaN if the branch does
+    not reach that setpoint.
     """
 
     up: FloatArray
@@ -134,8 +134,8 @@ def _evaluate(evaluation: Evaluation, records: Sequence[Record]) -> None:
     }  # fmt: skip
     lag_change, uncertainty = moved_by(lags) if lags else (0.0, Uncertainty(0.0))
     shift_error = float(np.linalg.norm([lag.shift_error for lag in lags])) / len(lags) if lags else 0.0
-    _deviations(evaluation, sweep, up, down, shift_error)
-    _ends(evaluation, all_sweeps, lag_change, uncertainty.standard)
+    _add_deviations(evaluation, sweep, up, down, shift_error)
+    _add_zero_values(evaluation, all_sweeps, lag_change, uncertainty.standard)
     if lags:
         delay = max(0.0, float(np.mean([lag.time for lag in lags])))
         evaluation.add("sweep_lag", max(0.0, lag_change), uncertainty, time=delay)
@@ -155,11 +155,18 @@ def _evaluate(evaluation: Evaluation, records: Sequence[Record]) -> None:
 
 
 def _branch_curves(swept: Sequence[SetpointSweep]) -> tuple[Branches, float]:
-    """Return the curves of all branches, and the largest change of the setpoint between samples of omitted branches."""
+    """Return the curves of all branches of a sweep.
+
+    Branches in which the setpoint jumps are omitted. The second result is the largest change of the setpoint between
+    two samples of these branches.
+    """
     rows: dict[int, list[FloatArray]] = {1: [], -1: []}
     shares, largest_jump = [1], 0.0
     for sweep, branch in ((item, branch) for item in swept for branch in item.parts):
         x, y = sweep.late[branch.samples], sweep.y[branch.samples]
+        raw = sweep.x[branch.samples]
+        in_range = (np.maximum(raw[1:], raw[:-1]) >= RANGE[0]) & (np.minimum(raw[1:], raw[:-1]) <= RANGE[1])
+        jump = float(np.max(np.abs(np.diff(raw)), where=in_range, initial=0.0))
         holds = stairs(x)
         if len(holds) >= FEWEST_STAIRS and sum(s.stop - s.start for s in holds) > 0.8 * (branch.end - branch.first):
             ends = [rested(sweep.time[branch.samples], s, 0.2) for s in holds]
@@ -167,7 +174,7 @@ def _branch_curves(swept: Sequence[SetpointSweep]) -> tuple[Branches, float]:
             order = np.argsort(setpoints)
             value = np.interp(GRID, setpoints[order], levels[order], np.nan, np.nan)
             share = max(1, round(float(np.median(np.diff(setpoints[order])))))  # grid points per stair
-        elif (jump := _jump(sweep.x[branch.samples])) > WIDEST:
+        elif jump > WIDEST:
             largest_jump = max(largest_jump, jump)
             continue
         else:
@@ -195,17 +202,11 @@ def _slow_noise(groups: Sequence[FloatArray], error: float) -> float:
     return power / (freedom * error**2) if freedom and error > 0.0 else 1.0
 
 
-def _jump(x: FloatArray) -> float:
-    """Return the largest change of the setpoint between two samples within the evaluated range."""
-    is_inside = (np.maximum(x[1:], x[:-1]) >= RANGE[0]) & (np.minimum(x[1:], x[:-1]) <= RANGE[1])
-    return float(np.max(np.abs(np.diff(x)), where=is_inside, initial=0.0))
-
-
-def _deviations(evaluation: Evaluation, sweep: Branches, up: FloatArray, down: FloatArray, lag: float) -> None:
+def _add_deviations(evaluation: Evaluation, sweep: Branches, up: FloatArray, down: FloatArray, lag: float) -> None:
     """Add linearity, hysteresis, accuracy and repeatability to the evaluation.
 
-    `up` and `down` are the means of the rising and falling branches. `lag` is the standard uncertainty of the removed
-    lag [% FS].
+    `up` and `down` are the means of all rising and of all falling branches. `lag` is the standard uncertainty of the
+    correction for the lag [% FS].
     """
     is_common = INSIDE & np.isfinite(up) & np.isfinite(down)
     if np.count_nonzero(is_common) < FEWEST_STAIRS:
@@ -255,11 +256,11 @@ def _deviations(evaluation: Evaluation, sweep: Branches, up: FloatArray, down: F
         evaluation.note_absence("one_cycle", "repeatability")
 
 
-def _ends(evaluation: Evaluation, sweeps: Sequence[SetpointSweep], lag: float, error: float) -> None:
+def _add_zero_values(evaluation: Evaluation, sweeps: Sequence[SetpointSweep], lag: float, error: float) -> None:
     """Add zero suppression and zero offset to the evaluation.
 
-    A note reports an outlet that stops below the upper end of the setpoint. `lag` is the change of the outlet in the
-    hold after a sweep, and `error` its standard uncertainty [% FS].
+    A note reports an outlet pressure that does not reach the upper end of the range. `lag` is the change of the outlet
+    in the hold after a sweep, and `error` its standard uncertainty [% FS].
     """
     zero, short = [], []
     holds: dict[int, FloatArray] = {}
@@ -272,11 +273,11 @@ def _ends(evaluation: Evaluation, sweeps: Sequence[SetpointSweep], lag: float, e
         for branch in sweep.parts:
             low, high = (branch.first, branch.end - 1)[:: branch.sign]
             if branch.sign > 0:
-                zero.append(_leaves_zero(sweep.late[branch.samples], y[branch.samples], lag))
+                zero.append(_setpoint_of_first_rise(sweep.late[branch.samples], y[branch.samples], lag))
                 if x[high] > 95.0 and not np.any(sweep.cut):
-                    short.append(float(np.mean(y[_held_at(x, high)])) - float(x[high]))
-            if abs(_level(x, low)) < ZERO_STEP:
-                holds[_held_at(x, low).start] = y[_held_at(x, low)]
+                    short.append(float(np.mean(y[_end_of_hold(x, high)])) - float(x[high]))
+            if abs(_median_setpoint(x, low)) < ZERO_STEP:
+                holds[_end_of_hold(x, low).start] = y[_end_of_hold(x, low)]
     # A sweep without a hold at zero gives no offset.
     longest = max((part.size for part in holds.values()), default=0)
     holds = {begin: part for begin, part in holds.items() if part.size > 0.3 * longest}
@@ -293,14 +294,20 @@ def _ends(evaluation: Evaluation, sweeps: Sequence[SetpointSweep], lag: float, e
         evaluation.note("characteristic.short", short=-min(short))
 
 
-def _level(x: FloatArray, index: int) -> float:
-    """Return the median setpoint around the sample `index`, which is robust to noise."""
+def _median_setpoint(x: FloatArray, index: int) -> float:
+    """Return the setpoint near one sample, as a median that is robust to noise.
+
+    `x` is the setpoint, and `index` the index of the sample.
+    """
     return float(np.median(x[max(0, index - 4) : index + 5]))
 
 
-def _held_at(x: FloatArray, index: int) -> slice:
-    """Return the final part of the setpoint hold that contains the sample `index`."""
-    is_away = np.abs(x - _level(x, index)) > max(ZERO_STEP, 5.0 * scatter_of(x))
+def _end_of_hold(x: FloatArray, index: int) -> slice:
+    """Return the final part of the hold that contains one sample.
+
+    `x` is the setpoint, and `index` the index of the sample. In a hold, the setpoint is constant.
+    """
+    is_away = np.abs(x - _median_setpoint(x, index)) > max(ZERO_STEP, 5.0 * scatter_of(x))
     hold = stretch_without(is_away, index, index)
     size = hold.stop - hold.start
     # The last third without the last eighth, in which a noisy setpoint may already change.
@@ -308,7 +315,7 @@ def _held_at(x: FloatArray, index: int) -> slice:
     return slice(middle, max(middle + 1, hold.stop - size // 8))
 
 
-def _leaves_zero(x: FloatArray, y: FloatArray, lag: float) -> tuple[float, Uncertainty]:
+def _setpoint_of_first_rise(x: FloatArray, y: FloatArray, lag: float) -> tuple[float, Uncertainty]:
     """Return the setpoint at which the outlet pressure begins to rise, with its uncertainty.
 
     `x` is the setpoint, `y` the outlet pressure and `lag` the delay of the outlet, all in % FS. After the start, the

@@ -24,7 +24,7 @@ ROWS = 4000  # rows of a sweep over the full range
 
 @dataclass(frozen=True)
 class Trial:
-    """Inputs and timing of one run of a test valve on the bench."""
+    """One run of a test valve on the bench: its inputs and times."""
 
     kind: str  # name of the test
     name: str
@@ -39,7 +39,10 @@ class Trial:
 
 
 class Specimen(Protocol):
-    """Interface of a test valve on the bench, either a circuit model or a virtual valve."""
+    """Interface of a valve that the bench can test.
+
+    The valve is a circuit model or a virtual valve.
+    """
 
     @property
     def title(self) -> str:
@@ -47,14 +50,14 @@ class Specimen(Protocol):
 
     @property
     def scale(self) -> Scale:
-        """Ranges of the setpoint and the outlet pressure."""
+        """Ranges of the setpoint and of the outlet pressure that belong together."""
 
     @property
     def supply(self) -> float:
         """Absolute supply pressure [Pa]."""
 
     def respond(self, trial: Trial) -> Record:
-        """Run a trial and return its record."""
+        """Run a trial, and return the record of its channels."""
 
 
 @dataclass(frozen=True)
@@ -73,7 +76,7 @@ class BenchSettings:
 
 
 class Pace(NamedTuple):
-    """Response times of a test valve, from which the bench derives the durations of trials.
+    """Response times of a test valve, which determine how long trials take.
 
     The times are valid for the first volume of the settings.
     """
@@ -90,7 +93,10 @@ class Pace(NamedTuple):
 
 
 def held(scale: Scale, setpoint: float) -> Constant:
-    """Return a constant signal for a setpoint in % FS."""
+    """Return a constant setpoint as a signal.
+
+    `setpoint` is the setpoint in % FS.
+    """
     return Constant(float(scale.setpoint(setpoint)))
 
 
@@ -102,7 +108,7 @@ Row = dict[str, Any]
 
 @dataclass(frozen=True)
 class BenchTest:
-    """Test of the bench with its trials, required series and evaluation function."""
+    """Test of the bench: its trials, its required channels and its evaluation."""
 
     name: str  # as in `--tests`; its texts are in `core/messages/bench.toml`
     evaluate: Callable[[Evaluation, Sequence[Record]], None]  # adds results of records to an `Evaluation`
@@ -126,14 +132,14 @@ class BenchTest:
 
     @property
     def definitions(self) -> Mapping[str, Definition]:
-        """Mapping from the name of each characteristic value of the test to its definition."""
+        """Mapping from the names of the characteristic values of this test to definitions."""
         return {name: Definition(name, unit, self) for name, unit in self.units.items()}
 
     def evaluated(self, records: Sequence[Record], scale: Scale, rated_flow: float = math.nan) -> Evaluation:
-        """Evaluate the records of the test.
+        """Evaluate the records of this test.
 
-        Notes report omitted records, which lack a required series or have clipped samples. `rated_flow` is the mass
-        flow rate for droop and rise [kg/s].
+        Records that lack a required channel or have clipped samples are omitted, with a note. `rated_flow` is the mass
+        flow rate at which the droop and the pressure rise of the relief are evaluated [kg/s].
         """
         evaluation = Evaluation(self, scale, rated_flow)
         complete = [record for record in records if not self.needs or getattr(record, self.needs).size]
@@ -151,7 +157,7 @@ class BenchTest:
 
 @dataclass(frozen=True)
 class Definition:
-    """Definition of a characteristic value with its unit and the test that determines it."""
+    """Definition of one characteristic value, with its unit and its test."""
 
     name: str
     unit: str
@@ -159,28 +165,28 @@ class Definition:
 
     @property
     def text(self) -> str:
-        """Description of the characteristic value, without rates and limits."""
+        """Description of the characteristic value, without limits of the definition."""
         return sentence(f"figure.{self.name}.text", self.of.facts)
 
     @property
     def limits(self) -> str:
-        """Rates, bands and limits that the definition uses."""
+        """Rates, bands and other limits that belong to the definition."""
         return sentence(f"figure.{self.name}.limits", self.of.facts)
 
     @property
     def full(self) -> str:
-        """Description of the characteristic value, with rates and limits in brackets."""
+        """Description of the characteristic value, followed by its limits in brackets."""
         return f"{self.text} ({self.limits})"
 
     @property
     def standard(self) -> str:
-        """Part of ISO 10094 that defines the value, with the advice to verify its text."""
+        """Part of ISO 10094 that defines the value, with advice to check its text."""
         return f"{self.of.part}; {VERIFY}"
 
 
 @dataclass(frozen=True)
 class CharacteristicValue:
-    """Characteristic value of a valve, with unit, definition, conditions and uncertainty."""
+    """Result for one characteristic value: unit, definition, conditions and uncertainty."""
 
     value: float  # in `unit`; finite
     unit: str
@@ -194,7 +200,7 @@ class CharacteristicValue:
 
 @dataclass(frozen=True, eq=False)
 class PlottedCurve:
-    """Curve `y` versus `x` of a figure, in the units of the axes.
+    """Curve of a figure, `y` versus `x`, in the units of the axes.
 
     Curves with the same `case` share axes.
     """
@@ -207,7 +213,10 @@ class PlottedCurve:
 
 @dataclass
 class Evaluation:
-    """Results of one test: characteristic values, rows, curves, notes and conditions."""
+    """Results of one test of the bench.
+
+    They are characteristic values, rows, curves, notes and conditions.
+    """
 
     test: BenchTest
     scale: Scale
@@ -220,41 +229,48 @@ class Evaluation:
     uncertainties: dict[tuple[int, str], Uncertainty] = field(default_factory=dict)  # by the id of a row and its key
 
     def set_value(self, row: Row, key: str, value: float, uncertainty: Uncertainty) -> None:
-        """Set the value `key` of a row together with its uncertainty.
+        """Set one value of a row, with its uncertainty.
 
-        The row receives the standard uncertainty under the key with the ending `_uncertainty`.
+        `key` is the name of the value. The standard uncertainty is stored under the same name with the ending
+        `_uncertainty`.
         """
         row |= {key: value, f"{key}_uncertainty": uncertainty.standard}
         self.uncertainties[id(row), key] = uncertainty
 
     def pairs(self, rows: Sequence[Row], key: str) -> tuple[list[float], list[Uncertainty]]:
-        """Return the values `key` of the given rows, and their uncertainties."""
+        """Return one value of each row, and the uncertainties of these values.
+
+        `key` is the name of the value.
+        """
         return [row[key] for row in rows], [self.uncertainties[id(row), key] for row in rows]
 
     def add_curve(self, name: str, case: str, x: FloatArray, y: FloatArray) -> None:
-        """Add a curve for the figures; points with undefined values are omitted."""
+        """Add a curve for the figures.
+
+        Points with undefined values are omitted.
+        """
         is_known = np.isfinite(y)
         self.curves.append(PlottedCurve(name, case, x[is_known], y[is_known]))
 
     def note(self, code: str, address: str = "", /, **facts: Any) -> None:
-        """Add a note unless the same note is already present."""
+        """Add a note with the code `code`, unless the same note exists already."""
         note = Note(f"bench.{code}", address, **facts)
         if note not in self.notes:
             self.notes.append(note)
 
     def note_absence(self, reason: str, *names: str, **facts: Any) -> None:
-        """Add a note with the reason for each absent characteristic value.
+        """Add a note for each characteristic value that could not be determined.
 
-        `names` are the absent characteristic values, and `reason` is the last part of the note code.
+        `names` are these values, and `reason` is the last part of the note code.
         """
         for name in names:
             self.note(f"absent.{reason}", name, **facts)
 
     def limit_to_bounds(self, *names: str) -> None:
-        """Convert characteristic values to bounds, because clipped cases are missing.
+        """Convert characteristic values to bounds, because some cases are clipped.
 
-        A maximum of the other cases becomes a lower bound, and a minimum becomes an upper bound. Values that cannot be
-        bounds are removed.
+        A maximum over the other cases becomes a lower bound, and a minimum becomes an upper bound. Values that cannot
+        be bounded are removed.
         """
         for name in names:
             bound = AT_MOST if name in self.test.smallest else AT_LEAST
@@ -265,7 +281,7 @@ class Evaluation:
                 self.withhold(name)
 
     def withhold(self, *names: str) -> None:
-        """Remove the named characteristic values, and note that clipped samples are the reason."""
+        """Remove characteristic values because of clipped samples, and add notes."""
         for name in names:
             self.figures.pop(name, None)
             self.notes = [n for n in self.notes if not (n.address == name and n.code.startswith("bench.absent."))]
@@ -274,9 +290,10 @@ class Evaluation:
     def add(
         self, name: str, value: float, uncertainty: Uncertainty | None = None, *, bound: str = "", **conditions: Any
     ) -> None:
-        """Add a characteristic value with uncertainty, bound and operating conditions.
+        """Add a characteristic value with its uncertainty and operating conditions.
 
-        If there is neither a bound nor a finite uncertainty, a note states that it could not be determined.
+        `bound` states whether the value is only a bound. If there is neither a bound nor a finite uncertainty, a note
+        is added.
         """
         definition = self.test.definitions[name]
         figure = CharacteristicValue(float(value), definition.unit, definition.full, bound, conditions)
@@ -290,9 +307,10 @@ class Evaluation:
     def add_or_bound(
         self, name: str, value: float, limit: float, uncertainty: Uncertainty | None = None, **conditions: Any
     ) -> None:
-        """Add a characteristic value, or an upper bound if its magnitude is below the limit.
+        """Add a characteristic value, or an upper bound if it is lost in noise.
 
-        `limit` is the smallest value that is distinguishable from noise.
+        `limit` is the smallest magnitude that can be distinguished from noise. Below it, the limit is added as an upper
+        bound.
         """
         if abs(value) >= limit:
             self.add(name, value, uncertainty, **conditions)
@@ -301,7 +319,10 @@ class Evaluation:
         self.add(name, limit, bound=AT_MOST, **conditions)
 
     def add_nonnegative(self, name: str, value: float, uncertainty: Uncertainty, **conditions: Any) -> None:
-        """Add a nonnegative value, or an upper bound if noise alone can explain the value."""
+        """Add a nonnegative characteristic value, or an upper bound.
+
+        The bound is added if noise alone can explain the value.
+        """
         half = NORMAL * uncertainty.standard
         self.add_or_bound(name, value, 0.0 if value > half else max(value, 0.0) + half, uncertainty, **conditions)
 
@@ -309,11 +330,12 @@ class Evaluation:
         self, name: str, key: str, reason: str = "", *, rows: Sequence[Row] | None = None,
         conditions: Sequence[str] = (), is_nonnegative: bool = False, **facts: Any,
     ) -> Row | None:  # fmt: skip
-        """Add the largest value of a key in the rows, and return the row of that value.
+        """Add the largest value in some rows as a characteristic value.
 
-        `name` is the name of the characteristic value and `key` its key in the rows, by default all rows of the
-        evaluation. `conditions` are the keys of the operating conditions to store with the value. If no row has the
-        key, the result is None, and a note with the code `reason` explains the absence unless `reason` is empty.
+        `name` is the characteristic value, and `key` the name of the value in the rows, by default all rows of the
+        evaluation. `conditions` are the names of the operating conditions to store with the value. The result is the
+        row of the largest value. If no row contains the value, the result is None, and a note with the code `reason`
+        explains the absence unless `reason` is empty.
         """
         rows = [row for row in (self.rows if rows is None else rows) if key in row]
         if not rows:
@@ -326,8 +348,8 @@ class Evaluation:
 
 
 def largest(rows: Sequence[Row], key: str) -> Row | None:
-    """Return the row with the largest value of a key.
+    """Return the row in which one value is largest.
 
-    The result is None if no row has the key.
+    `key` is the name of the value. The result is None if no row contains this value.
     """
     return max((row for row in rows if key in row), key=lambda row: float(row[key]), default=None)

@@ -31,10 +31,10 @@ LEAST_FLOW = 1e-9  # flow below which there is no flow [kg/s]
 
 
 def flow_trial(scale: Scale, volume: float, setpoint: float, sweep: float, hold: float, load: float) -> Trial:
-    """Return a trial with a sweep of the flow at a constant setpoint.
+    """Return a trial in which the flow is swept at a constant setpoint.
 
-    `load` is the relative flow at the end of the sweep: 1 for forward flow, -1 for relief flow. The flow returns to
-    zero after a hold.
+    `load` is the flow at the end of the sweep, relative to the largest flow: 1 for forward flow, -1 for relief flow.
+    The flow returns to zero after a hold. `sweep` and `hold` are durations [s].
     """
     times = np.cumsum([0.0, 2.0 * hold, sweep, hold, sweep, hold])
     signal = Points(times, np.array([0.0, 0.0, load, load, 0.0, 0.0]))
@@ -43,7 +43,7 @@ def flow_trial(scale: Scale, volume: float, setpoint: float, sweep: float, hold:
 
 
 def flow_trials(pace: Pace) -> list[Trial]:
-    """Return trials with sweeps of forward and relief flow at each setpoint."""
+    """Return trials that sweep the forward flow and the relief flow at each setpoint."""
     scale, sweep = pace.specimen.scale, 0.5 * pace.sweep()
     cases = ((load, setpoint) for load in (1.0, -1.0) for setpoint in pace.settings.setpoints)
     return [flow_trial(scale, pace.volume, setpoint, sweep, pace.hold, load) for load, setpoint in cases]
@@ -52,7 +52,7 @@ def flow_trials(pace: Pace) -> list[Trial]:
 class Side(NamedTuple):
     """Direction of the flow: forward (`drawn`, sign +1) or relief (`fed`, sign -1).
 
-    `change` is the key of droop or rise in a row. `figure` and `hysteresis` are names of characteristic values.
+    `change` is the name of droop or rise in a row. `figure` and `hysteresis` are names of characteristic values.
     """
 
     name: str
@@ -70,7 +70,7 @@ SIDES = (
 
 
 class FlowSweep(NamedTuple):
-    """Outlet pressure [% FS] on an even grid of flow [kg/s] in one direction.
+    """Outlet pressure [% FS] versus flow [kg/s] in one direction, on an even grid.
 
     `going` is the outlet at increasing flow, and `coming` the outlet at decreasing flow. `coming` is None if the flow
     does not return.
@@ -100,10 +100,10 @@ def _evaluate(evaluation: Evaluation, records: Sequence[Record]) -> None:
         row: Row = {"record": record.name, "setpoint": float(np.median(x)), "outlet": outlet}
         evaluation.rows.append(row)
         for side in SIDES:
-            sweep = _one(evaluation, record, y, row, side, uncertainty)
+            sweep = _evaluate_direction(evaluation, record, y, row, side, uncertainty)
             sweeps[side] += [sweep] if sweep else []
     for side in SIDES:
-        _read(evaluation, side, sweeps[side])
+        _add_flow_values(evaluation, side, sweeps[side])
     # The smallest flow capacity of all cases. If the outlet did not fall sufficiently in any case, the smallest of the
     # tested maximum flows is a lower bound.
     for key, bound in (("capacity", ""), ("capacity_at_least", AT_LEAST)):
@@ -117,12 +117,13 @@ def _evaluate(evaluation: Evaluation, records: Sequence[Record]) -> None:
         evaluation.note_absence("none_drawn", "flow_capacity")
 
 
-def _one(
+def _evaluate_direction(
     evaluation: Evaluation, record: Record, y: FloatArray, row: Row, side: Side, rest_uncertainty: Uncertainty
 ) -> FlowSweep | None:
-    """Evaluate one flow direction of a record.
+    """Evaluate one direction of the flow in a record.
 
-    The result is None if the record has no flow in this direction, or the flow does not rise from zero.
+    `y` is the outlet pressure and `side` the direction. `rest_uncertainty` is the uncertainty of the outlet without
+    flow. The result is None if the record has no flow in this direction, or if the flow does not rise from zero.
     """
     flow = side.sign * record.flow
     # The maximum of noisy samples is biased.
@@ -136,7 +137,7 @@ def _one(
     lags = lags_of(record.time, clipped_flow, y, branches(clipped_flow, TURN * top))
     delayed = caught_up(record.time, clipped_flow, lags)
     grid = np.linspace(0.0, top, PLACES)
-    going, coming = _there_and_back(clipped_flow, delayed, y, grid)
+    going, coming = _outlet_at_flows(clipped_flow, delayed, y, grid)
     if going is None:
         evaluation.note("flow.no_rise", record.name, way=side.direction)
         return None
@@ -149,7 +150,7 @@ def _one(
             is_shown = grid <= end
             evaluation.add_curve(f"{side.name} {direction}", case, side.sign * grid[is_shown], curve[is_shown])
     if side.sign > 0.0:
-        _falls(evaluation, row, record.time, delayed, row["outlet"] - y, rest_uncertainty)
+        _set_flow_capacity(evaluation, row, record.time, delayed, row["outlet"] - y, rest_uncertainty)
         if "capacity" in row:
             uncertainty = evaluation.uncertainties[id(row), "capacity"]
             evaluation.set_value(row, "capacity", row["capacity"], uncertainty.wider(_lag_error(lags)))
@@ -170,18 +171,21 @@ def _one(
 
 
 def _lag_error(lags: Sequence[Lag]) -> float:
-    """Return the standard uncertainty of the flow caused by the uncertainty of the lag."""
+    """Return the standard uncertainty of the flow that results from the lag.
+
+    `lags` are the measured lags of the outlet behind the sweeps.
+    """
     errors = [lag.error * lag.rate for lag in lags]
     return float(np.linalg.norm(errors)) / len(errors) if errors else 0.0
 
 
-def _there_and_back(
+def _outlet_at_flows(
     flow: FloatArray, delayed: FloatArray, y: FloatArray, grid: FloatArray
 ) -> tuple[FloatArray | None, FloatArray | None]:
-    """Return the outlet on the grid of flow, for increasing and for decreasing flow.
+    """Return the outlet pressure at given flows, for increasing and for decreasing flow.
 
-    `delayed` is the flow delayed by the lag of the outlet. An item of the result is None if the record has no such
-    sweep.
+    `delayed` is the flow, delayed by the lag of the outlet, and `y` the outlet pressure. `grid` contains the given
+    flows. An item of the result is None if the record has no such sweep.
     """
     top = grid[-1]
     top_samples = np.flatnonzero(flow >= FOLD * top)
@@ -197,13 +201,13 @@ def _there_and_back(
     return going, coming
 
 
-def _falls(
+def _set_flow_capacity(
     evaluation: Evaluation, row: Row, time: FloatArray, flow: FloatArray, droop: FloatArray, rest: Uncertainty
 ) -> None:
-    """Set the flow at which the outlet pressure has first fallen by `DROOP`.
+    """Set the flow at which the outlet pressure has fallen by `DROOP`.
 
     `droop` is the fall of the outlet pressure [% FS], and `rest` the uncertainty of the outlet without flow. If the
-    fall is smaller, the largest flow is a lower bound.
+    fall is smaller, the largest flow is stored as a lower bound.
     """
     noise = noise_about([part for part in np.array_split(droop, 40) if part.size > 8], 2)
     size = max(1, min(droop.size // 400, int((noise.spread / 0.1) ** 2))) if noise.sigma > 1e-6 else 1
@@ -234,8 +238,8 @@ def _falls(
     evaluation.set_value(row, "capacity", middle + rate * offset, Uncertainty(math.hypot(error * rate, flow_error)))
 
 
-def _read(evaluation: Evaluation, side: Side, sweeps: Sequence[FlowSweep]) -> None:
-    """Add droop or rise at the rated flow and the hysteresis to the evaluation.
+def _add_flow_values(evaluation: Evaluation, side: Side, sweeps: Sequence[FlowSweep]) -> None:
+    """Add droop or rise at the rated flow, and the hysteresis, to the evaluation.
 
     By default, the rated flow is half of the largest flow that all sweeps reach.
     """

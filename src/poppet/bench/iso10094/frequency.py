@@ -42,7 +42,8 @@ def frequency_trial(
 ) -> Trial:
     """Return a trial with a sinusoidal setpoint about a mean value.
 
-    `mean` and `amplitude` are in % FS, and `hold` is the settling time of the valve [s].
+    `mean` and `amplitude` are in % FS, and `hold` is the settling time of the valve [s]. `frequency` is that of the
+    sine [Hz].
     """
     settling = max(2.0, math.ceil(hold * frequency)) / frequency
     unit = (scale.setpoint_high - scale.setpoint_low) / 100.0
@@ -53,7 +54,7 @@ def frequency_trial(
 
 @dataclass(frozen=True)
 class SineComponent:
-    """Fundamental of a series, with mean value and harmonic distortion."""
+    """Sine that was fitted to a series, with mean value and harmonic distortion."""
 
     value: complex  # complex amplitude relative to a sine from the start of the record, in the unit of the series
     mean: float
@@ -78,20 +79,20 @@ def sine_rows(evaluation: Evaluation, record: Record) -> list[Row]:
     parts = sines(record.time, x)
     if not parts:
         evaluation.note("frequency.no_sine", record.name, fewest=FEWEST)
-    rows = (_one(evaluation, record, part, x[part], y[part]) for part in parts)
+    rows = (_evaluate_sine(evaluation, record, part, x[part], y[part]) for part in parts)
     return [row for row in rows if row is not None]
 
 
 def conclude(evaluation: Evaluation, rows: Sequence[Row]) -> None:
     """Add Bode plots, bandwidths and distortion to the evaluation.
 
-    The rows are grouped by amplitude, mean and volume, with one Bode plot for each group. The bandwidths are those of
-    the first group. Rows are in ascending order of the frequency, with continuous phases and with gains relative to the
+    The rows of all sines are grouped by amplitude, mean and volume, with one Bode plot for each group. The bandwidths
+    are those of the first group. Rows are sorted by frequency, with continuous phases and with gains relative to the
     gain at the lowest frequency. If several rows have the same frequency, the one with the most periods is used.
     """
     series: dict[str, list[Row]] = {}
     for row in rows:
-        series.setdefault(_series(row, rows), []).append(row)
+        series.setdefault(_name_of_bode_plot(row, rows), []).append(row)
     for name, group in series.items():
         by_frequency: dict[float, Row] = {}
         for row in group:
@@ -108,16 +109,17 @@ def conclude(evaluation: Evaluation, rows: Sequence[Row]) -> None:
         evaluation.add_curve("gain", name, frequency, gains)
         evaluation.add_curve("phase", name, frequency, phases)
         if not evaluation.rows:  # the first series is the one that counts
-            _bandwidths(evaluation, ordered, frequency)
+            _add_bandwidths(evaluation, ordered, frequency)
         evaluation.rows += ordered
     if not series:
         evaluation.note_absence("no_sine", "bandwidth_gain", "bandwidth_phase", "distortion")
 
 
-def _sides(values: FloatArray) -> NDArray[np.int64]:
-    """Return +1 for values above the middle of a series, -1 below, and 0 near the middle.
+def _sides_of_middle(values: FloatArray) -> NDArray[np.int64]:
+    """Return +1 above the middle of a series, -1 below it, and 0 near it.
 
-    The dead zone of a quarter of the range on either side of the middle prevents repeated crossings caused by noise.
+    The range near the middle extends to a quarter of the range on either side. It prevents repeated crossings caused by
+    noise.
     """
     low, high = float(np.min(values)), float(np.max(values))
     middle, swing = 0.5 * (low + high), 0.25 * float(np.ptp(values))
@@ -125,7 +127,7 @@ def _sides(values: FloatArray) -> NDArray[np.int64]:
 
 
 def sines(time: FloatArray, setpoint: FloatArray) -> list[slice]:
-    """Return the time windows of a record in which the setpoint is a sine of constant frequency.
+    """Return the time windows in which the setpoint is a sine of constant frequency.
 
     Examples
     --------
@@ -134,7 +136,7 @@ def sines(time: FloatArray, setpoint: FloatArray) -> list[slice]:
     [(0, 1001)]
     """
     middle = 0.5 * (float(np.min(setpoint)) + float(np.max(setpoint)))
-    side = _sides(setpoint)
+    side = _sides_of_middle(setpoint)
     indices = np.flatnonzero(side)
     rises = np.diff(side[indices]) > 0
     # A crossing is interpolated between the last sample below and the first sample above.
@@ -146,7 +148,7 @@ def sines(time: FloatArray, setpoint: FloatArray) -> list[slice]:
         if k == periods.size or abs(periods[k] / np.mean(periods[begin:k]) - 1.0) > ALIKE:
             ends = np.searchsorted(time, [crossings[begin], crossings[k]])
             period = (crossings[k] - crossings[begin]) / (k - begin)
-            part = _whole(time, setpoint, slice(int(ends[0]), int(ends[1])), period)
+            part = _extend_to_whole_sine(time, setpoint, slice(int(ends[0]), int(ends[1])), period)
             # At a change of frequency, one period can look like a third frequency.
             is_alone = begin == 0 and k == periods.size
             if (is_alone or k - begin > 1) and time[part.stop - 1] - time[part.start] > (FEWEST - 0.1) * period:
@@ -155,14 +157,14 @@ def sines(time: FloatArray, setpoint: FloatArray) -> list[slice]:
     return parts
 
 
-def _whole(time: FloatArray, setpoint: FloatArray, part: slice, period: float) -> slice:
-    """Extend the window `part` to all samples of its sine.
+def _extend_to_whole_sine(time: FloatArray, setpoint: FloatArray, part: slice, period: float) -> slice:
+    """Extend a time window to all samples of its sine.
 
     `part` is the window between rising zero crossings. The extension is at most 1.5 periods on either side.
     """
     if part.stop - part.start < 8:
         return part
-    frequency = _frequency(time[part], setpoint[part], 1.0 / period)
+    frequency = _refine_frequency(time[part], setpoint[part], 1.0 / period)
     fit = wave(time[part], setpoint[part], frequency, highest=1)
     turn = 2.0 * math.pi * frequency * time
     deviation = np.abs(setpoint - fit.mean - fit.value.real * np.sin(turn) - fit.value.imag * np.cos(turn))
@@ -172,17 +174,17 @@ def _whole(time: FloatArray, setpoint: FloatArray, part: slice, period: float) -
     return stretch_without(is_foreign, part.start, part.stop)
 
 
-def _one(evaluation: Evaluation, record: Record, part: slice, x: FloatArray, y: FloatArray) -> Row | None:
-    """Evaluate the final steady periods of one sine, and return its row.
+def _evaluate_sine(evaluation: Evaluation, record: Record, part: slice, x: FloatArray, y: FloatArray) -> Row | None:
+    """Evaluate the response to one sine in its final steady periods, and return a row.
 
-    `x` and `y` are setpoint and outlet in the window `part`. If the sine cannot be evaluated, a note states the reason
-    and the result is None.
+    `x` and `y` are setpoint and outlet pressure in the window `part`. If the sine cannot be evaluated, a note states
+    the reason and the result is None.
     """
     time = record.time[part]
-    side = _sides(x)
+    side = _sides_of_middle(x)
     indices = np.flatnonzero(side)
     crossings = 0.5 * (time[indices[:-1]] + time[indices[1:]])[np.diff(side[indices]) != 0]
-    frequency = _frequency(time, x, 0.5 * (crossings.size - 1) / float(crossings[-1] - crossings[0]))
+    frequency = _refine_frequency(time, x, 0.5 * (crossings.size - 1) / float(crossings[-1] - crossings[0]))
     if record.cuts("setpoint", "outlet", part=part):
         evaluation.note("frequency.clipped", record.name, frequency=frequency)
         return None
@@ -219,7 +221,7 @@ def _one(evaluation: Evaluation, record: Record, part: slice, x: FloatArray, y: 
     return row
 
 
-def _series(row: Row, rows: Sequence[Row]) -> str:
+def _name_of_bode_plot(row: Row, rows: Sequence[Row]) -> str:
     """Return the name of the Bode plot to which a row belongs.
 
     The name contains amplitude, mean and volume. Rows with approximately equal values of these belong to one plot,
@@ -236,10 +238,10 @@ def _series(row: Row, rows: Sequence[Row]) -> str:
     return f"{first['amplitude']:.2g} % FS about {first['mean']:.3g} % FS{volume}"
 
 
-def _frequency(time: FloatArray, x: FloatArray, guess: float) -> float:
-    """Return the frequency of a sine, from the phase drift between its two halves.
+def _refine_frequency(time: FloatArray, x: FloatArray, guess: float) -> float:
+    """Return the exact frequency of a sine from a first estimate.
 
-    `guess` is the start value [Hz]. The frequency is corrected until the halves have the same phase.
+    `guess` is this estimate [Hz]. It is corrected until both halves of the series `x` have the same phase.
     """
     frequency = guess
     half = time.size // 2
@@ -256,8 +258,8 @@ def wave(
 ) -> SineComponent:
     """Fit a sine of known frequency to a series by least squares.
 
-    The fit includes the harmonics up to the order `highest`, a mean and a linear drift. `is_coloured` selects a noise
-    estimate for correlated samples.
+    The fit includes the harmonics up to the order `highest`, a mean and a linear drift. If `is_coloured` is True, the
+    uncertainty is that for correlated noise.
 
     Examples
     --------
@@ -298,9 +300,10 @@ def _least(matrix: FloatArray, values: FloatArray) -> FloatArray:
 
 
 def _steady_periods(time: FloatArray, y: FloatArray, frequency: float) -> int:
-    """Return the number of periods at the end of a series that have a constant fundamental.
+    """Return the number of steady periods at the end of a response.
 
-    `y` is the outlet and `frequency` the frequency of the sine [Hz].
+    `y` is the outlet pressure and `frequency` the frequency of the sine [Hz]. In steady periods, the fundamental is
+    constant.
     """
     total = max(1, math.floor((time[-1] - time[0]) * frequency + 0.02))
     ends = time[-1] - np.arange(total + 1) / frequency
@@ -320,7 +323,7 @@ def _steady_periods(time: FloatArray, y: FloatArray, frequency: float) -> int:
     return len(waves)
 
 
-def _bandwidths(evaluation: Evaluation, rows: list[Row], frequency: FloatArray) -> None:
+def _add_bandwidths(evaluation: Evaluation, rows: list[Row], frequency: FloatArray) -> None:
     first, highest = rows[0], float(frequency[-1])
     evaluation.conditions |= {
         "amplitude": first["amplitude"], "mean": first["mean"], "lowest": float(frequency[0]), "highest": highest,
@@ -358,8 +361,8 @@ def _bandwidths(evaluation: Evaluation, rows: list[Row], frequency: FloatArray) 
 def falls_to(frequency: FloatArray, values: FloatArray, level: float) -> float:
     """Return the frequency at which a curve first falls to a level.
 
-    The interpolation is a monotone cubic of the logarithm of the frequency. The result is NaN if no value is at or
-    below the level, or if the first value is.
+    `values` are the values of the curve at the frequencies. The interpolation is a monotone cubic of the logarithm of
+    the frequency. The result is NaN if no value is at or below the level, or if the first value is.
 
     Examples
     --------

@@ -25,9 +25,10 @@ DYNAMIC = ("step", "frequency")
 
 
 def without_spikes(values: FloatArray) -> tuple[FloatArray, Mask]:
-    """Replace single faulty samples by interpolated values; return the series and the mask of these samples.
+    """Replace single faulty samples of a series by interpolated values.
 
-    A spike differs from the median of its neighbours by much more than the noise and than all other samples.
+    The result contains the series and a mask of the replaced samples. A faulty sample differs from the median of its
+    neighbours by much more than the noise and than all other samples.
 
     Examples
     --------
@@ -63,8 +64,17 @@ def without_spikes(values: FloatArray) -> tuple[FloatArray, Mask]:
 
 
 def suspicions(record: Record, scale: Scale) -> list[Note]:
-    """Return notes on a sensor without signal, wrong units, inverted signals, exchanged columns and wrong times."""
-    notes = _time_suspicions(record)
+    """Return notes on signs of a faulty measurement in a record.
+
+    Signs are a sensor without signal, wrong units, inverted signals, exchanged columns and wrong times.
+    """
+    # Times that are probably in another unit, by a factor of about 1000.
+    timing = {"total": float(record.time[-1] - record.time[0]), "step": record.step, "samples": record.time.size}
+    is_dynamic, notes = record.test in DYNAMIC, list[Note]()
+    if (is_dynamic and record.step > SLOW_STEP) or timing["total"] > SLOW_TOTAL:
+        notes.append(Note("recordings.slow", record.name, **timing))
+    elif timing["total"] < (FAST_DYNAMIC if is_dynamic else FAST_STATIC):
+        notes.append(Note("recordings.fast", record.name, **timing))
     if record.test not in MOVING or record.time.size < WINDOW:
         return notes
     x, y = scale.percents(record)
@@ -81,28 +91,18 @@ def suspicions(record: Record, scale: Scale) -> list[Note]:
     elif is_quasistatic and moved < SMALL * driven:
         notes.append(Note("recordings.outlet_small", record.name, **facts))
     else:
-        lead = _lead(record.time, x, y)
+        lead = _lead_of_outlet(record.time, x, y)
         if math.isfinite(lead):
             notes.append(Note("recordings.leads", record.name, lead=lead))
     return notes
 
 
-def _time_suspicions(record: Record) -> list[Note]:
-    """Return a note if the times are probably in another unit, by a factor of about 1000."""
-    total, facts = float(record.time[-1] - record.time[0]), {"samples": record.time.size}
-    is_dynamic = record.test in DYNAMIC
-    if (is_dynamic and record.step > SLOW_STEP) or total > SLOW_TOTAL:
-        return [Note("recordings.slow", record.name, total=total, step=record.step, **facts)]
-    if total < (FAST_DYNAMIC if is_dynamic else FAST_STATIC):
-        return [Note("recordings.fast", record.name, total=total, step=record.step, **facts)]
-    return []
+def _lead_of_outlet(time: FloatArray, x: FloatArray, y: FloatArray) -> float:
+    """Return the time by which the outlet changes before the setpoint [s].
 
-
-def _lead(time: FloatArray, x: FloatArray, y: FloatArray) -> float:
-    """Return the time by which the outlet leads the setpoint [s], or NaN if it does not clearly lead.
-
-    The times at which both series cross the middle of their ranges are compared. The mean of rising and falling
-    crossings does not depend on the characteristic.
+    `x` is the setpoint, and `y` the outlet. The times at which both series cross the middle of their ranges are
+    compared. The mean of rising and falling crossings does not depend on the characteristic. The result is NaN if the
+    outlet does not clearly change first.
     """
     (x_up, x_down), (y_up, y_down) = (_crossings(time, series) for series in (x, y))
     leads = []
@@ -120,7 +120,10 @@ def _lead(time: FloatArray, x: FloatArray, y: FloatArray) -> float:
 
 
 def _crossings(time: FloatArray, values: FloatArray) -> tuple[FloatArray, FloatArray]:
-    """Return the times at which a series rises and falls through the middle of its range."""
+    """Return the times at which a series crosses the middle of its range.
+
+    The first item contains the upward crossings, the second the downward ones.
+    """
     low, high = np.percentile(values, EXTREMES)
     middle, zone = 0.5 * (low + high), 0.15 * (high - low)
     side = np.where(values > middle + zone, 1, np.where(values < middle - zone, -1, 0))

@@ -25,10 +25,10 @@ FEWEST = 5
 
 
 def resolution_trial(scale: Scale, volume: float, stair: float, hold: float, middle: float) -> Trial:
-    """Return a trial with a small staircase of the setpoint: up, down, and up again.
+    """Return a trial in which the setpoint is a staircase with small steps.
 
-    `stair` is the height of each stair and `middle` the setpoint of the first stair [% FS]. `hold` is the duration of
-    a stair [s].
+    The staircase goes up, down, and up again. `stair` is the height of a step and `middle` the first setpoint [% FS].
+    `hold` is the duration of each step [s].
     """
     settling = 20.0 * hold
     directions = np.concatenate([np.ones(STAIRS), -np.ones(STAIRS), np.ones(STAIRS)])
@@ -100,12 +100,12 @@ def _one(evaluation: Evaluation, record: Record) -> None:
 
 
 def _largest_changes(level: FloatArray, answer: FloatArray, least: float) -> dict[bool, float]:
-    """Return the largest changes of the setpoint that were necessary to move the outlet [% FS].
+    """Return the changes of the setpoint that were necessary to move the outlet.
 
-    The key False has the change since the previous motion, and the key True the change since a reversal of the
-    setpoint. `level` is the setpoint and `answer` the outlet on each stair. A change of the outlet by `least` or more
-    counts as a motion. The first motion is omitted unless it follows a reversal, because the setpoint change before it
-    is unknown.
+    The result contains the largest changes [% FS]. The key False has the change since the previous motion, and the key
+    True the change since a reversal of the setpoint. `level` is the setpoint and `answer` the outlet on each step of
+    the staircase. A change of the outlet by `least` or more counts as a motion. The first motion is omitted unless it
+    follows a reversal, because the setpoint change before it is unknown.
     """
     changes: dict[bool, float] = {}
     since, direction, is_known, has_turned = 0, 0, False, False

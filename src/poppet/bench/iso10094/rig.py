@@ -44,7 +44,7 @@ BELOW_SUPPLY = 1e5  # difference between supply pressure and default full scale 
 
 @dataclass
 class Rig:
-    """Valve of a circuit on the virtual bench."""
+    """Virtual bench that tests one valve of a circuit by simulation."""
 
     circuit: BaseCircuit  # valve with supply, outlet volume, bleed and feed
     valve: str
@@ -56,7 +56,7 @@ class Rig:
     _sizes: dict[float, float] = field(default_factory=dict)  # bleed conductance (+1), feed flow (-1)
 
     def respond(self, trial: Trial) -> Record:
-        """Simulate a trial and return its record."""
+        """Simulate a trial, and return the record of its channels."""
         numbers, prefix = self.circuit.parameters, f"{self.valve}."
         clocks = [name for name in numbers if name.startswith(prefix) and name.endswith(".sample_time")]
         fastest = min((numbers[name] for name in clocks), default=math.inf)
@@ -88,8 +88,8 @@ class Rig:
     def _run(self, trial: Trial, bleed: tuple[float, Signal], feed: Signal, stops: Sequence[str] = ()) -> Recording:
         """Simulate a trial with a bleed and a feed as the load.
 
-        `bleed` is the sonic conductance of the bleed and its opening over time. `stops` are conditions that end the
-        run.
+        The bleed is a leak from the outlet to ambient: `bleed` is its sonic conductance and its opening over time.
+        `feed` is a flow of gas into the outlet. `stops` are conditions that end the run.
         """
         scale, circuit = self.scale, self.circuit
         # The outlet starts at the pressure that an ideal valve would hold.
@@ -118,10 +118,10 @@ class Rig:
         return recording
 
     def _size(self, sign: float, volume: float) -> float:
-        """Return the bleed conductance or feed flow that changes the outlet by `PROBED`.
+        """Return the size of the load that changes the outlet by `PROBED`.
 
-        `sign` is +1 for the bleed and -1 for the feed. A run with increasing load gives the value, which all
-        trials use, so their flows are comparable.
+        The load is a bleed conductance if `sign` is +1, and a feed flow if it is -1. A run with increasing load
+        determines the value. All trials use it, so their flows are comparable.
         """
         if sign in self._sizes:
             return self._sizes[sign]
@@ -147,8 +147,8 @@ def rig_of(
 ) -> Rig:
     """Return a virtual bench for one valve of a circuit.
 
-    The default of `supply` is the supply pressure in the circuit. The default of `full_scale` is the scaling of the
-    valve, or a range up to 1 bar below the supply pressure.
+    By default, `supply` is the supply pressure in the circuit. The default of `full_scale` is the scaling of the valve,
+    or a range that ends at least 1 bar below the supply pressure.
     """
     part = circuit.parts[valve_of(circuit, valve)]
     item = next(item for name in SETPOINTS for item in part.inputs() if item.name == name)
@@ -205,10 +205,10 @@ def rig_of(
 
 
 def valve_of(circuit: BaseCircuit, name: str | None = None, kind: type[Part] = Part) -> str:
-    """Return the name of the test valve in a circuit.
+    """Return the name of the valve in a circuit that the bench can test.
 
-    Without `name`, the circuit must contain exactly one suitable valve. A suitable valve is a part of the class `kind`
-    with a setpoint and with the ports of a pressure valve.
+    If `name` is given, this part is checked. Otherwise the circuit must contain exactly one suitable valve: a part of
+    the class `kind` with a setpoint and with the ports of a pressure valve.
     """
     valves = [
         name

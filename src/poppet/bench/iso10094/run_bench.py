@@ -30,7 +30,7 @@ Say = Callable[[str], object]
 
 
 class EvaluatedRecord(NamedTuple):
-    """Record of a step or sine trial, with its rows of results."""
+    """Record of a step or sine trial, and the rows of results from its evaluation."""
 
     record: Record
     rows: list[Row]
@@ -38,7 +38,7 @@ class EvaluatedRecord(NamedTuple):
 
 @dataclass
 class BenchRun:
-    """Test valve on the bench, with its settings and completed measurements."""
+    """Test valve on the bench, with its settings and all measurements so far."""
 
     specimen: Specimen
     settings: BenchSettings
@@ -87,7 +87,7 @@ class BenchRun:
         return self.specimen.respond(trial)
 
     def step(self, volume: float, amplitude: float) -> EvaluatedRecord:
-        """Measure a step up and a step down, with holds that are long enough to settle.
+        """Measure a step up and a step down, with holds in which the outlet settles.
 
         `volume` is the outlet volume [m^3] and `amplitude` the height of the step [% FS]. Completed measurements are
         reused.
@@ -99,7 +99,7 @@ class BenchRun:
         while True:
             record = self._respond(step_trial(scale, volume, amplitude, hold))
             rows = TESTS["step"].evaluated([record], scale).rows
-            needed = _needed(rows)
+            needed = _required_hold_time(rows)
             if needed <= hold or hold >= self.settings.longest_hold:
                 break
             hold = min(LONGER * hold, self.settings.longest_hold)
@@ -108,7 +108,10 @@ class BenchRun:
         return self.steps[volume, amplitude]
 
     def hold(self) -> float:
-        """Return the hold time in which the test valve settles with the first volume [s]."""
+        """Return the hold time that the test valve needs to settle [s].
+
+        The time is that for the first volume.
+        """
         volume = self.settings.volumes[0]
         if volume not in self.holds:
             self.step(volume, max(self.settings.amplitudes))
@@ -123,7 +126,10 @@ class BenchRun:
         return times or [self.hold() / 4.0]
 
     def _sweep(self) -> float:
-        """Return the duration of a setpoint sweep that is slow compared with the response time [s]."""
+        """Return the duration of a sweep that is slow for this valve [s].
+
+        It is long compared with the response time.
+        """
         first = self.settings.volumes[0]
         response = max(self._response_times(step for (volume, _), step in self.steps.items() if volume == first))
         sweep_time = self.settings.sweep_time
@@ -145,10 +151,10 @@ class BenchRun:
         return evaluation
 
 
-def _needed(rows: list[Row]) -> float:
-    """Return the hold time that the measured steps require [s].
+def _required_hold_time(rows: list[Row]) -> float:
+    """Return the hold time that measured steps require to settle [s].
 
-    The result is infinite if a step did not settle.
+    `rows` are the results of the steps. The result is infinite if a step did not settle.
     """
     if any("hum_amplitude" in row for row in rows):
         # A limit cycle never settles: the hold must contain several of its periods after the settling time.
@@ -161,7 +167,9 @@ def _needed(rows: list[Row]) -> float:
 
 
 def preferred(frequency: float) -> float:
-    """Return the nearest of ten preferred frequencies per decade.
+    """Return the preferred frequency that is nearest to a frequency.
+
+    There are ten preferred frequencies per decade.
 
     Examples
     --------
@@ -178,10 +186,10 @@ def run_bench(
     source: str = "circuit", notes: Sequence[Note | str] = (), conditions: Mapping[str, Any] | None = None,
     say: Say | None = None,
 ) -> BenchResult:  # fmt: skip
-    """Run the selected tests with a test valve and return all results.
+    """Run the selected tests with a test valve, and return all results.
 
-    If a run of a test fails, a note reports it and the other tests continue. `source` is the kind of test valve for
-    the result, and `say` a callback for progress messages.
+    If a run of a test fails, a note reports it and the other tests continue. `source` states the kind of
+    test valve in the result, and `say` is a function that shows progress messages.
     """
     settings = settings or BenchSettings()
     check_tests(tests)
@@ -201,7 +209,7 @@ def run_bench(
             outcome = "interrupted"
             break
     all_conditions = {"supply_pressure": specimen.supply, "volumes": list(settings.volumes)} | dict(conditions or {})
-    return _assembled(specimen.title, source, evaluations, specimen.scale, all_conditions, notes, outcome)
+    return _combine_evaluations(specimen.title, source, evaluations, specimen.scale, all_conditions, notes, outcome)
 
 
 def run_recordings(
@@ -215,7 +223,7 @@ def run_recordings(
     check_tests(tests)
     evaluations = {name: TESTS[name].evaluated(records[name], scale, rated_flow) for name in tests if records.get(name)}
     missing = [Note("bench.not_given", name) for name in tests if name not in evaluations]
-    return _assembled(title, "recordings", evaluations, scale, conditions or {}, [*notes, *missing])
+    return _combine_evaluations(title, "recordings", evaluations, scale, conditions or {}, [*notes, *missing])
 
 
 def check_tests(tests: Sequence[str]) -> None:
@@ -228,11 +236,14 @@ def check_tests(tests: Sequence[str]) -> None:
             raise InputError("fields.not_an_option", "tests", value=test, meaning="test", near=suggestion)
 
 
-def _assembled(
+def _combine_evaluations(
     title: str, source: str, evaluations: Mapping[str, Evaluation], scale: Scale, conditions: Mapping[str, Any],
     notes: Sequence[Note | str], outcome: str = "done",
 ) -> BenchResult:  # fmt: skip
-    """Combine the evaluations of all tests into one bench result."""
+    """Combine the evaluations of all tests into one bench result.
+
+    `source` is the kind of test valve, and `outcome` the reason why the tests ended.
+    """
     tests = {name: evaluations[name] for name in TESTS if name in evaluations}
     figures = {name: figure for evaluation in tests.values() for name, figure in evaluation.figures.items()}
     ranges = {

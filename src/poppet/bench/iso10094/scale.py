@@ -21,7 +21,7 @@ PERCENT = 100.0
 
 @dataclass(frozen=True)
 class Scale:
-    """Corresponding ranges of setpoint and outlet pressure.
+    """Ranges of setpoint and outlet pressure that belong together.
 
     Full scale (FS) is the span of the outlet pressure.
 
@@ -50,12 +50,12 @@ class Scale:
         return self.pressure_high - self.pressure_low
 
     def setpoint(self, percent: float | FloatArray) -> FloatArray:
-        """Return the setpoint, in its unit, for a percentage of the setpoint range."""
+        """Return the setpoint for a percentage of its range, in its unit."""
         part = np.asarray(percent) / PERCENT
         return np.asarray(self.setpoint_low * (1.0 - part) + self.setpoint_high * part)  # exact at both ends
 
     def setpoint_percent(self, setpoint: float | FloatArray) -> FloatArray:
-        """Return a setpoint as a percentage of its range."""
+        """Return a setpoint as a percentage of the setpoint range."""
         width = self.setpoint_high - self.setpoint_low
         return np.asarray(PERCENT * (np.asarray(setpoint) - self.setpoint_low) / width)
 
@@ -68,13 +68,13 @@ class Scale:
         return np.asarray(PERCENT * (np.asarray(pressure) - self.pressure_low) / self.span)
 
     def percents(self, record: Record) -> tuple[FloatArray, FloatArray]:
-        """Return setpoint and outlet pressure of a record as percentages of their ranges."""
+        """Return the setpoint and the outlet pressure of a record in % FS."""
         return self.setpoint_percent(record.setpoint), self.percent(record.outlet)
 
 
 @dataclass(frozen=True, eq=False)
 class Record:
-    """Measured or simulated channels of one trial over a common time base."""
+    """Channels of one trial, measured or simulated, over a common time base."""
 
     name: str  # of the trial or the recording
     test: str
@@ -91,9 +91,10 @@ class Record:
     clipped: Mapping[str, Mask] = field(default_factory=dict)  # clipped samples by series
 
     def cuts(self, *series: str, part: slice = slice(None)) -> bool:
-        """Return True if a part of the record contains clipped samples.
+        """Return True if at least one channel has clipped samples.
 
-        `series` are the names of the channels to check, by default all channels.
+        `series` are the names of the channels to check, by default all channels. `part` restricts the check to a part
+        of the record.
         """
         return any(bool(mask[part].any()) for name, mask in self.clipped.items() if not series or name in series)
 
@@ -156,16 +157,17 @@ def setpoint_scale(raw: Any, full_scale: tuple[float, float], ambient: float, un
         return Scale(low, high, unit, *full_scale)
     if not isinstance(raw, list | tuple) or len(raw) != 2:
         raise InputError("bench.range.setpoint", "setpoint_range", given=raw)
-    (low, unit), (high, high_unit) = (_setpoint(end, ambient) for end in raw)
+    (low, unit), (high, high_unit) = (_read_setpoint(end, ambient) for end in raw)
     if unit != high_unit:
         raise InputError("bench.range.two_quantities", "setpoint_range", given=raw)
     return Scale(low, high, unit, *full_scale)
 
 
-def _setpoint(raw: Any, ambient: float) -> tuple[float, str]:
+def _read_setpoint(raw: Any, ambient: float) -> tuple[float, str]:
     """Return the value and the SI unit of a setpoint.
 
-    A text is read as a pressure if the unit permits it, else as an electric signal. A number is a ratio.
+    A text is read as a pressure if its unit is that of a pressure, and otherwise as an electric signal. A number is a
+    ratio.
     """
     problem: InputError | None = None
     for unit in ("Pa", *ELECTRIC) if isinstance(raw, str) else ("1",):
@@ -179,7 +181,9 @@ def _setpoint(raw: Any, ambient: float) -> tuple[float, str]:
 
 
 def listed(raw: str, unit: str, name: str) -> tuple[float, ...]:
-    """Return the positive values of a comma-separated text such as `"1 l, 5 l"` in SI units.
+    """Return the positive values of a text such as `"1 l, 5 l"`.
+
+    The values are in SI units, and `unit` is this unit. Commas separate the values.
 
     Examples
     --------

@@ -20,9 +20,9 @@ _STILL = 1e-6  # setpoint change between samples that counts as constant [% FS]
 
 @dataclass(frozen=True)
 class Branch:
-    """Rising (`sign` = +1) or falling (`sign` = -1) branch of a series between turning points.
+    """Rising or falling part of a series between two turning points.
 
-    The branch consists of the samples `first` to `end - 1`.
+    `sign` is +1 if the branch rises and -1 if it falls. The branch consists of the samples `first` to `end - 1`.
     """
 
     first: int
@@ -38,7 +38,7 @@ class Branch:
 def branches(values: FloatArray, swing: float) -> list[Branch]:
     """Divide a series into rising and falling branches.
 
-    `swing` is the smallest change of direction that ends a branch.
+    A change of direction ends a branch if it is at least as large as `swing`.
 
     Examples
     --------
@@ -66,7 +66,7 @@ def branches(values: FloatArray, swing: float) -> list[Branch]:
 
 
 def at_places(x: FloatArray, y: FloatArray, points: FloatArray, half: float) -> tuple[FloatArray, FloatArray]:
-    """Interpolate a noisy curve at given points by local straight lines.
+    """Return the values of a noisy curve at given points, by local straight lines.
 
     `half` is half of the width of the window around each point. The result contains the values and the number of
     samples in each window. Values outside the curve are NaN.
@@ -100,7 +100,7 @@ def at_places(x: FloatArray, y: FloatArray, points: FloatArray, half: float) -> 
 
 @dataclass(frozen=True)
 class Jump:
-    """Stepwise change of the setpoint between two samples."""
+    """Step of the setpoint between two samples."""
 
     time: float  # [s]
     before: int  # last sample at the old value
@@ -109,7 +109,7 @@ class Jump:
 
 
 def jumps(time: FloatArray, setpoint: FloatArray, threshold: float, *, is_exact: bool) -> list[Jump]:
-    """Return all steps of a setpoint that are at least as large as the threshold.
+    """Return all steps of a setpoint that are at least as large as a threshold.
 
     If `is_exact` is True, a step occurs at the first sample with the new value. Otherwise its time is interpolated.
 
@@ -136,7 +136,7 @@ def jumps(time: FloatArray, setpoint: FloatArray, threshold: float, *, is_exact:
 
 
 def scatter_of(setpoint: FloatArray) -> float:
-    """Return the standard deviation of the setpoint noise; steps do not contribute."""
+    """Return the standard deviation of the noise of a setpoint, without its steps."""
     deviations = np.abs(np.diff(setpoint, 2)) / math.sqrt(6.0)
     if not deviations.size:
         return 0.0
@@ -148,9 +148,9 @@ def scatter_of(setpoint: FloatArray) -> float:
 
 
 def stairs(setpoint: FloatArray) -> list[slice]:
-    """Return the slices of a series in which the setpoint is constant.
+    """Return the sections of a series in which the setpoint is constant.
 
-    The result is empty if the setpoint is not a staircase.
+    The sections are slices. The result is empty if the setpoint is not a staircase.
 
     Examples
     --------
@@ -170,12 +170,14 @@ def stairs(setpoint: FloatArray) -> list[slice]:
 
 
 def _end_mean(values: FloatArray) -> float:
-    """Return the mean of the last third of the values."""
+    """Return the mean of the last third of some values."""
     return float(np.mean(values[-max(1, values.size // 3) :]))
 
 
 def stretch_without(outside: Mask, first: int, end: int) -> slice:
-    """Return the slice around the samples `first` to `end` that extends to the nearest samples of a mask.
+    """Return the longest section around some samples that contains no masked sample.
+
+    The result is a slice around the samples `first` to `end`. `outside` is the mask.
 
     Examples
     --------
@@ -187,9 +189,9 @@ def stretch_without(outside: Mask, first: int, end: int) -> slice:
 
 
 def rested(time: FloatArray, part: slice, fraction: float) -> slice:
-    """Return the final fraction of a hold, in which the outlet is in steady state.
+    """Return the final part of a hold, in which the outlet is in steady state.
 
-    `part` is the slice of the hold, and `fraction` is relative to its duration.
+    `part` is the slice of the hold. `fraction` is the duration of the final part relative to that of the hold.
     """
     times = time[part]
     begin = times[-1] - fraction * (times[-1] - times[0])
@@ -211,7 +213,7 @@ MOST = 0.1  # largest lag, relative to the duration of the sweep
 
 @dataclass(frozen=True)
 class Lag:
-    """Delay and pressure deviation of the outlet behind a sweep."""
+    """Lag of the outlet behind a sweep, as a delay and as a pressure difference."""
 
     time: float  # delay, negative for a lead [s]
     moved: float  # change of the outlet after the end of the sweep, negative for a lead; unit of the outlet
@@ -221,9 +223,10 @@ class Lag:
 
 
 def lags_of(time: FloatArray, x: FloatArray, y: FloatArray, parts: Sequence[Branch]) -> list[Lag]:
-    """Return the lags of all rising sweeps that end in a sufficiently long hold.
+    """Return the lags of the outlet behind all rising sweeps.
 
-    `x` is the swept quantity, `y` the outlet, and `parts` the branches of the sweep.
+    Only sweeps that end in a sufficiently long hold are included. `x` is the swept quantity, `y` the outlet, and
+    `parts` the branches of the sweep.
     """
     pairs = zip(parts, [*parts[1:], None], strict=False)
     lags = [lag_of(time, x, y, branch, following) for branch, following in pairs if branch.sign > 0]
@@ -231,7 +234,7 @@ def lags_of(time: FloatArray, x: FloatArray, y: FloatArray, parts: Sequence[Bran
 
 
 def lag_of(time: FloatArray, x: FloatArray, y: FloatArray, branch: Branch, following: Branch | None) -> Lag | None:
-    """Return the lag of the outlet behind a sweep, from its motion during the following hold.
+    """Return the lag of the outlet behind a sweep, from its motion after the sweep.
 
     `x` is the swept quantity, `y` the outlet, and `following` the next branch. The end of the sweep is the intersection
     of a fitted straight line with the level of the hold, which is robust to noise. In a slow ramp, the delay of a
@@ -248,8 +251,8 @@ def lag_of(time: FloatArray, x: FloatArray, y: FloatArray, branch: Branch, follo
     level = float(np.median(x[max(branch.first, branch.end - 3) : branch.end + 2]))
     extent = float(np.ptp(x[branch.samples]))
     for _ in range(2):  # the hold gives a more accurate level
-        stop = _meets(time, x, branch, level, extent)
-        go = _meets(time, x, following, level, extent) if following is not None else float(time[-1])
+        stop = _time_of_level(time, x, branch, level, extent)
+        go = _time_of_level(time, x, following, level, extent) if following is not None else float(time[-1])
         is_still = (time > stop) & (time < go)
         level = float(np.mean(x[is_still])) if is_still.sum() > FEWEST else level
     is_held = (time > stop + 0.8 * (go - stop)) & (time < go)
@@ -266,10 +269,10 @@ def lag_of(time: FloatArray, x: FloatArray, y: FloatArray, branch: Branch, follo
     valid_ends = [end for end in ends if end is not None]
     if not valid_ends:
         return None
-    end = valid_ends[_agreeing([(end.moved, end.error) for end in valid_ends])]
+    end = valid_ends[_first_consistent_estimate([(end.moved, end.error) for end in valid_ends])]
     # The rate needs less accuracy than the motion, but varies more in a narrow section.
     wide_ends = valid_ends[:WIDE]
-    steady = wide_ends[_agreeing([(end.rate, end.rate_error) for end in wide_ends])]
+    steady = wide_ends[_first_consistent_estimate([(end.rate, end.rate_error) for end in wide_ends])]
     delay = end.moved / steady.rate
     span = abs(float(time[branch.end - 1] - time[branch.first]))
     error = SELECTED * math.hypot(held_error, end.error)
@@ -280,7 +283,10 @@ def lag_of(time: FloatArray, x: FloatArray, y: FloatArray, branch: Branch, follo
 
 @dataclass(frozen=True)
 class SweepEnd:
-    """Motion and rate of the outlet at the end of a sweep, from a section before it."""
+    """Motion and rate of the outlet at the end of a sweep.
+
+    Both are extrapolated from a section before the end.
+    """
 
     moved: float  # change of the outlet after the end
     error: float  # standard uncertainty of `moved`
@@ -292,10 +298,10 @@ class SweepEnd:
 def _end_of_sweep(
     time: FloatArray, x: FloatArray, y: FloatArray, stop: float, held: float, is_coming: Mask, degree: int, noise: Noise
 ) -> SweepEnd | None:
-    """Return the end of a sweep from a polynomial in a section.
+    """Return motion and rate of the outlet at the end of a sweep.
 
-    `held` is the outlet in the hold, and `noise` the noise of the outlet. The result is None without enough samples or
-    if the outlet is constant.
+    Both come from a polynomial of degree `degree` in a section before the end. `held` is the outlet in the hold, and
+    `noise` the noise of the outlet. The result is None without enough samples or if the outlet is constant.
     """
     if is_coming.sum() < (FEWEST if degree == SECTIONS[0][1] else 2 * FEWEST):
         return None
@@ -313,10 +319,10 @@ def _end_of_sweep(
     return SweepEnd(moved, error, rate, rate_error, sweep)
 
 
-def _agreeing(estimates: Sequence[tuple[float, float]]) -> int:
+def _first_consistent_estimate(estimates: Sequence[tuple[float, float]]) -> int:
     """Return the index of the first estimate that agrees with all later ones.
 
-    The estimates are values with their standard uncertainties, with decreasing error by curvature.
+    The estimates are values with their standard uncertainties. Their errors by curvature decrease from one to the next.
     """
     for k, (value, error) in enumerate(estimates[:-1]):
         differences = ((abs(other - value), max(e**2 - error**2, 0.0) ** 0.5) for other, e in estimates[k + 1 :])
@@ -325,10 +331,10 @@ def _agreeing(estimates: Sequence[tuple[float, float]]) -> int:
     return len(estimates) - 1
 
 
-def _meets(time: FloatArray, x: FloatArray, branch: Branch, level: float, extent: float) -> float:
-    """Return the time at which the straight line through a branch reaches a level [s].
+def _time_of_level(time: FloatArray, x: FloatArray, branch: Branch, level: float, extent: float) -> float:
+    """Return the time at which a straight line through a branch reaches a level [s].
 
-    `extent` is the range of the sweep. The result is NaN if the branch has too few samples.
+    `x` is the swept quantity, and `extent` the range of the sweep. The result is NaN if the branch has too few samples.
     """
     part = branch.samples
     distance = np.abs(x[part] - level) / extent
@@ -341,15 +347,17 @@ def _meets(time: FloatArray, x: FloatArray, branch: Branch, level: float, extent
 
 
 def caught_up(time: FloatArray, x: FloatArray, lags: Sequence[Lag]) -> FloatArray:
-    """Return the swept quantity delayed by the mean lag of the outlet.
+    """Return the swept quantity, delayed by the mean lag of the outlet.
 
-    A negative lag means that the outlet leads the sweep, for example because of integral action. The function does not
-    remove a lead.
+    With a negative lag, the outlet leads the sweep, for example because of integral action. Such a lead is not removed.
     """
     delay = float(np.mean([lag.time for lag in lags])) if lags else 0.0
     return np.interp(time - delay, time, x) if delay > 0.0 else x
 
 
 def moved_by(lags: Sequence[Lag]) -> tuple[float, Uncertainty]:
-    """Return the mean change of the outlet after the end of the sweeps, with its uncertainty."""
+    """Return the mean change of the outlet after the end of sweeps.
+
+    `lags` are the lags of the sweeps. The second item is the uncertainty.
+    """
     return mean_of([lag.moved for lag in lags], [Uncertainty(lag.error) for lag in lags])

@@ -28,7 +28,7 @@ WIDER = 1.2  # factor on the standard deviation of a parabola, because the width
 
 @dataclass(frozen=True, eq=False)
 class SmoothedSeries:
-    """Smoothed step response with the standard deviation of each value."""
+    """Smoothed step response, with the standard deviation of each value."""
 
     time: FloatArray
     values: FloatArray
@@ -44,12 +44,12 @@ class SmoothedSeries:
 
     def summit(self) -> tuple[float, Uncertainty]:
         """Return the largest value and its uncertainty, from a polynomial fitted to the peak."""
-        return _agreed([self._peak(flank) for flank in FLANKS])
+        return _first_agreeing_estimate([self._peak(flank) for flank in FLANKS])
 
     def _peak(self, part: float) -> tuple[float, Uncertainty]:
         """Return the largest value from the samples near the peak, with its uncertainty.
 
-        `part` is the fraction of the peak height above one at which the window begins and ends.
+        `part` determines the window near the peak: it begins and ends at this fraction of the peak height above one.
         """
         k = int(np.argmax(self.values))
         flank = 1.0 + part * (float(self.values[k]) - 1.0)
@@ -73,9 +73,8 @@ class SmoothedSeries:
     def crossing(self, level: float, extra: float, *, last: bool = False) -> tuple[float, Uncertainty]:
         """Return the time at which the series crosses a level, with its uncertainty.
 
-        The default is the first rise to the level. If `last` is True, it is the last fall below the level.
-
-        `extra` is the standard deviation of the level. The time is NaN if the series does not cross the level.
+        By default, it is the first rise to the level. If `last` is True, it is the last fall below the level. `extra`
+        is the standard deviation of the level. The time is NaN if the series does not cross the level.
         """
         time = self._when(level, last=last)
         if not math.isfinite(time):
@@ -97,7 +96,7 @@ class SmoothedSeries:
         return time, Uncertainty(normal, half_width, None if is_even else (earliest - half_width, latest + half_width))
 
     def leaving(self, band: float, extra: float) -> tuple[float, Uncertainty]:
-        """Return the time after which the series stays within a band about one.
+        """Return the time from which the series stays within a band about one.
 
         `band` is the half width of the band, and `extra` the standard deviation of the final value. The second item is
         the uncertainty. A local cubic reduces the effect of noise.
@@ -118,14 +117,14 @@ class SmoothedSeries:
         estimates = [(t, Uncertainty(WIDER * error, uncertainty.even)) for t, error in exits if math.isfinite(t)]
         # The band depends on the final value; its uncertainty divided by the slope is an uncertainty of the time.
         slope = band / max(time - float(self.time[max(k - reach, 0)]), 1e-300)
-        exit_time, error = _agreed([*estimates, (time, uncertainty)])
+        exit_time, error = _first_agreeing_estimate([*estimates, (time, uncertainty)])
         return exit_time, error.wider(extra / slope)
 
     def _left_on_cubic(self, k: int, reach: int, side: float, band: float) -> tuple[float, float]:
-        """Return the time at which a local cubic enters the band, and its standard deviation.
+        """Return the time at which a local cubic polynomial enters the band.
 
-        The window extends `reach` samples to either side of the sample `k`. `side` is +1 above and -1 below the final
-        value.
+        The second item is its standard deviation. The polynomial is fitted to `reach` samples on either side of the
+        sample `k`. `side` is +1 above and -1 below the final value.
         """
         window = slice(k - reach, min(k + reach + 1, self.time.size))
         if window.stop - window.start < 9:
@@ -142,9 +141,10 @@ class SmoothedSeries:
         return middle + root * width, -self.noise.of(np.vander([root], 4)[0] @ inverse) / slope
 
     def _when(self, level: float, *, last: bool) -> float:
-        """Return the mean of the first and last time at which a noisy series crosses a level.
+        """Return the time at which a noisy series crosses a level.
 
-        The default is the rise to the level. If `last` is True, it is the final fall below the level.
+        It is the mean of the first and the last crossing of the rise. If `last` is True, it is that of the final fall
+        below the level.
         """
         if not last:
             risen = np.flatnonzero(self.values >= level)
@@ -165,7 +165,10 @@ class SmoothedSeries:
         return 0.5 * (self._between(first, level) + self._between(final, level))
 
     def _between(self, k: int, level: float) -> float:
-        """Return the time at which a cubic between the samples `k - 1` and `k` reaches a level."""
+        """Return the time between two samples at which a cubic reaches a level.
+
+        The samples are `k - 1` and `k`.
+        """
         time, b, c = self.time, float(self.values[k - 1]), float(self.values[k])
         a = float(self.values[k - 2]) if k > 1 else 2.0 * b - c
         d = float(self.values[k + 1]) if k + 1 < self.values.size else 2.0 * c - b
@@ -229,8 +232,8 @@ def smoothed(time: FloatArray, values: FloatArray, noise: Noise, narrowest: int 
     return SmoothedSeries(time[part], best[part], WIDER * errors[part], values[part], widths[part], noise)
 
 
-def _agreed(estimates: Sequence[tuple[float, Uncertainty]]) -> tuple[float, Uncertainty]:
-    """Return the first estimate that agrees with its successor.
+def _first_agreeing_estimate(estimates: Sequence[tuple[float, Uncertainty]]) -> tuple[float, Uncertainty]:
+    """Return the first estimate that agrees with the next one.
 
     The estimates are in the order of decreasing numbers of samples. If no pair agrees, the result is the last one.
     """
@@ -242,9 +245,10 @@ def _agreed(estimates: Sequence[tuple[float, Uncertainty]]) -> tuple[float, Unce
 
 @cache
 def parabola(width: int) -> FloatArray:
-    """Return the weights that give the central value of a parabola fitted to samples.
+    """Return weights for the smoothed value at the centre of some samples.
 
-    `width` is the number of samples on either side. For `width` = 1, the fit is a straight line.
+    The weights are those of a parabola fitted to `width` samples on either side. For `width` = 1, a straight line is
+    fitted.
     """
     offsets = np.arange(-width, width + 1, dtype=np.float64)
     return np.asarray(np.linalg.pinv(np.vander(offsets, 3 if width > 1 else 2))[-1])

@@ -34,9 +34,10 @@ CASE = ("from", "to", "volume", "sampling")  # conditions of a step for its char
 
 
 def step_trial(scale: Scale, volume: float, amplitude: float, hold: float) -> Trial:
-    """Return a trial with a step up and a step down about the middle of the range.
+    """Return a trial with a step up and a step down.
 
-    `amplitude` is the height of the step [% FS], and `hold` the time at each level [s].
+    The steps are symmetric about the middle of the range. `amplitude` is the height of the step [% FS], and `hold` the
+    time at each level [s].
     """
     low, high = (float(scale.setpoint(50.0 + side * amplitude / 2.0)) for side in (-1.0, 1.0))
     # The steps coincide with rows: both are multiples of a quarter of the hold.
@@ -54,16 +55,17 @@ def _evaluate(evaluation: Evaluation, records: Sequence[Record]) -> None:
         for k, jump in enumerate(steps):
             begin = steps[k - 1].after if k else 0
             end = steps[k + 1].before + 1 if k + 1 < len(steps) else record.time.size
-            _one(evaluation, record, x, y, jump, slice(begin, jump.before + 1), slice(jump.after, end))
-    _figures(evaluation)
+            _evaluate_step(evaluation, record, x, y, jump, slice(begin, jump.before + 1), slice(jump.after, end))
+    _add_characteristic_values(evaluation)
 
 
-def _one(
+def _evaluate_step(
     evaluation: Evaluation, record: Record, x: FloatArray, y: FloatArray, jump: Jump, before: slice, after: slice
 ) -> None:
-    """Evaluate one step and add its row to the evaluation.
+    """Evaluate one step of the setpoint, and add its row to the evaluation.
 
-    `x` and `y` are setpoint and outlet in % FS. `before` and `after` are the holds before and after the step.
+    `x` and `y` are setpoint and outlet pressure in % FS. `jump` is the step. `before` and `after` are the sections of
+    constant setpoint before and after it.
     """
     if min(before.stop - before.start, after.stop - after.start) < 5:
         evaluation.note("step.no_samples", record.name, time=jump.time)
@@ -108,15 +110,16 @@ def _one(
     row["is_settled"] = reason != "unsettled"
     if not record.is_exact and jump.duration > COARSE * row.get("delay", math.inf):
         note("coarse", error=0.5 * jump.duration, delay=row["delay"])
-    _curve(evaluation, record, row, y, jump, after.stop)
+    _add_step_curve(evaluation, record, row, y, jump, after.stop)
 
 
 def _add_times(
     evaluation: Evaluation, row: Row, record: Record, y: FloatArray, jump: Jump, section: slice, *holds: slice
 ) -> str:
-    """Set the times and the overshoot of a row; return a note code if the settling time cannot be determined.
+    """Set the response times and the overshoot in a row of results.
 
-    `section` is the part of the record with both holds. `holds` are the steady parts before and after the step.
+    `section` is the part of the record with both holds. `holds` are the steady parts before and after the step. If the
+    settling time cannot be determined, the result is the code of the note that states why.
     """
     start, end = row["outlet_from"], row["outlet_to"]
     noise = noise_about([y[hold] for hold in holds])
@@ -160,7 +163,7 @@ def _add_times(
     return ""
 
 
-def _figures(evaluation: Evaluation) -> None:
+def _add_characteristic_values(evaluation: Evaluation) -> None:
     """Add the characteristic values of all steps to the evaluation.
 
     If steps are clipped, the largest values of the other steps become bounds.
@@ -245,8 +248,8 @@ def _case(row: Row) -> Row:
     return {key: row[key] for key in CASE if key in row}
 
 
-def _curve(evaluation: Evaluation, record: Record, row: Row, y: FloatArray, jump: Jump, stop: int) -> None:
-    """Add the step response as a percentage of its change to the curves of the evaluation.
+def _add_step_curve(evaluation: Evaluation, record: Record, row: Row, y: FloatArray, jump: Jump, stop: int) -> None:
+    """Add the step response, as a percentage of the total change, to the curves.
 
     The curve begins shortly before the step and ends after the outlet has settled.
     """
@@ -278,7 +281,7 @@ FIRST = 3  # smallest number of periods in a hold; fewer periods are a drift
 
 @dataclass(frozen=True)
 class Hum:
-    """Limit cycle with its amplitude (half of the peak-to-peak value) [% FS] and frequency [Hz]."""
+    """Limit cycle: its amplitude (half of the peak-to-peak value) [% FS] and frequency [Hz]."""
 
     amplitude: float
     frequency: float
@@ -341,7 +344,8 @@ def hum_of(time: FloatArray, outlet: FloatArray) -> Hum | None:
 def _half_swing(time: FloatArray, values: FloatArray, frequency: float, noise: float) -> tuple[float, FloatArray]:
     """Return half of the peak-to-peak value of the mean period, and the residual.
 
-    The residual is the series minus the fitted harmonics. The peak-to-peak value excludes harmonics below the noise.
+    The residual is the series minus the fitted harmonics of `frequency`. The peak-to-peak value excludes harmonics
+    below the noise.
     """
     phase = 2.0 * math.pi * frequency * (time - time[0])
     per_period = values.size / (frequency * (time[-1] - time[0]))

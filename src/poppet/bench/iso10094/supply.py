@@ -27,9 +27,10 @@ DRIFT = 0.05  # relative change between the halves of this fraction, above which
 def supply_trial(
     scale: Scale, volume: float, setpoint: float, sweep: float, hold: float, ends: tuple[float, float]
 ) -> Trial:
-    """Return a trial with sweeps of the supply pressure up and down at a constant setpoint.
+    """Return a trial that sweeps the supply pressure at a constant setpoint.
 
-    `ends` are the lowest and highest supply pressure [Pa]. One cycle precedes the recorded one.
+    The sweep goes up and down. `ends` are the lowest and highest supply pressure [Pa]. One cycle precedes the recorded
+    one.
     """
     low, high = ends
     # The first cycle is not evaluated: it removes the effect of previous motions of the valve.
@@ -53,7 +54,7 @@ def supply_trials(pace: Pace) -> list[Trial]:
 
 
 def leakage_trial(scale: Scale, volume: float, setpoint: float, hold: float) -> Trial:
-    """Return a trial with a constant setpoint and no flow at the outlet.
+    """Return a trial at constant setpoint without flow at the outlet.
 
     `setpoint` is in % FS, and `hold` is the settling time of the valve [s].
     """
@@ -62,7 +63,7 @@ def leakage_trial(scale: Scale, volume: float, setpoint: float, hold: float) -> 
 
 
 def leakage_trials(pace: Pace) -> list[Trial]:
-    """Return one trial without outlet flow for setpoint zero and for each setpoint."""
+    """Return trials without outlet flow, at setpoint zero and at each other setpoint."""
     setpoints = (0.0, *pace.settings.setpoints)
     return [leakage_trial(pace.specimen.scale, pace.volume, setpoint, pace.hold) for setpoint in setpoints]
 
@@ -130,7 +131,10 @@ def _one(evaluation: Evaluation, record: Record) -> None:
 
 
 def evaluate_leakage(evaluation: Evaluation, records: Sequence[Record]) -> None:
-    """Add the steady-state consumption of each record and the largest consumption to the evaluation."""
+    """Add the supply flow of each record in steady state to the evaluation.
+
+    The largest of these flows is the characteristic value.
+    """
     for record in records:
         last = record.time >= record.time[-1] - HOLD * (record.time[-1] - record.time[0])
         clock, flow = record.time[last], record.consumption[last]

@@ -28,7 +28,7 @@ SEED = 20
 
 @dataclass(frozen=True)
 class Uncertainty:
-    """Uncertainty of a value, the sum of a normal and a uniform distribution.
+    """Uncertainty of a value, as the sum of a normal and a uniform distribution.
 
     `normal` is the standard deviation of the normal distribution, and `even` the half width of the uniform one.
     """
@@ -42,20 +42,21 @@ class Uncertainty:
 
     @property
     def standard(self) -> float:
-        """Standard uncertainty of the sum of both distributions."""
+        """Standard uncertainty of the value, from both distributions."""
         return math.hypot(self.normal, self.even / math.sqrt(3.0), self.common / math.sqrt(3.0))
 
     def wider(self, normal: float) -> Uncertainty:
-        """Return the uncertainty with an additional independent normal contribution.
+        """Return the uncertainty with a further independent normal contribution.
 
-        `normal` is the standard deviation of the contribution.
+        `normal` is the standard deviation of this contribution.
         """
         return Uncertainty(math.hypot(self.normal, normal), self.even, self.ends, self.common)
 
     def plus(self, addend: Uncertainty) -> Uncertainty:
         """Return the uncertainty of the sum or difference of two independent values.
 
-        The larger uniform distribution stays uniform. The smaller one is treated as normal.
+        `addend` is the uncertainty of the second value. The larger uniform distribution stays uniform. The smaller one
+        is treated as normal.
         """
         small, even = sorted((self.even, addend.even))
         margin = NORMAL * math.hypot(addend.normal, addend.even / math.sqrt(3.0))
@@ -96,7 +97,10 @@ def _phi(x: float) -> float:
 
 @dataclass(frozen=True, eq=False)
 class Noise:
-    """Autocovariance of the noise of a series, from lag zero in steps of one sample."""
+    """Noise of a series, described by its autocovariance.
+
+    The autocovariance begins at lag zero, in steps of one sample.
+    """
 
     covariance: FloatArray
 
@@ -106,7 +110,10 @@ class Noise:
         return math.sqrt(float(self.covariance[0]))
 
     def of(self, weights: FloatArray) -> float:
-        """Return the standard deviation of a weighted sum of consecutive noisy samples."""
+        """Return the standard deviation of a weighted sum of consecutive noisy samples.
+
+        `weights` are the factors on the samples.
+        """
         lags = min(self.covariance.size, weights.size)
         products = np.array([float(weights[k:] @ weights[: weights.size - k]) for k in range(lags)])
         products[1:] *= 2.0
@@ -114,7 +121,7 @@ class Noise:
 
     @property
     def spread(self) -> float:
-        """Standard deviation of the white noise that gives the same scatter of long means."""
+        """Standard deviation of white noise with the same effect on means of many samples."""
         total = float(self.covariance[0]) + 2.0 * float(np.sum(self.covariance[1:]))
         return math.sqrt(SHORT * max(total, 0.25 * float(self.covariance[0])))
 
@@ -123,7 +130,7 @@ class Noise:
         return self.spread / math.sqrt(max(1, count))
 
     def at(self, turn: float) -> float:
-        """Return the standard deviation of white noise with the same power density at one frequency.
+        """Return the standard deviation of white noise with the same power at one frequency.
 
         `turn` is the angular frequency [rad/sample].
         """
@@ -197,7 +204,10 @@ def roughness(rows: FloatArray, stride: int = 1) -> float:
 
 @dataclass(frozen=True, eq=False)
 class SmoothCurve:
-    """Smoothed curve on a grid, with the standard deviation of its coefficients."""
+    """Smoothed curve on a grid, with the standard deviation of its coefficients.
+
+    The curve is a polynomial.
+    """
 
     values: FloatArray
     basis: FloatArray  # (n, m), orthonormal basis of the remaining noise
@@ -206,16 +216,20 @@ class SmoothCurve:
     kept: int
 
     def draws(self, random: np.random.Generator) -> tuple[FloatArray, FloatArray]:
-        """Return two sets of random curves with the remaining noise, one curve per row.
+        """Return random curves with the noise that remains after smoothing.
 
-        The first set varies only the selected coefficients, and the second set varies all coefficients.
+        Each row is a curve. The first set of curves varies only the selected coefficients, and the second set varies
+        all coefficients. `random` is the random generator.
         """
         chance = self.sigma * random.standard_normal((DRAWS, self.basis.shape[1]))
         selected = self.values + chance[:, : self.kept] @ self.basis[:, : self.kept].T
         return selected, self.values + chance @ self.basis.T
 
     def error(self, weights: FloatArray) -> float:
-        """Return the standard deviation of a weighted sum of the values of the curve."""
+        """Return the standard deviation of a weighted sum of the values of the curve.
+
+        `weights` are the factors on the values.
+        """
         return self.sigma * float(np.linalg.norm(weights @ self.basis))
 
 
@@ -261,10 +275,10 @@ OMITTED = 3  # further coefficients that contribute to the uncertainty, because 
 def unbiased(
     curves: Sequence[SmoothCurve], functional: Callable[[list[FloatArray]], FloatArray]
 ) -> tuple[float, Uncertainty]:
-    """Evaluate a nonlinear function of smoothed curves, corrected for the bias by noise.
+    """Return a nonlinear function of noisy curves, corrected for the bias by noise.
 
-    `functional` is the nonlinear function, for example a maximum. Its argument is a list of arrays of shape (draws, n),
-    one per curve; the result is one value per draw. Random draws of the noise give the bias and the uncertainty.
+    `functional` is this function, for example a maximum. Its argument is a list of arrays of shape (draws, n), one per
+    curve, and its result is one value per draw. Random draws of the noise give the bias and the uncertainty.
 
     Examples
     --------

@@ -73,7 +73,7 @@ class ValveRecordings:
 def recorded(
     data: Mapping[str, Any], path: Path, *, full_scale: str | None = None, rated_flow: float = math.nan
 ) -> ValveRecordings:
-    """Read all recordings that a recordings file lists.
+    """Read all recordings that are listed in a recordings file.
 
     `data` is the content of the file, and `path` its path. `full_scale` and `rated_flow` replace the values in the
     file.
@@ -96,7 +96,7 @@ def recorded(
     notes: list[Note] = []
     for name, table in data["recordings"].items():
         try:
-            record, found_notes = _record(name, table, path.parent, ambient, scale)
+            record, found_notes = _read_recording(name, table, path.parent, ambient, scale)
         except InputError as error:
             problems.append(error)
             continue
@@ -114,7 +114,7 @@ def recorded(
     return ValveRecordings(str(data.get("title", path.stem)), scale, records, rated_flow, tuple(notes), conditions)
 
 
-def _record(name: str, table: Any, folder: Path, ambient: float, scale: Scale) -> tuple[Record, list[Note]]:
+def _read_recording(name: str, table: Any, folder: Path, ambient: float, scale: Scale) -> tuple[Record, list[Note]]:
     """Read one recording, and return its record and notes.
 
     `table` is the table of the recording in the file, and `ambient` the ambient pressure [Pa].
@@ -148,7 +148,7 @@ def _record(name: str, table: Any, folder: Path, ambient: float, scale: Scale) -
     own_names = tuple(OF_RECORDING)
     other_fields = {key: value for key, value in table.items() if key not in own_names}
     measurement = read_measurement(name, other_fields, folder, ambient_pressure=ambient, other_fields=own_names)
-    record, n_spikes = _joined(name, measurement, fields, address, scale)
+    record, n_spikes = _record_of_measurement(name, measurement, fields, address, scale)
     # Clipping is checked here with the meaning of the channels: an outlet follows the setpoint, a command has limits.
     findings = [finding for finding in measurement.findings if finding.code != "suspicion.clipped"]
     # If the outlet is at rest while the setpoint is constant, the steps of the setpoint are commands and not the
@@ -179,13 +179,14 @@ def _record(name: str, table: Any, folder: Path, ambient: float, scale: Scale) -
     return record, notes
 
 
-def _joined(
+def _record_of_measurement(
     name: str, measurement: Measurement, fields: Mapping[str, Any], address: str, scale: Scale
 ) -> tuple[Record, int]:
-    """Return a record with all channels at the samples of the outlet pressure, and the number of replaced spikes.
+    """Return the channels of a measurement as a record, and the number of replaced spikes.
 
-    The record covers the time that all channels have in common. `fields` contains the fields that only valve recordings
-    have.
+    All channels are resampled at the sample instants of the outlet pressure, within the time range that all channels
+    cover. `fields` contains
+    the fields that only valve recordings have.
     """
     channels = {channel.address: channel for channel in measurement.channels}
     begin = max(float(channel.time[0]) for channel in channels.values())
@@ -225,7 +226,7 @@ MOST_LOOKED_AT = 200  # maximum number of samples before a run that are examined
 
 
 def clipped(series: Mapping[str, FloatArray]) -> dict[str, Mask]:
-    """Return a mask of the clipped samples for each series that has any.
+    """Return a mask of clipped samples for each series that has any.
 
     Setpoint and outlet must be in % FS.
 
@@ -248,7 +249,7 @@ def clipped(series: Mapping[str, FloatArray]) -> dict[str, Mask]:
             # A digital setpoint has no noise to test.
             is_cut = name != "setpoint" and stays_in_noise(values, level, quantum_of(values))
             if not is_cut and name in ("setpoint", "flow"):
-                is_cut = any(_goes_on(sign * values, series["outlet"], run) for run in runs)
+                is_cut = any(_outlet_moves_in_section(sign * values, series["outlet"], run) for run in runs)
             elif not is_cut and name == "outlet":
                 is_cut = any(_is_stuck(series, sign, run) for run in runs)
             if is_cut:
@@ -259,21 +260,22 @@ def clipped(series: Mapping[str, FloatArray]) -> dict[str, Mask]:
 
 
 def _is_stuck(series: Mapping[str, FloatArray], sign: float, run: slice) -> bool:
-    """Return True if the outlet is clipped: constant although setpoint or flow changes.
+    """Return True if a constant section of the outlet is clipped.
 
-    `run` is the slice in which the outlet is constant. `sign` is +1 at the upper limit and -1 at the lower limit.
+    It is clipped if setpoint or flow changes at the same time. `run` is the slice of the section. `sign` is +1 at the
+    upper limit and -1 at the lower limit.
     """
     y, x, flow = sign * series["outlet"], sign * series["setpoint"], series.get("flow", np.zeros(0))
     half = slice((run.start + run.stop) // 2, run.stop)
     is_held = _is_ramp(x, run) and float(np.ptp(x[half])) < max(BELOW, CLEAR * noise_of(x))
     is_peak = not is_held and cuts_a_peak(y, (run.start, run.stop), _step(y))
-    is_loaded = bool(flow.size) and _is_left(-sign * flow, run, LOADED * float(np.ptp(flow)))
+    is_loaded = bool(flow.size) and _changes_meanwhile(-sign * flow, run, LOADED * float(np.ptp(flow)))
     # A sudden stop while the outlet is still below the setpoint.
     is_abrupt = False
     if run.start >= 4 and float(np.max(x[run])) - y[run.start] >= BELOW and not _is_ramp(x, run):
         earlier, last = np.diff(y[run.start - 3 : run.start])
         is_abrupt = bool(min(earlier, last) > STEEP * _step(y) and last > SLOWER * earlier)
-    return is_peak or is_loaded or is_abrupt or _is_left(x, run, ONWARD)
+    return is_peak or is_loaded or is_abrupt or _changes_meanwhile(x, run, ONWARD)
 
 
 def _runs(mask: Mask) -> list[slice]:
@@ -286,24 +288,27 @@ def _step(values: FloatArray) -> float:
 
 
 def _is_ramp(x: FloatArray, run: slice) -> bool:
-    """Return True if a series reaches the constant slice `run` gradually and not by a jump."""
+    """Return True if a series reaches a constant section gradually.
+
+    `run` is the slice of the section. The result for a jump is False.
+    """
     approach = x[max(0, run.start - min(run.stop - run.start, MOST_LOOKED_AT)) : run.start + 1]
     change = approach[-1] - approach[0]
     return bool(change > max(RAMP * _step(x), CLEAR * noise_of(x)) and np.max(np.diff(approach)) < 0.5 * change)
 
 
-def _is_left(x: FloatArray, run: slice, threshold: float) -> bool:
-    """Return True if setpoint or flow continues to change while the outlet is constant.
+def _changes_meanwhile(x: FloatArray, run: slice, threshold: float) -> bool:
+    """Return True if setpoint or flow still changes while the outlet is constant.
 
-    `x` is the setpoint or flow, and the outlet is constant in the slice `run`.
+    `x` is the setpoint or flow. The outlet is constant in the slice `run`. Changes below `threshold` do not count.
     """
     return bool(float(np.max(x[run])) - x[run.start] > max(threshold, CLEAR * noise_of(x)))
 
 
-def _goes_on(x: FloatArray, outlet: FloatArray, run: slice) -> bool:
-    """Return True if the outlet moves away and back while `x` seems constant after a ramp.
+def _outlet_moves_in_section(x: FloatArray, outlet: FloatArray, run: slice) -> bool:
+    """Return True if the outlet moves although `x` seems constant after a ramp.
 
-    `x` is constant in the slice `run`. The motion of the outlet indicates that `x` is clipped there.
+    `x` is constant in the slice `run`. A motion of the outlet away and back shows that `x` is clipped there.
     """
     if run.start == 0 or not _is_ramp(x, run):
         return False

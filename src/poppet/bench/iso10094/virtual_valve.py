@@ -23,9 +23,10 @@ _SCALE = Scale(1e5, 7e5, "Pa", 1e5, 7e5)
 
 @dataclass(frozen=True)
 class StandIn:
-    """Virtual valve of first or second order with backlash, threshold, dead zone and dead time.
+    """Virtual valve with known characteristic values, for tests of the bench.
 
-    The fields are the true characteristic values, with which the results of the bench can be compared.
+    It is of first or second order, with backlash, threshold, dead zone and dead time. The fields are the true
+    characteristic values, with which the results of the bench can be compared.
     """
 
     scale: Scale = _SCALE
@@ -51,7 +52,7 @@ class StandIn:
     title: str = "stand-in"
 
     def respond(self, trial: Trial) -> Record:
-        """Simulate a trial and return its record."""
+        """Simulate a trial, and return the record of its channels."""
         constant = self.time_constant * trial.volume / self.reference_volume
         rows = round(trial.duration / trial.step)
         # Jumps become ramps over one step; signals without jumps need no small step.
@@ -65,7 +66,7 @@ class StandIn:
         sign, slope = (1.0, self.droop) if float(np.max(load)) > 0.0 else (-1.0, self.rise)
         effect = -sign * slope * play(sign * load, self.flow_play)  # of the flow on the outlet [% FS]
         target += effect + 100.0 * self.supply_sensitivity * (supply - self.supply) / self.scale.span
-        y = _answer(target, trial.step / finer, constant, self.damping)
+        y = _linear_response(target, trial.step / finer, constant, self.damping)
         y += self.offset + self.hum * np.sin(2.0 * math.pi * self.hum_frequency * time)
         rows_shown = np.arange(rows + 1) * finer
         rows_shown = rows_shown[time[rows_shown] >= trial.lead - 1e-9 * trial.step]
@@ -77,7 +78,7 @@ class StandIn:
         )  # fmt: skip
 
     def static(self, setpoint: FloatArray) -> FloatArray:
-        """Return the steady-state outlet for a sequence of setpoints, both in % FS."""
+        """Return the steady-state outlet pressure for several setpoints, both in % FS."""
         input_ = play(setpoint, self.play)
         if self.threshold > 0.0:
             # The position stays constant until the input differs from it by the threshold, then jumps to the input.
@@ -100,9 +101,9 @@ class StandIn:
 
 
 def play(values: FloatArray, width: float) -> FloatArray:
-    """Apply backlash to a series.
+    """Return a series after backlash.
 
-    The result follows the series at a distance of at most half of the width.
+    The result follows the series at a distance of at most half of `width`.
 
     Examples
     --------
@@ -121,10 +122,11 @@ def play(values: FloatArray, width: float) -> FloatArray:
     return result
 
 
-def _answer(target: FloatArray, step: float, constant: float, damping: float) -> FloatArray:
+def _linear_response(target: FloatArray, step: float, constant: float, damping: float) -> FloatArray:
     """Return the exact response of the linear dynamics to a piecewise linear input.
 
-    `target` is the input, and `constant` the time constant [s]. The response starts in steady state.
+    `target` is the input, and `step` the time between its points [s]. `constant` is the time constant [s]. The response
+    starts in steady state.
     """
     from scipy.signal import lfilter
 

@@ -26,7 +26,10 @@ WORTH = 1.05  # ratio of bandwidths from which a part counts as limiting
 
 @dataclass
 class Sweep:
-    """Frequency response of a circuit at one amplitude; each frequency is simulated on first use."""
+    """Frequency response of a circuit at one amplitude.
+
+    Each frequency is simulated when it is first needed.
+    """
 
     rig: SineRig  # nonlinear model in a settled state
     amplitude: float  # amplitude of the setpoint [Pa]
@@ -55,9 +58,9 @@ class Sweep:
 
 
 def crossing(value: Callable[[float], float], limit: float, guess: float, lowest: float, highest: float) -> float:
-    """Return the first frequency at which a falling value goes below a limit.
+    """Return the frequency at which a falling function first goes below a limit.
 
-    `value` is a falling function of frequency, and the search starts at `guess`. The result is 0 if the value is below
+    `value` is this function of frequency, and the search starts at `guess`. The result is 0 if the function is below
     the limit at the lowest frequency, and infinite if it is not below the limit at the highest frequency.
     """
     low = high = min(max(guess, lowest), highest)
@@ -81,7 +84,7 @@ def crossing(value: Callable[[float], float], limit: float, guess: float, lowest
 
 @dataclass(frozen=True)
 class Point:
-    """Bandwidths and step times of a valve for one load volume and amplitude."""
+    """Bandwidths and step times of a valve for one load volume and one amplitude."""
 
     # Frequencies [Hz] are 0 below the range and infinite above it.
     gain_frequency: float  # gain reduced by 3 dB
@@ -95,9 +98,10 @@ class Point:
 
 
 def guessed(plan: LimitsPlan, volume: float, amplitude: float) -> float:
-    """Return a start value for the search for the bandwidth [Hz].
+    """Return the frequency at which the search for the bandwidth starts [Hz].
 
-    It assumes a largest pressure slope of 1 MPa/s with 1 l, inversely proportional to the volume.
+    The estimate assumes a maximum pressure slope of 1 MPa/s for a volume of 1 litre, and that this slope is inversely
+    proportional to the volume.
     """
     return float(np.clip(1e6 * 1e-3 / volume / (2.0 * np.pi * amplitude), plan.lowest, 30.0))
 
@@ -105,22 +109,23 @@ def guessed(plan: LimitsPlan, volume: float, amplitude: float) -> float:
 def bandwidth_point(
     plan: LimitsPlan, volume: float, amplitude: float, guess: float | None = None, parts: Sequence[str] = (*PARTS, LOAD)
 ) -> Point:
-    """Compute bandwidths, step times and the limiting part for one volume and amplitude.
+    """Compute the bandwidths and step times for one volume and one amplitude.
 
-    `guess` is a start value of the bandwidth [Hz]. `parts` are the parts that are made ideal, one at a time.
+    The part that limits the bandwidth is also determined: each part in `parts` is made ideal, one at a time. `guess` is
+    a start value of the bandwidth [Hz].
     """
-    sweep = _sweep(plan, volume, amplitude)
+    sweep = _settled_frequency_response(plan, volume, amplitude)
     if sweep is None:
         return Point(math.nan, math.nan, math.nan, math.nan, math.nan, {}, "")
     begin = guess if guess and math.isfinite(guess) else guessed(plan, volume, amplitude)
     end = _bandwidth(plan, sweep, begin)
     start = end if plan.lowest < end < plan.highest else begin
     lag = crossing(lambda f: -sweep.lag(f), -LAG, start, plan.lowest, plan.highest)
-    up, down = (_rise(plan, volume, amplitude, sign) for sign in (1.0, -1.0))
+    up, down = (_time_to_90_percent(plan, volume, amplitude, sign) for sign in (1.0, -1.0))
     gains = {}  # the bandwidth with each part ideal, relative to the unchanged bandwidth
     for part in parts if 0.0 < end < math.inf else ():
         changes = ideal(plan, part) if part in PARTS else None
-        changed = _sweep(plan, volume / IDEAL if part == LOAD else volume, amplitude, changes)
+        changed = _settled_frequency_response(plan, volume / IDEAL if part == LOAD else volume, amplitude, changes)
         if changed is not None:
             gains[part] = min(_bandwidth(plan, changed, end), plan.highest) / end
     best = max(gains, key=lambda part: gains[part], default="")
@@ -132,10 +137,12 @@ def _bandwidth(plan: LimitsPlan, sweep: Sweep, guess: float) -> float:
     return crossing(sweep.gain, GAIN, guess / BELOW, plan.lowest, plan.highest)
 
 
-def _sweep(plan: LimitsPlan, volume: float, amplitude: float, changes: Changes | None = None) -> Sweep | None:
-    """Return the frequency response of a settled circuit.
+def _settled_frequency_response(
+    plan: LimitsPlan, volume: float, amplitude: float, changes: Changes | None = None
+) -> Sweep | None:
+    """Return the frequency response of a circuit that has settled.
 
-    The result is None if the circuit does not settle. `changes` are changed parameters.
+    `changes` are changed parameters. The result is None if the circuit does not settle.
     """
     try:
         return Sweep(plan.rig(volume, changes), amplitude, plan.per_pascal)
@@ -143,11 +150,12 @@ def _sweep(plan: LimitsPlan, volume: float, amplitude: float, changes: Changes |
         return None
 
 
-def _rise(plan: LimitsPlan, volume: float, amplitude: float, sign: float) -> float:
-    """Return the time for 90 % of a step of twice the amplitude about the mean pressure [s].
+def _time_to_90_percent(plan: LimitsPlan, volume: float, amplitude: float, sign: float) -> float:
+    """Return the time that the outlet needs for 90 % of a step [s].
 
-    `sign` is +1 for a step up and -1 for a step down. The result is NaN if the outlet does not reach the value.
+    The height of the step is twice the amplitude, and it is symmetric about the mean pressure. `sign` is +1 for a step
+    up and -1 for a step down. The result is NaN if the outlet does not reach the value.
     """
-    sweep = _sweep(replace(plan, mean=plan.mean - sign * amplitude), volume, amplitude)
+    sweep = _settled_frequency_response(replace(plan, mean=plan.mean - sign * amplitude), volume, amplitude)
     change = 2.0 * sign * amplitude
     return math.nan if sweep is None else sweep.rig.rise(change * plan.per_pascal, change, RISEN, LONGEST)

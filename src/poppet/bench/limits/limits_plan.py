@@ -38,7 +38,7 @@ IDEAL = 10.0  # factor on the parameters of a part that is made ideal
 
 @dataclass(frozen=True, eq=False)
 class LimitsPlan:
-    """Valve in a circuit, and the ranges of the parameters for its dynamic limits."""
+    """Settings for the dynamic limits of a valve: the circuit and ranges of parameters."""
 
     circuit: BaseCircuit
     valve: str
@@ -63,7 +63,7 @@ class LimitsPlan:
 
     @property
     def per_pascal(self) -> float:
-        """Change of the setpoint per change of the outlet pressure, in the unit of the setpoint per Pa."""
+        """Setpoint change that corresponds to 1 Pa of outlet pressure, in the unit of the setpoint."""
         _, first, last = SCALES[self._kind]
         low, high = self.ends
         return 1.0 if self._kind == "pressure" else (last - first) / (high - low)
@@ -75,18 +75,18 @@ class LimitsPlan:
 
     @property
     def ends(self) -> tuple[float, float]:
-        """Outlet pressures at 0 % and 100 % of the setpoint [Pa]."""
+        """Outlet pressures at 0 % and at 100 % of the setpoint range [Pa]."""
         values, path = self.circuit.parameters, f"{self.valve}.electronics.scaling"
         return values[f"{path}.low"], values[f"{path}.high"]
 
     def asked(self, pressure: float) -> float:
-        """Return the setpoint, in its unit, that corresponds to an outlet pressure [Pa]."""
+        """Return the setpoint for a given outlet pressure, in the unit of the setpoint."""
         if self._kind == "pressure":
             return pressure
         return SCALES[self._kind][1] + (pressure - self.ends[0]) * self.per_pascal
 
     def rig(self, volume: float, changes: Changes | None = None, *, bands: bool = True) -> SineRig:
-        """Return a settled circuit for sines and steps, at the mean pressure.
+        """Return a circuit that has settled at the mean pressure, ready for sines and steps.
 
         `volume` is the outlet volume [m^3], and `changes` are changed parameters. If `bands` is False, the controller
         has no dead and hold bands, and the solenoids are averaged.
@@ -96,7 +96,10 @@ class LimitsPlan:
         return SineRig(instance, self.setpoint, self.pressure, settling=SETTLING, relative_tolerance=LOOSE)
 
     def case(self, volume: float, changes: Changes | None = None) -> BaseCircuit:
-        """Return the circuit at the mean pressure with another outlet volume and changed parameters."""
+        """Return the circuit at the mean pressure, with changed parameters.
+
+        `volume` is the outlet volume [m^3], and `changes` are other changed parameters.
+        """
         numbers = self.circuit.parameters
         electronics = f"{self.valve}.electronics.outer"
         ambient = self.circuit.surroundings.pressure
@@ -132,8 +135,8 @@ def limits_plan(
     volume = circuit.parameters[f"{outlet}.volume"]
     values: dict[str, list[float]] = {
         "mean": [0.5 * (low + high)],
-        "volumes": _spread(volume / SPREAD, volume * SPREAD),
-        "amplitudes": _spread(SMALLEST * (high - low), LARGEST * (high - low)),
+        "volumes": _geometric_values(volume / SPREAD, volume * SPREAD),
+        "amplitudes": _geometric_values(SMALLEST * (high - low), LARGEST * (high - low)),
         "springs": list(SPRINGS),
         "dampings": list(DAMPINGS),
     }
@@ -154,8 +157,11 @@ def limits_plan(
     )  # fmt: skip
 
 
-def _spread(low: float, high: float) -> list[float]:
-    """Return geometrically spaced values from `low` to `high`, rounded to two digits."""
+def _geometric_values(low: float, high: float) -> list[float]:
+    """Return several values between two limits in a geometric sequence.
+
+    The values are rounded to two digits.
+    """
     return [float(f"{value:.2g}") for value in np.geomspace(low, high, POINTS)]
 
 
@@ -183,12 +189,12 @@ CONTROLLER = "controller"  # limiting part if no other part limits: the control 
 
 
 def ideal(plan: LimitsPlan, part: str) -> Changes:
-    """Return the changes of parameters that make one part of the valve nearly ideal.
+    """Return changed parameters with which one part of the valve is nearly ideal.
 
-    The result maps addresses of parameters to new values. For the sonic conductance, it includes the characteristic
-    of the supply seat over the whole stroke.
+    The result maps addresses of parameters to new values. For the sonic conductance, it includes the characteristic of
+    the supply seat over the whole stroke.
     """
-    changes = _scaled(plan, PARTS[part])
+    changes = _scaled_parameters(plan, PARTS[part])
     if part == "sonic conductance":
         curve = plan.circuit.parts[plan.valve].members["main_stage"].curve  # type: ignore[attr-defined]
         own = {
@@ -202,18 +208,18 @@ def ideal(plan: LimitsPlan, part: str) -> Changes:
 
 
 def stage_changes(plan: LimitsPlan, spring: float, damping: float) -> Changes:
-    """Return the changes of parameters for other spring rates and another damping.
+    """Return changed parameters for other spring rates and another damping.
 
-    `spring` and `damping` are factors. The preload forces of the springs stay equal.
+    `spring` and `damping` are factors on the present values. The preload forces of the springs stay equal.
     """
     factors = {"damping": damping}
     for name in ("upper_spring", "lower_spring"):
         factors |= {f"{name}.rate": spring, f"{name}.preload": 1.0 / spring}
-    return _scaled(plan, {f"main_stage.{name}": factor for name, factor in factors.items()})
+    return _scaled_parameters(plan, {f"main_stage.{name}": factor for name, factor in factors.items()})
 
 
-def _scaled(plan: LimitsPlan, factors: Mapping[str, float]) -> Changes:
-    """Return parameters of the valve multiplied by factors.
+def _scaled_parameters(plan: LimitsPlan, factors: Mapping[str, float]) -> Changes:
+    """Return some parameters of the valve, each multiplied by a factor.
 
     `factors` maps addresses within the valve to factors. The result has complete addresses.
     """

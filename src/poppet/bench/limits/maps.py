@@ -25,7 +25,7 @@ DONE, INTERRUPTED = "done", "interrupted"
 
 @dataclass
 class LimitsResult(ResultFileMixin, HtmlMixin):
-    """Dynamic limits of a valve; points that are not computed yet are absent."""
+    """Dynamic limits of a valve at all points that have been computed."""
 
     plan: LimitsPlan
     points: dict[tuple[float, float], Point] = field(default_factory=dict)  # by volume [m^3] and amplitude [Pa]
@@ -34,14 +34,14 @@ class LimitsResult(ResultFileMixin, HtmlMixin):
     outcome: str = DONE  # `done` or `interrupted`
 
     def grid(self, name: str) -> list[list[Any]]:
-        """Return a field of `Point` for all volumes and amplitudes.
+        """Return one field of `Point` for all volumes and amplitudes.
 
-        The outer list contains one list per volume, with one value per amplitude.
+        `name` is the name of the field. The outer list contains one list per volume, with one value per amplitude.
         """
         return self._over(attrgetter(name), "" if name == "limiting" else math.nan)
 
     def gains(self, part: str) -> list[list[float]]:
-        """Return the bandwidth with one part ideal, relative to that of the unchanged valve.
+        """Return by which factor the bandwidth increases if one part is ideal.
 
         The outer list contains one list per volume, with one value per amplitude.
         """
@@ -52,9 +52,9 @@ class LimitsResult(ResultFileMixin, HtmlMixin):
         return [[missing if point is None else value(point) for point in row] for row in rows]
 
     def map(self, name: str, spring: float) -> list[list[Any]]:
-        """Return a field of `Stability` for one spring factor.
+        """Return one field of `Stability` as a nested list: one row per damping factor, one column per volume.
 
-        The outer list contains one list per damping factor, with one value per volume.
+        `name` is the name of the field, and `spring` the multiplier of the spring rates.
         """
         missing: Any = "" if name in ("smooth", "word") else False if name in ("is_stable", "agrees") else math.nan
         rows = []
@@ -66,10 +66,10 @@ class LimitsResult(ResultFileMixin, HtmlMixin):
     @property
     def findings(self) -> tuple[Note, ...]:
         """Notes on limiting parts and on stability."""
-        return (*_limiting(self), *_stability(self))
+        return (*_limiting_part_notes(self), *_stability(self))
 
     def content(self) -> dict[str, Any]:
-        """Return the result as nested dictionaries, the content of the result file."""
+        """Return the content of the result file as nested dictionaries."""
         plan = self.plan
         names = ("gain_frequency", "phase_frequency", "rise_up", "rise_down", "noise", "limiting")
         fields = (
@@ -128,8 +128,8 @@ def find_limits(plan: LimitsPlan, progress: Callable[[int, int, str], Any] | Non
     return result
 
 
-def _limiting(result: LimitsResult) -> list[Note]:
-    """Return one note for each part that limits the bandwidth at some points."""
+def _limiting_part_notes(result: LimitsResult) -> list[Note]:
+    """Return a note for each part that limits the bandwidth at some points."""
     limited = {key: point for key, point in result.points.items() if point.limiting}
     notes = []
     for part in (*PARTS, LOAD, CONTROLLER):
@@ -137,7 +137,12 @@ def _limiting(result: LimitsResult) -> list[Note]:
         if not keys:
             continue
         volumes, amplitudes = zip(*keys, strict=True)
-        facts = {"count": len(keys), "known": len(limited), "volumes": _ends(volumes), "amplitudes": _ends(amplitudes)}
+        facts = {
+            "count": len(keys),
+            "known": len(limited),
+            "volumes": _smallest_and_largest(volumes),
+            "amplitudes": _smallest_and_largest(amplitudes),
+        }
         if part == CONTROLLER:
             notes.append(Note("limits.controller", **facts))
             continue
@@ -147,8 +152,8 @@ def _limiting(result: LimitsResult) -> list[Note]:
     return notes
 
 
-def _ends(values: Sequence[float]) -> tuple[float, ...]:
-    """Return the smallest and the largest value.
+def _smallest_and_largest(values: Sequence[float]) -> tuple[float, ...]:
+    """Return the smallest and the largest of some values.
 
     If all values are equal, the result has one item.
     """

@@ -34,7 +34,7 @@ OSCILLATES, DECAYS, MARGINAL = "oscillates", "decays", "marginal"
 
 @dataclass(frozen=True)
 class Stability:
-    """Results on the stability of a valve for one spring factor, damping factor and volume."""
+    """Stability of a valve for one spring factor, one damping factor and one volume."""
 
     # Dominant pole of the linear model: the rightmost complex pole, or the rightmost pole if it is unstable [1/s].
     pole: complex
@@ -59,14 +59,14 @@ class Stability:
 
     @property
     def word(self) -> str:
-        """Text of the note, empty without a note."""
+        """Text of the note on this point, which is empty without a note."""
         return "" if self.note is None else str(self.note)
 
 
 def stability_point(plan: LimitsPlan, spring: float, damping: float, volume: float) -> Stability:
-    """Compute poles and motions of a valve for one spring rate, damping and volume.
+    """Compute poles and simulated motions for one spring rate, damping and volume.
 
-    `spring` and `damping` are factors, and `volume` is the outlet volume [m^3].
+    `spring` and `damping` are factors on the present values, and `volume` is the outlet volume [m^3].
     """
     changes = stage_changes(plan, spring, damping)
     rough = math.nan, math.nan  # amplitude and frequency with the bands of the controller, at constant setpoint
@@ -76,10 +76,10 @@ def stability_point(plan: LimitsPlan, spring: float, damping: float, volume: flo
         time = np.arange(1, int(ROUGH * ROWS_PER_SECOND) + 1) / ROWS_PER_SECOND
         run = banded_rig.run(0.0, 1.0, time)
         if run.outcome.is_success:
-            rough = _motion(time, run.values[banded_rig.output], (ROUGH / 3.0, ROUGH))
+            rough = _detrended_oscillation(time, run.values[banded_rig.output], (ROUGH / 3.0, ROUGH))
     try:
         rig = plan.rig(volume, changes, bands=False)
-        v = _rest(plan, rig, spring, damping, volume)
+        v = _find_steady_state(plan, rig, spring, damping, volume)
     except SimulationError as error:
         v, note = None, error.note
     if v is None:
@@ -90,17 +90,17 @@ def stability_point(plan: LimitsPlan, spring: float, damping: float, volume: flo
     moving = poles[poles.imag > 0.0]
     if is_stable and moving.size:
         pole = moving[np.argmax(moving.real)]
-    smooth, amplitude, frequency = _pushed(rig, v)
+    smooth, amplitude, frequency = _simulate_disturbance(rig, v)
     agrees = smooth == (DECAYS if is_stable else OSCILLATES) or smooth == MARGINAL
-    finding = _note(is_stable, smooth, agrees, rough)
+    finding = _disagreement_note(is_stable, smooth, agrees, rough)
     return Stability(complex(pole), is_stable, smooth, amplitude, frequency, *rough, agrees, finding)
 
 
-def _rest(plan: LimitsPlan, rig: SineRig, spring: float, damping: float, volume: float) -> Array | None:
-    """Return the steady state of a valve, which does not depend on the damping.
+def _find_steady_state(plan: LimitsPlan, rig: SineRig, spring: float, damping: float, volume: float) -> Array | None:
+    """Return the steady state of a valve.
 
-    The search starts from the settled state of the given circuit, then from circuits with higher damping. The result is
-    None if no search finds a steady state.
+    The state does not depend on the damping. The search therefore starts from the settled state of the circuit `rig`,
+    and then from circuits with a higher damping than `damping`. The result is None if no search finds a steady state.
     """
     for factor in CALM:
         start = rig
@@ -113,10 +113,11 @@ def _rest(plan: LimitsPlan, rig: SineRig, spring: float, damping: float, volume:
     return None
 
 
-def _pushed(rig: SineRig, v: Array) -> tuple[str, float, float]:
-    """Simulate the response to a small push at the outlet, from the steady state `v`.
+def _simulate_disturbance(rig: SineRig, v: Array) -> tuple[str, float, float]:
+    """Simulate the response to a small disturbance of the outlet, from a steady state.
 
-    The result is `oscillates`, `decays` or `marginal`, then the amplitude [Pa] and frequency [Hz] of the late motion.
+    `v` is this state. The result is `oscillates`, `decays` or `marginal`, then the amplitude [Pa] and frequency [Hz] of
+    the late motion.
     """
     pushed = v.copy()
     pushed[rig.point.names.index(rig.kernel.model.columns[0][rig.output])] += PUSH
@@ -125,18 +126,18 @@ def _pushed(rig: SineRig, v: Array) -> tuple[str, float, float]:
     if not run.outcome.is_success:
         return OSCILLATES, math.nan, math.nan
     y = run.values[rig.output]
-    early_amplitude, _ = _motion(time, y, EARLY)
-    late_amplitude, frequency = _motion(time, y, LATE)
+    early_amplitude, _ = _detrended_oscillation(time, y, EARLY)
+    late_amplitude, frequency = _detrended_oscillation(time, y, LATE)
     if late_amplitude > LOUD * PUSH or late_amplitude > GROWN * early_amplitude > QUIET * PUSH:
         return OSCILLATES, late_amplitude, frequency
     is_decaying = late_amplitude < DECAYED * early_amplitude or late_amplitude < QUIET * PUSH
     return DECAYS if is_decaying else MARGINAL, late_amplitude, frequency
 
 
-def _motion(time: Array, values: Array, part: tuple[float, float]) -> tuple[float, float]:
-    """Return the amplitude and frequency of an oscillation about a straight line.
+def _detrended_oscillation(time: Array, values: Array, part: tuple[float, float]) -> tuple[float, float]:
+    """Return amplitude and frequency of an oscillation after subtraction of a straight line.
 
-    `part` is the start and end of the evaluated time window [s].
+    `part` contains the start and the end of the evaluated time window [s].
     """
     is_inside = (time > part[0]) & (time <= part[1])
     t, y = time[is_inside], values[is_inside]
@@ -144,8 +145,8 @@ def _motion(time: Array, values: Array, part: tuple[float, float]) -> tuple[floa
     return amplitude, 1.0 / period if math.isfinite(period) else math.nan
 
 
-def _note(is_stable: bool, smooth: str, agrees: bool, rough: tuple[float, float]) -> Note | None:
-    """Return a note on the difference between the linear and the nonlinear model, with its cause.
+def _disagreement_note(is_stable: bool, smooth: str, agrees: bool, rough: tuple[float, float]) -> Note | None:
+    """Return a note if the nonlinear model behaves differently from the linear model.
 
     `smooth` is the motion without bands of the controller. `rough` is the amplitude and frequency with bands. The
     result is None if there is no difference.

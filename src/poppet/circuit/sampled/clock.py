@@ -27,7 +27,7 @@ SAME = 1e-9
 
 @dataclass(frozen=True, eq=False)
 class Clock:
-    """Pattern of sample instants that repeats after the common period of all clocks."""
+    """Sequence of sample instants, which repeats after the common period of all timers."""
 
     sample_time: float  # period of the pattern of instants [s]
     times: Array  # (m,) instants since the beginning of a sample, the first is 0 [s]
@@ -38,11 +38,14 @@ class Clock:
 
 
 def find_clock(kernel: Kernel, x: Array, u: Array, p: Array) -> Clock:
-    """Return the pattern of sample instants of a circuit, from a run of its clocks."""
+    """Return the sequence of sample instants of a circuit by running its timers.
+
+    x, u and p are the initial state, the constant inputs and the parameter vector of `kernel`.
+    """
     model = kernel.model
     counts = np.array(model.counting, dtype=np.bool_)
     names = [name for name, _ in model.memory[: model.n_timers]]
-    ticks, _ = _ticks(kernel, x, u, p, counts)
+    ticks, _ = _run_timers(kernel, x, u, p, counts)
     running = [k for k in range(model.n_timers) if ticks[k]]
     if not running:
         raise SimulationError(Note("sampled.no_clock"))
@@ -84,16 +87,17 @@ def find_clock(kernel: Kernel, x: Array, u: Array, p: Array) -> Clock:
     # After all evaluated ticks, at the beginning of a sample.
     last = max(max(times_of_clock) for times_of_clock in ticks if times_of_clock)
     start = begin + np.ceil((last - begin) / sample + SAME) * sample
-    _, memory = _ticks(kernel, x, u, p, counts, end=start - SAME * sample)
+    _, memory = _run_timers(kernel, x, u, p, counts, end=start - SAME * sample)
     return Clock(sample, np.array(times), np.array(fired), counts, memory, float(np.min(memory[running])))
 
 
-def _ticks(
+def _run_timers(
     kernel: Kernel, x: Array, u: Array, p: Array, counts: NDArray[np.bool_], end: float | None = None
 ) -> tuple[list[list[float]], Array]:
-    """Run the clocks, and return the instants of each clock and the final discrete state.
+    """Run only the timers of a circuit, and return the sample instants of each timer.
 
-    The clocks run up to the time `end` [s]. If it is None, they run until each has at least `TICKS` instants.
+    The final discrete state is returned too. The timers run up to the time `end` [s]. If `end` is None, they run until
+    each has at least `TICKS` instants. `counts` is a mask of the discrete states that are timers or counters.
     """
     n = kernel.model.n_timers
     p, z, fired = p.copy(), np.empty(len(kernel.model.memory)), np.zeros(n)

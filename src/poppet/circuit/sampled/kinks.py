@@ -21,7 +21,10 @@ BISECTIONS = 10
 
 
 def kink_notes(point: SampledPoint, v: Array) -> tuple[Note, ...]:
-    """Return notes on the closest kinks to a steady state, at most one per equation."""
+    """Return notes on kinks (jumps in slope) of the equations near a steady state.
+
+    `v` is the steady state of the circuit `point`. For each equation, only the closest kink is reported.
+    """
     search = _KinkSearch(point, v)
     # The linear model changes all states, and the discrete states that are not constant.
     _, by_v, by_u = point.instant(v, point.every_clock)
@@ -50,16 +53,17 @@ def kink_notes(point: SampledPoint, v: Array) -> tuple[Note, ...]:
 
 
 class _KinkSearch:
-    """Search for kinks along single variables, from a steady state v."""
+    """Search for kinks (jumps in slope) along single variables, starting from a steady state v."""
 
     def __init__(self, point: SampledPoint, v: Array) -> None:
         self.point, self.v = point, v
         _, self.jacobian = point.scaled(v)
 
     def jumps(self, column: int, distance: float) -> NDArray[np.bool_]:
-        """Return True for each equation whose derivative differs at a distance from v.
+        """Return True for each equation whose slope changes between v and a shifted point.
 
-        The derivative is that by the variable with index `column`, which is changed by `distance` times its size.
+        The slope is the derivative by the variable with index `column`. At the shifted point, this variable is larger
+        by `distance` times its typical size.
         """
         v = self.v.copy()
         v[column] += distance * self.point.size[column]
@@ -70,10 +74,10 @@ class _KinkSearch:
         return result & np.isfinite(derivatives)
 
     def distances(self, column: int, sign: float) -> dict[int, float]:
-        """Return a mapping from equations with a kink to the distance of the kink.
+        """Return the distance to the nearest kink of each equation that has one.
 
-        The search changes the variable with index `column` in the direction `sign`. Keys are indices of equations.
-        Distances are in units of the size of the variable.
+        Only the variable with index `column` is changed, in the direction `sign` (1 or -1). The keys are indices of
+        equations. The distances are in units of the typical size of the variable.
         """
         result: dict[int, float] = {}
         low = 0.0

@@ -24,9 +24,9 @@ SIZES = {"Pa": 1e5, "K": 300.0, "m": 1e-3}
 
 @dataclass(frozen=True, eq=False)
 class IntersampleModel:
-    """Rates and outputs between sample instants, with their derivatives.
+    """Rates and outputs between two sample instants, with their derivatives.
 
-    The derivatives are those by the variables v = (x, w) of `SampledPoint` and by the inputs u.
+    The derivatives are those by the variables v = (x, w) of `SampledPoint`, and by the inputs u.
     """
 
     rates: Array
@@ -69,9 +69,9 @@ class SampledPoint:
         self.every_clock[: self.model.n_timers] = self.clock.counts[: self.model.n_timers]
 
     def p(self, v: Array) -> Array:
-        """Return the vector p: parameters, then discrete states.
+        """Return the vector p (parameters, then discrete states) for the variables v.
 
-        The discrete states are those in v; the clocks have their values at `clock.start`, after some ticks.
+        The discrete states come from v. Timers have their values at the time `clock.start`.
         """
         # A controller can treat its first sample differently.
         memory = self.clock.memory.copy()
@@ -79,43 +79,56 @@ class SampledPoint:
         return np.concatenate([self.numbers, memory])
 
     def at_clock(self, v: Array) -> tuple[Array, Array]:
-        """Return x with quadratures, and p, for a run that starts with v at `clock.start`."""
+        """Return x and p at the start of a run from v at `clock.start`.
+
+        x includes the quadratures (integrals of flows).
+        """
         return self._padded(v), self.p(v)
 
     def first(self) -> tuple[Array, Array]:
-        """Return x with quadratures, and p, for a run that starts at time zero."""
+        """Return the initial x and p of a run that starts at time zero.
+
+        x includes the quadratures (integrals of flows).
+        """
         return self._padded(self.start), np.concatenate([self.numbers, self.memory_start])
 
     def remembered(self, v: Array) -> Array:
-        """Return all discrete states: those in v, and clocks at the start of a run."""
+        """Return the values of all discrete states for the variables v.
+
+        Timers have their values at the start of a run.
+        """
         memory = self.memory_start.copy()
         memory[self.places] = v[self.n :]
         return memory
 
     def v(self, x: Array, memory: Array) -> Array:
-        """Return the variables v for a state vector and a vector of all discrete states."""
+        """Return the variables v for states x and a vector of all discrete states.
+
+        The argument `memory` contains the discrete states, including timers.
+        """
         return np.concatenate([x[: self.n], memory[self.places]])
 
     def _padded(self, v: Array) -> Array:
         return np.concatenate([v[: self.n], np.zeros(self.model.n_quadratures)])
 
     def between(self, v: Array) -> IntersampleModel:
-        """Return rates and outputs between sample instants, with their derivatives at v."""
+        """Return the rates and outputs between sample instants at v, with their derivatives."""
         f, y, fv, fu, yv, yu = self._between(0.0, self._padded(v), self.u, self.p(v))
         return IntersampleModel(f[:, 0], y[:, 0], fv[:, self._columns], fu, yv[:, self._columns], yu)
 
     def instant(self, v: Array, fired: Array) -> tuple[Array, Array, Array]:
         """Return the discrete states w after a sample instant, with their derivatives.
 
-        `fired` is 1 for each timer that is due at the instant.
+        `fired` contains 1 for each timer that is due at this instant, and 0 for all others.
         """
         z, zv, zu = self._instant(0.0, self._padded(v), self.u, self.p(v), fired)
         return z[self.places, 0], zv[np.ix_(self.places, self._columns)], zu[self.places]
 
     def scaled(self, v: Array) -> tuple[Array, Array]:
-        """Return the rates of the variables v and their Jacobian [1/s].
+        """Return the rates of the variables v and their Jacobian, in typical sizes [1/s].
 
-        The rate of a discrete state is its change over a sample, divided by the sample time.
+        The rate of a discrete state is its change over one sample, divided by the sample time. All quantities are in
+        units of the typical sizes of the variables.
         """
         b = self.between(v)
         w, wv, _ = self.instant(v, self.every_clock)
@@ -135,8 +148,8 @@ class SampledPoint:
     def is_at_rest(self, v: Array) -> bool:
         """Return True if v is a steady state.
 
-        States must be constant between sample instants, discrete states must not change at instants, and no timer
-        except the clocks may run.
+        This requires that states are constant between sample instants, that discrete states do not change at instants,
+        and that no timer runs except the clocks.
         """
         residual, limit = scaled_residual(self.scaled, v, self.size)
         if not np.all(residual <= limit) or not self.waits(v):
@@ -148,6 +161,6 @@ class SampledPoint:
         )
 
     def waits(self, v: Array) -> bool:
-        """Return True if no timer except the clocks is running in v."""
+        """Return True if only the clocks run in v, and no other timer."""
         timers = self.places < self.model.n_timers
         return bool(np.all(v[self.n :][timers] >= NEVER))

@@ -18,9 +18,9 @@ Array = NDArray[np.float64]
 
 @dataclass(frozen=True, eq=False)
 class Phase:
-    """Linear maps at a sample instant and over the time until the next instant.
+    """Linear maps at a sample instant, and from there to the next instant.
 
-    All variables are in units of their sizes.
+    All variables are in units of their typical sizes.
     """
 
     duration: float  # until the next instant or the end of the sample [s]
@@ -36,44 +36,40 @@ class Phase:
 
 
 def phases_of(point: SampledPoint, v: Array, between: IntersampleModel | None = None) -> tuple[Phase, ...]:
-    """Return the phases of one sample at a steady state v.
+    """Return the linear maps of all phases of one sample period.
 
-    `between` are the derivatives between instants, if they are already available.
+    A phase is a sample instant with the time until the next instant. The maps are those at the steady state `v`.
+    `between` contains the derivatives between instants if they have already been computed.
     """
+    from scipy.linalg import expm
+
     b = between or point.between(v)
     n, size, clock = v.size, point.size, point.clock
     # Rows of discrete states remain zero: they are constant between instants.
     rates_v, rates_u = np.zeros((n, n)), np.zeros((n, point.u.size))
     rates_v[: point.n] = b.rates_by_v * size[None, :] / size[: point.n, None]
     rates_u[: point.n] = b.rates_by_u / size[: point.n, None]
+    # The maps of variables and constant inputs over a duration are blocks of the matrix exponential of the rates.
+    # Columns of inputs are scaled to unit size.
+    scale = np.maximum(np.abs(rates_u).max(axis=0, initial=0.0), 1e-300)
+    combined = np.zeros((n + point.u.size, n + point.u.size))
+    combined[:n, :n], combined[:n, n:] = rates_v, rates_u / scale
     phases = []
     for fired, duration in zip(clock.fired, np.diff([*clock.times, clock.sample_time]), strict=True):
         _, w_v, w_u = point.instant(v, fired)
         at_v, at_u = np.eye(n), np.zeros((n, point.u.size))
         at_v[point.n :] = w_v * size[None, :] / size[point.n :, None]
         at_u[point.n :] = w_u / size[point.n :, None]
-        phases.append(Phase(float(duration), at_v, at_u, rates_v, rates_u, *_flow(rates_v, rates_u, float(duration))))
+        flow = expm(combined * float(duration))
+        phases.append(Phase(float(duration), at_v, at_u, rates_v, rates_u, flow[:n, :n], flow[:n, n:] * scale))
     return tuple(phases)
 
 
-def _flow(rates_v: Array, rates_u: Array, duration: float) -> tuple[Array, Array]:
-    """Return the maps of variables and constant inputs over a duration [s].
-
-    They are blocks of the matrix exponential of the rates.
-    """
-    from scipy.linalg import expm
-
-    n, m = rates_u.shape
-    combined = np.zeros((n + m, n + m))
-    # Columns of inputs are scaled to unit size.
-    scale = np.maximum(np.abs(rates_u).max(axis=0, initial=0.0), 1e-300)
-    combined[:n, :n], combined[:n, n:] = rates_v, rates_u / scale
-    result = expm(combined * duration)
-    return result[:n, :n], result[:n, n:] * scale
-
-
 def sample_map(point: SampledPoint, phases: tuple[Phase, ...]) -> tuple[Array, Array]:
-    """Return the matrices A and B over one sample."""
+    """Return the matrices A and B of the map from one sample to the next.
+
+    `phases` are the linear maps within one sample period.
+    """
     a, b = np.eye(point.size.size), np.zeros((point.size.size, point.u.size))
     for phase in phases:
         a, b = phase.at_v @ a, phase.at_v @ b + phase.at_u
@@ -82,7 +78,7 @@ def sample_map(point: SampledPoint, phases: tuple[Phase, ...]) -> tuple[Array, A
 
 
 def eigenvalues_of(a: Array) -> NDArray[np.complex128]:
-    """Return the eigenvalues of the matrix of a map over one sample."""
+    """Return the eigenvalues of the matrix `a`, which maps one sample to the next."""
     # Without rows or columns of zeros: balancing would divide by their size.
     rows = np.arange(len(a))
     while True:

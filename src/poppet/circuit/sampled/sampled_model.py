@@ -62,7 +62,7 @@ class SampledModel(LinearModel):
     more: ClassVar[tuple[str, ...]] = ("sample_time",)
 
     def eigenvalues(self) -> NDArray[np.complex128]:
-        """Return the eigenvalues of A, which describe modes over one sample."""
+        """Return the eigenvalues of A, each of which describes a mode from sample to sample."""
         values = eigenvalues_of(self.A * self.sizes[None, :] / self.sizes[:, None])
         return values[np.lexsort((values.imag, -np.abs(values)))]
 
@@ -99,9 +99,10 @@ class SampledModel(LinearModel):
         return np.asarray(self._rotating_mean(2.0 * np.pi * frequency, column) * self.sizes, dtype=np.complex128)
 
     def _rotating_mean(self, omega: float, column: int) -> NDArray[np.complex128]:
-        """Return the mean of v exp(-i omega t) over one sample, in units of `sizes`.
+        """Return the mean of v exp(-i omega t) over one sample period.
 
-        `omega` is the angular frequency [rad/s], and `column` the index of the input with the sine.
+        `omega` is the angular frequency [rad/s] of a sine at the input with the index `column`. The result is in units
+        of the typical sizes of v.
         """
         steps, n = [], self.sizes.size
         matrix, offset = np.eye(n, dtype=complex), np.zeros(n, dtype=complex)
@@ -137,7 +138,10 @@ def sampled_model(instance: Instance, steady: SteadyState) -> SampledModel:
 
 
 def model_at(point: SampledPoint, v: Array, notes: tuple[Note, ...] = ()) -> SampledModel:
-    """Return the discrete-time linear model at the steady state v of a sampled circuit."""
+    """Return the discrete-time linear model of a sampled circuit at a steady state v.
+
+    The model contains the notes `notes`.
+    """
     intersample, size = point.between(v), point.size
     phases = phases_of(point, v, intersample)
     a, b = sample_map(point, phases)

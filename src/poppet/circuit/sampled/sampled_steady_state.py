@@ -37,9 +37,9 @@ MIN_AMPLITUDE = 1e-9
 def find_sampled_steady_state(instance: Instance, u: Array) -> SteadyState:
     """Return the steady state of a sampled circuit with constant inputs u."""
     point = SampledPoint(instance, u)
-    v, *notes = _search(point)
+    v, *notes = _search_steady_state(point)
     if v is None:
-        motion = _motion(point)
+        motion = _oscillation_note(point)
         # Timers, except clocks, that run at the end of one of several transients, or that a tick of the clocks sets.
         running: set[int] = set()
         timers = [k for k in range(point.places.size) if point.places[k] < point.model.n_timers]
@@ -54,7 +54,7 @@ def find_sampled_steady_state(instance: Instance, u: Array) -> SteadyState:
         raise SimulationError(Note("rest.switched", motion=motion, timers=names_of_timers))
     is_stable = _is_stable(point, v)
     if not is_stable:
-        notes.append(Note("rest.unstable", motion=_motion(point)))
+        notes.append(Note("rest.unstable", motion=_oscillation_note(point)))
     residual, _ = scaled_residual(point.scaled, v, point.size)
     names = (name for name, _ in point.model.memory)
     return SteadyState(
@@ -70,7 +70,7 @@ def find_sampled_steady_state(instance: Instance, u: Array) -> SteadyState:
 
 
 def rest_near(point: SampledPoint, guess: Array) -> Array | None:
-    """Return the steady state to which Newton's method converges from a guess.
+    """Return the steady state that Newton's method reaches from a guess.
 
     The result is None if the method does not converge.
     """
@@ -89,10 +89,10 @@ def _is_stable(point: SampledPoint, v: Array) -> bool:
     return radius <= 1.0 + SAME_STATE
 
 
-def _search(point: SampledPoint) -> tuple[Array, Note] | tuple[None]:
-    """Return a steady state and a note on the method of the search.
+def _search_steady_state(point: SampledPoint) -> tuple[Array, Note] | tuple[None]:
+    """Return a steady state, and a note on the method by which it was found.
 
-    The first element is None, without a note, if no steady state was found.
+    If no steady state was found, the result contains only None.
     """
     previous: Array | None = None
     durations = list(TRANSIENTS)
@@ -117,9 +117,10 @@ def _search(point: SampledPoint) -> tuple[Array, Note] | tuple[None]:
 
 
 def transient(point: SampledPoint, duration: float, grid: Array | None = None) -> tuple[Array, RawRun]:
-    """Run a sampled circuit from its initial state with constant inputs.
+    """Simulate a sampled circuit with constant inputs, starting from its initial state.
 
-    Return the final variables v and the run. `grid` contains the output times [s]; by default only the end.
+    The result contains the final variables v and the run. `grid` contains the output times [s]. By default, only the
+    end is an output time.
     """
     x, p = point.first()
     times = np.array([duration]) if grid is None else grid
@@ -131,9 +132,9 @@ def transient(point: SampledPoint, duration: float, grid: Array | None = None) -
 
 
 def oscillation(time: Array, values: Array) -> tuple[float, float]:
-    """Return amplitude and period of the oscillation of a series.
+    """Return the amplitude and the period of an oscillating series.
 
-    The period is infinite if the series has fewer than two upward crossings of its middle.
+    The period is infinite if the series crosses its middle upwards fewer than two times.
 
     Notes
     -----
@@ -160,8 +161,8 @@ def oscillation(time: Array, values: Array) -> tuple[float, float]:
     return amplitude, float(period)
 
 
-def _motion(point: SampledPoint) -> Note:
-    """Return a note on the largest oscillations after a long transient."""
+def _oscillation_note(point: SampledPoint) -> Note:
+    """Return a note on the largest oscillations that remain after a long transient."""
     time = np.linspace(SETTLING_TIME, SETTLING_TIME + OBSERVATION_TIME, ROWS)
     _, run = transient(point, SETTLING_TIME + OBSERVATION_TIME, time)
     if not run.outcome.is_success:

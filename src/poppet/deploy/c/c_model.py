@@ -29,9 +29,9 @@ _SIGNATURES = {
 
 @cache
 def integrator_code(name: str = "integrate") -> str:
-    """Return the C source of the adaptive integrator under another function name.
+    """Return the C source of the adaptive integrator under a given function name.
 
-    The signature is ``int64_t integrate(const int64_t *fields)``; `name` replaces `integrate`.
+    The signature is ``int64_t integrate(const int64_t *fields)``, in which `name` replaces `integrate`.
     """
     text = files("poppet.engine").joinpath("integrator.c").read_text(encoding="utf-8")
     head = "int64_t integrate(const int64_t *fields)"
@@ -40,18 +40,18 @@ def integrator_code(name: str = "integrate") -> str:
 
 
 def integrator_excerpt(*markers: str) -> str:
-    """Return the blocks of the integrator source that contain the given markers.
+    """Return selected blocks of the integrator source.
 
-    A block is a type or function between two empty lines. Each marker selects the first block that contains it.
+    A block is a type or a function between two empty lines. Each marker selects the first block that contains it.
     """
     blocks = integrator_code().split("\n\n")
     return "\n\n".join(next(block for block in blocks if marker in block) for marker in markers)
 
 
 def model_code(export_model: ExportModel, prefix: str = "", further: Sequence[str] = ()) -> str:
-    """Return the C code of all model functions and of the integration step, followed by `further` functions.
+    """Return the C code of all model functions and of the integration step.
 
-    Every function name begins with `prefix`.
+    Functions in `further` follow. Each function name begins with `prefix`.
     """
     model = export_model.model
     step = [print_step(model.size, len(model.inputs), "void", prefix)] if model.size else []
@@ -59,16 +59,17 @@ def model_code(export_model: ExportModel, prefix: str = "", further: Sequence[st
 
 
 def static_code(export_model: ExportModel, functions: Mapping[str, casadi.Function]) -> str:
-    """Return the C code of model functions as `static` functions, visible only in their source file."""
+    """Return the C code of model functions that are visible only in their source file."""
     return _print_functions(export_model, functions, [], head="static void", shares_inverses=True)
 
 
 def _print_functions(
     export_model: ExportModel, functions: Mapping[str, casadi.Function], further: Sequence[str], **settings: Any
 ) -> str:
-    """Return the C code of CasADi functions and `further` functions, after the prelude that they need.
+    """Return the C code of CasADi functions, after the helper functions that they need.
 
-    Comments in the code name the elements of arguments and results by their addresses in the circuit.
+    `further` contains more functions. Comments in the code name the elements of arguments and results by their
+    addresses in the circuit.
     """
     states, parameters, memory, inputs, outputs = (
         [comment_text(quantity.address) for quantity in getattr(export_model, name)]
@@ -81,7 +82,10 @@ def _print_functions(
 
 
 def prototypes(names: Iterable[str], prefix: str) -> list[str]:
-    """Return the C prototypes of the named model functions, whose names in C begin with `prefix`."""
+    """Return the C prototypes of several model functions.
+
+    `names` are the names of the functions, and `prefix` is their prefix in C.
+    """
     lines = []
     for name in names:
         inputs, outputs = (side.split() for side in _SIGNATURES[name].split("->"))
@@ -91,7 +95,7 @@ def prototypes(names: Iterable[str], prefix: str) -> list[str]:
 
 
 def fixed_step_functions(model: Model) -> dict[str, casadi.Function]:
-    """Return the model functions for integration with a fixed step.
+    """Return the model functions for an integration with fixed steps.
 
     The quadratures, which integrate flows for the balances, are omitted from the state vector.
     """
@@ -105,9 +109,10 @@ def fixed_step_functions(model: Model) -> dict[str, casadi.Function]:
 
 
 def fill_template(file: str, name: str, fields: Mapping[str, str]) -> str:
-    """Return a C template with its placeholders replaced by the values of `fields`.
+    """Return the text of a C template in which placeholders are replaced.
 
-    `name`, the name of the model, replaces the prefix `model` of the C names in the template.
+    `fields` maps placeholders to their texts. `name`, the name of the model, replaces the prefix `model` of the C
+    names.
     """
     text = files("poppet.deploy.c").joinpath("texts", file).read_text(encoding="utf-8")
     text = re.sub(r"\b(model|MODEL)_", lambda match: f"{name if match[1] == 'model' else name.upper()}_", text)
@@ -128,7 +133,7 @@ def number_rows(rows: Iterable[Iterable[float]]) -> str:
 def enum_members(prefix: str, rows: Sequence[tuple[str, str]]) -> str:
     """Return the members of a C enumeration, each with a comment.
 
-    Each element of `rows` is an identifier, to which the prefix is added, and a comment.
+    Each element of `rows` contains an identifier, to which `prefix` is added, and its comment.
     """
     lines = [
         f"  {prefix}_{name} = {k}{'' if k == len(rows) - 1 else ','} /* {comment} */"
@@ -138,12 +143,12 @@ def enum_members(prefix: str, rows: Sequence[tuple[str, str]]) -> str:
 
 
 def comment_rows(quantities: Iterable[Any], *, with_value: bool = False) -> list[tuple[str, str]]:
-    """Return the identifier of each quantity with a comment: address, unit and optionally the value."""
-    return [
-        (q.identifier, f"{comment_text(q.address)} [{_unit(q.unit)}]{f' {q.value:.6g}' if with_value else ''}")
-        for q in quantities
-    ]
+    """Return an identifier and a comment for each quantity.
 
-
-def _unit(unit: str) -> str:
-    return comment_text(unit if unit not in ("", "1") else "-")
+    The comment contains address, unit and, if `with_value` is True, the value.
+    """
+    rows = []
+    for q in quantities:
+        unit = comment_text(q.unit if q.unit not in ("", "1") else "-")
+        rows.append((q.identifier, f"{comment_text(q.address)} [{unit}]{f' {q.value:.6g}' if with_value else ''}"))
+    return rows

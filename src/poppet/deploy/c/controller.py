@@ -93,9 +93,9 @@ def c_controller(
 
 
 def _test_vector(program: ControllerProgram, precision: str) -> dict[str, str]:
-    """Return test calls of the controller with random inputs of typical size, and the expected outputs.
+    """Return test calls of a controller program with the expected outputs.
 
-    The result maps each placeholder of the C template to its text.
+    The inputs are random values of typical size. The result maps each placeholder of the C template to its text.
     """
     generator = np.random.default_rng(0)
     sizes: dict[str, float] = {}

@@ -33,7 +33,7 @@ from poppet.deploy.comparison import (
     tolerance_changes,
     without_fused_operations,
 )
-from poppet.deploy.controller import select_parts
+from poppet.deploy.controller import controllers_of_option
 from poppet.deploy.export_files import c_string, comment_text
 from poppet.deploy.export_model import ExportModel, build_export_model
 from poppet.deploy.targets import CircuitSource, Export
@@ -62,13 +62,16 @@ def export_c(
     circuit: BaseCircuit, source: CircuitSource, *, name: str | None = None, substeps: int | None = None,
     part: str | None = None, precision: str | None = None,
 ) -> Export:  # fmt: skip
-    """Export a circuit or its sampled controllers as C; the keyword arguments are the options of the target."""
+    """Export a circuit or its sampled controllers as C.
+
+    The keyword arguments are the options of the export target.
+    """
     if precision and not part:
         raise InputError("deploy.precision")
     if substeps is not None and part:
         raise InputError("deploy.substeps_of_part")
     if part:
-        parts = select_parts(circuit, part)
+        parts = controllers_of_option(circuit, part)
         return Export(c_controller(circuit, parts, name=name or "", precision=precision or "double"))
     return Export(c_project(circuit, name or source.name, substeps=1 if substeps is None else substeps))
 
@@ -107,7 +110,7 @@ def c_project(circuit: BaseCircuit, name: str = "", *, substeps: int = 1) -> dic
         "NAME": name,
         "SUBSTEPS": f"{substeps}",
         "FUNCTIONS": model_code(export_model, f"{name}_"),
-        **_tables(export_model), **_test_vector(circuit, export_model),
+        **_constants_in_c(export_model), **_test_vector(circuit, export_model),
         **_adaptive_run(export_model),
     }  # fmt: skip
     functions = fixed_step_functions(export_model.model)
@@ -143,15 +146,18 @@ def _flags(flags: Iterable[bool]) -> str:
 
 
 def _table_rows(rows: Sequence[str], empty: str) -> str:
-    """Return the initialiser of a C table, one line per row.
+    """Return the initial values of a C table, one line per row.
 
-    A C table needs at least one element: `empty` is the only element of a table without rows.
+    C has no empty tables: a table without rows gets the single element `empty`.
     """
     return ",\n".join(f"  {row}" for row in rows) or f"  {empty}"
 
 
-def _tables(export_model: ExportModel) -> dict[str, str]:
-    """Return the C constants of the circuit by template placeholder: sizes, parameters, inputs, names, signals."""
+def _constants_in_c(export_model: ExportModel) -> dict[str, str]:
+    """Return the constants of the circuit in C, by template placeholder.
+
+    They are sizes, parameters, inputs, names and signals.
+    """
     problem, model, upper = export_model.problem, export_model.model, export_model.name.upper()
     sizes = {
         "N_NUMBERS": len(export_model.parameters), "N_INPUTS": len(export_model.inputs),
@@ -197,10 +203,10 @@ def _tables(export_model: ExportModel) -> dict[str, str]:
 
 
 def _adaptive_run(export_model: ExportModel) -> dict[str, str]:
-    """Return the C code that sets up the adaptive integrator, by template placeholder.
+    """Return the C code that prepares the adaptive integrator, as a mapping from template placeholder to code.
 
-    It contains the prototypes of the model functions, the job (the array of addresses and sizes that the integrator
-    reads) and the constants.
+    The code contains the prototypes of the model functions, the job (an array of pointers and sizes that the
+    integrator reads) and the constants.
     """
     problem, name, model = export_model.problem, export_model.name, export_model.model
     kernel, conditions, upper = problem.kernel, problem.stop_conditions, name.upper()
@@ -236,9 +242,10 @@ def _adaptive_run(export_model: ExportModel) -> dict[str, str]:
 
 
 def _test_vector(circuit: BaseCircuit, export_model: ExportModel) -> dict[str, str]:
-    """Return expected states at several times, with the allowed differences, by template placeholder.
+    """Return expected states at several times, by template placeholder.
 
-    The host program compares its results with them. Other outputs are not compared, because they may jump.
+    The exported program compares its own states with them, and permits the differences that are also returned. Other
+    outputs are not compared, because they may jump.
     """
     circuit.simulate()  # raises the error of a run that fails
     grid = np.linspace(0.0, export_model.problem.grid[-1], N_ROWS + 1)

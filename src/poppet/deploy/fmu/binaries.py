@@ -51,15 +51,19 @@ FLAGS = ("-shared", "-O2", "-std=c99", "-ffp-contract=off", "-fvisibility=hidden
 
 
 def kernel_code(model: Model, functions: Mapping[str, casadi.Function]) -> str:
-    """Return the given functions of a model, and its integration step, as LLVM IR."""
+    """Return selected model functions and the integration step as LLVM IR.
+
+    LLVM IR is the intermediate code of the compiler LLVM.
+    """
     step = print_step(model.size, len(model.states), len(model.inputs)) if model.size else ""
     return PRELUDE + "\n".join(print_function(function, name) for name, function in functions.items()) + step
 
 
 def compile_object(module: Any, triple: str, **settings: Any) -> bytes:
-    """Compile an LLVM module to optimised object code for the platform that `triple` names.
+    """Compile an LLVM module to optimised object code for one platform.
 
-    The settings are those of `llvmlite.binding.Target.create_target_machine`.
+    `triple` is the name of the platform in LLVM. Keyword arguments are those of
+    `llvmlite.binding.Target.create_target_machine`.
     """
     import llvmlite.binding as llvm
 
@@ -91,9 +95,10 @@ def link_commands(platform: str) -> list[list[str]]:
 
 
 def link_library(code: str, sources: Mapping[str, str], platform_name: str, main: str) -> bytes:
-    """Return the bytes of the FMU library for a platform.
+    """Return the binary of an FMU for one platform.
 
-    `code` is the LLVM IR of the model. `main` is the name of the C source that includes all other sources.
+    `code` is the LLVM IR of the model. `sources` are the C sources, and `main` is the name of the one that includes all
+    others.
     """
     import llvmlite.binding as llvm
 

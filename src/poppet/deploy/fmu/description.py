@@ -29,7 +29,7 @@ DISPLAY_UNITS = {
 
 
 def element(name: str, attributes: Mapping[str, str], children: Sequence[str] = (), depth: int = 0) -> str:
-    """Return an XML element with its attributes and child elements.
+    """Return the text of an XML element with attributes and child elements.
 
     Special characters in attributes are escaped. `depth` is the level of indentation.
     """
@@ -49,9 +49,9 @@ def build_description(identifier: str, sources: Sequence[str]) -> str:
 
 
 def describe_model(layout: FmuLayout, fmi: int, token: str, identifier: str) -> str:
-    """Return the text of `modelDescription.xml` for FMI version 2 or 3.
+    """Return the text of `modelDescription.xml` of an FMU.
 
-    `token` identifies the content of the model: it is the GUID of the FMU.
+    `fmi` is the FMI version, 2 or 3. `token` identifies the content of the model, as the GUID of the FMU.
     """
     problem, export_model = layout.export_model.problem, layout.export_model
     capabilities = {"modelIdentifier": identifier}
@@ -124,9 +124,10 @@ def _variable_elements(layout: FmuLayout, fmi: int) -> list[str]:
 
 
 def _structure_elements(layout: FmuLayout, fmi: int) -> list[str]:
-    """Return the XML elements of the outputs, the derivatives and the initial unknowns, with their dependencies.
+    """Return the XML elements that list outputs, derivatives and initial unknowns.
 
-    FMI 2.0 refers to variables by their positions in the list of variables, and FMI 3.0 by their value references.
+    Each element contains the variables on which the quantity depends. FMI 2.0 refers to variables by their positions in
+    the list of variables, and FMI 3.0 by their value references.
     """
     n, first_output = len(layout.export_model.states), layout.output_reference(0)
     by_state = {layout.state_reference(k): [layout.state_reference(k)] for k in range(n)}
@@ -171,7 +172,10 @@ def _join_sorted(indices: Sequence[int]) -> str:
 
 
 def nominal_sizes(layout: FmuLayout) -> list[float]:
-    """Return the size of each state for the error control, as the kernel uses it [SI]."""
+    """Return the typical size of each state [SI].
+
+    The error control of the integrator uses the same sizes.
+    """
     states, x = layout.export_model.model.states, layout.export_model.problem.x0
     return [abs(float(x[k])) if s.positive and x[k] else s.nominal for k, s in enumerate(states)]
 

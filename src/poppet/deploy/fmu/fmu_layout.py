@@ -35,7 +35,10 @@ TIME_REFERENCE, FOLLOWS_REFERENCE, FIRST_REFERENCE = range(3)
 
 
 class Variable(NamedTuple):
-    """Variable of the FMU; `start` is None if the value is calculated."""
+    """Variable of the FMU.
+
+    `start` is the start value, or None if the value is calculated.
+    """
 
     name: str
     reference: int
@@ -52,7 +55,10 @@ class Variable(NamedTuple):
 
 @dataclass(frozen=True, eq=False)
 class FmuLayout:
-    """Layout of an FMU: roles, dependencies, value references and variables of an exported model."""
+    """Plan of an FMU: its variables, their roles, and the dependencies between them.
+
+    Each variable has a value reference, by which an importer identifies it.
+    """
 
     export_model: ExportModel
     requested: frozenset[str]  # inputs and parameters that the importer sets, in addition to inputs with signals
@@ -61,7 +67,10 @@ class FmuLayout:
 
     @cached_property
     def sources(self) -> tuple[int, ...]:
-        """Source of the value of each input: one of `CONSTANT`, `NUMBER`, `PORT` and `DRIVEN`."""
+        """Source from which each input gets its value.
+
+        A source is `CONSTANT`, `NUMBER`, `PORT` or `DRIVEN`.
+        """
         sources = []
         for item, info in zip(self.export_model.inputs, self.export_model.model.inputs, strict=True):
             if item.is_driven:
@@ -74,7 +83,10 @@ class FmuLayout:
 
     @cached_property
     def roles(self) -> tuple[int, ...]:
-        """Role of each parameter: one of `UNCHANGED`, `FIXED`, `TUNABLE` and `INPUT`."""
+        """Role of each parameter in the FMU.
+
+        A role is `UNCHANGED`, `FIXED`, `TUNABLE` or `INPUT`.
+        """
         inputs = list(zip(self.export_model.inputs, self.sources, strict=True))
         of_inputs = {item.parameter for item, source in inputs if source == NUMBER}
         ports = {item.address for item, source in inputs if source >= PORT}
@@ -92,28 +104,34 @@ class FmuLayout:
 
     @cached_property
     def acts_on_run(self) -> Flags:
-        """Mask of the parameters that affect rates, outputs or updates of discrete states."""
+        """Mask of the parameters that have an effect during a run.
+
+        They affect rates, outputs or updates of discrete states.
+        """
         patterns = [self._pattern(name, "p") for name in ("rates", "outputs", "update")]
         return np.asarray(np.vstack(patterns).any(axis=0))
 
     @cached_property
     def acts_on_start(self) -> Flags:
-        """Mask of the parameters that affect the initial states and discrete states."""
+        """Mask of the parameters that affect initial states or initial discrete states."""
         return np.asarray(np.vstack([self._pattern(name, "p") for name in ("start", "memory_start")]).any(axis=0))
 
     # Dependencies -------------------------------------------------------------------------------------------------
 
     def _pattern(self, expression: str, symbol: str) -> Flags:
-        """Return the sparsity of an expression with respect to x, u or p, as a Boolean matrix.
+        """Return which elements of x, u or p each row of an expression depends on.
 
-        The columns of the quadratures and discrete states are omitted.
+        `symbol` is x, u or p. The result is a Boolean matrix without the columns of quadratures and discrete states.
         """
         model = self.export_model.model
         width = {"x": len(model.states), "u": len(model.inputs), "p": len(model.parameters)}[symbol]
         return self._full_pattern(expression, symbol)[:, :width]
 
     def _memory_pattern(self, expression: str) -> NDArray[np.int_]:
-        """Return the sparsity of an expression with respect to the discrete states, as a matrix of 0 and 1."""
+        """Return which discrete states each row of an expression depends on.
+
+        The result is a matrix of 0 and 1.
+        """
         return self._full_pattern(expression, "p")[:, len(self.export_model.model.parameters) :].astype(int)
 
     def _full_pattern(self, expression: str, symbol: str) -> Flags:
@@ -130,9 +148,9 @@ class FmuLayout:
 
     @cached_property
     def direct_dependencies(self) -> dict[str, tuple[Flags, Flags, Flags]]:
-        """Masks of the states, inputs and parameters that affect each rate and output.
+        """States, inputs and parameters on which each rate and output depends, as masks.
 
-        Effects through the discrete states are included. The keys are `rates` and `outputs`, and the masks are in the
+        Dependencies through discrete states are included. The keys are `rates` and `outputs`. The masks are in the
         order x, u, p.
         """
         memory = [self._pattern("update", symbol) for symbol in "xup"]
@@ -153,18 +171,20 @@ class FmuLayout:
         return dependencies
 
     def dependencies(self, name: str) -> list[list[int]]:
-        """Return the value references on which each rate or output depends.
+        """Return the variables on which each rate or output depends.
 
-        `name` is `rates` or `outputs`. The references are those of states and of variables that the importer sets.
+        `name` is `rates` or `outputs`. Variables are given by their value references. They are states, and variables
+        that the importer sets.
         """
         x, u, p = self.direct_dependencies[name]
         u, p = self._resolve_inputs(u, p)
         return [self._references(x[k], u[k], p[k], (INPUT,)) for k in range(len(x))]
 
     def initial_dependencies(self, name: str) -> list[list[int]]:
-        """Return the value references on which each initial state, rate or output depends.
+        """Return the variables on which each initial value depends.
 
-        `name` is `start`, `rates` or `outputs`. The references are those of inputs and parameters.
+        `name` is `start`, `rates` or `outputs`. Variables are given by their value references. They are inputs and
+        parameters.
         """
         start = self._pattern("start", "p")
         if name == "start":
@@ -181,7 +201,10 @@ class FmuLayout:
         return [self._references(no_states, u[k], p[k], (FIXED, TUNABLE, INPUT)) for k in range(len(p))]
 
     def _resolve_inputs(self, u: Flags, p: Flags) -> tuple[Flags, Flags]:
-        """Replace the dependency on an input by the dependency on the parameter that sets the input."""
+        """Replace dependencies on inputs by dependencies on the parameters that set them.
+
+        u and p are masks of the inputs and of the parameters.
+        """
         u, p = u.copy(), p.copy()
         for k, (item, source) in enumerate(zip(self.export_model.inputs, self.sources, strict=True)):
             if source == NUMBER:
@@ -191,9 +214,9 @@ class FmuLayout:
         return u, p
 
     def _references(self, x: Flags, u: Flags, p: Flags, roles: Collection[int]) -> list[int]:
-        """Return the value references of the elements of x, u and p that are True in the masks.
+        """Return the value references of selected elements of x, u and p.
 
-        Parameters without one of the roles are omitted.
+        Elements are selected by masks. Parameters without one of the roles in `roles` are omitted.
         """
         state_of = {parameter: k for k, parameter in self.initial_parameters.items()}
         of_p = [
@@ -206,9 +229,10 @@ class FmuLayout:
 
     @cached_property
     def guided(self) -> list[tuple[int, int]]:
-        """Index pairs for inputs that move a body: parameter with the first value, and input.
+        """Pairs of indices for inputs that prescribe the motion of a body.
 
-        Only inputs that the importer sets are included.
+        A pair contains the parameter with the first value, and the input. Only inputs that the importer sets are
+        included.
         """
         names = [item.name for item in self.export_model.model.inputs]
         bases = sorted({item.slope_of for item in self.export_model.model.inputs if item.slope_of})
@@ -220,32 +244,32 @@ class FmuLayout:
     # References ---------------------------------------------------------------------------------------------------
 
     def parameter_reference(self, k: int) -> int:
-        """Return the value reference of parameter k in p."""
+        """Return the value reference of the parameter with index k in p."""
         return FIRST_REFERENCE + int(k)
 
     def input_reference(self, k: int) -> int:
-        """Return the value reference of input k in u."""
+        """Return the value reference of the input with index k in u."""
         return self.parameter_reference(len(self.export_model.parameters)) + k
 
     def state_reference(self, k: int) -> int:
-        """Return the value reference of state k in x."""
+        """Return the value reference of the state with index k in x."""
         return self.input_reference(len(self.export_model.inputs)) + k
 
     def rate_reference(self, k: int) -> int:
-        """Return the value reference of the derivative of state k in x."""
+        """Return the value reference of the derivative of the state with index k."""
         return self.state_reference(len(self.export_model.states)) + k
 
     def output_reference(self, k: int) -> int:
-        """Return the value reference of output k in y."""
+        """Return the value reference of the output with index k in y."""
         return self.rate_reference(len(self.export_model.states)) + k
 
     # Variables ----------------------------------------------------------------------------------------------------
 
     @cached_property
     def state_outputs(self) -> dict[int, int]:
-        """Mapping from the index of an output to the index of the state that it equals.
+        """Mapping from outputs to the states that they are equal to.
 
-        Both have the same address.
+        Keys and values are indices. An output and its state have the same address.
         """
         import casadi as ca
 
@@ -260,9 +284,9 @@ class FmuLayout:
 
     @cached_property
     def initial_parameters(self) -> dict[int, int]:
-        """Mapping from the index of a state to the index of its initial value among the parameters.
+        """Mapping from states to the parameters that are their initial values.
 
-        Only parameters without any other effect are included.
+        Keys and values are indices. Only parameters without any other effect are included.
         """
         index_of = {parameter.address: k for k, parameter in enumerate(self.export_model.parameters)}
         pairs = {k: index_of.get(state.address, -1) for k, state in enumerate(self.export_model.states)}
@@ -270,7 +294,10 @@ class FmuLayout:
 
     @cached_property
     def computed_addresses(self) -> set[str]:
-        """Addresses of all states, and of outputs other than copies of an input with the same address."""
+        """Addresses of all quantities that the FMU calculates.
+
+        They are the states, and the outputs that are not copies of an input with the same address.
+        """
         import casadi as ca
 
         model = self.export_model.model
@@ -285,7 +312,10 @@ class FmuLayout:
 
     @cached_property
     def variables(self) -> list[Variable]:
-        """All variables of the FMU; each address appears once."""
+        """All variables of the FMU.
+
+        Each address appears once.
+        """
         variables = [Variable("time", TIME_REFERENCE, "independent", "continuous", unit="s", meaning="time")]
         if DRIVEN in self.sources:
             text = "the inputs follow the signals of the circuit, and what is set is not looked at"
@@ -325,7 +355,10 @@ class FmuLayout:
         return variables
 
     def _state_variables(self, k: int, names: set[str]) -> list[Variable]:
-        """Return the variables of state k and of its derivative."""
+        """Return the variables of one state and of its derivative.
+
+        `k` is the index of the state.
+        """
         state = self.export_model.states[k]
         name, outputs = structured_name(state.address), self.export_model.outputs
         is_other_output = k not in self.state_outputs.values() and any(y.address == state.address for y in outputs)

@@ -30,7 +30,7 @@ CIRCUIT, CHANGES, PARAMETERS = "resources/circuit.toml", "resources/changes.toml
 
 
 class ImporterRun(NamedTuple):
-    """Outputs of an FMU that an importer has run with the signals of the circuit."""
+    """Results of an FMU that an importer has simulated with the signals of the circuit."""
 
     values: Array  # (n_names, n_times)
     points: Array  # (n_times,) ends of the importer's steps [s]
@@ -39,7 +39,7 @@ class ImporterRun(NamedTuple):
 
 
 def fmi_version(path: Path) -> int:
-    """Return the version of FMI, 2 or 3, from the description in the file.
+    """Return the FMI version of an FMU file, which is 2 or 3.
 
     Raises
     ------
@@ -61,7 +61,7 @@ def fmi_version(path: Path) -> int:
 def read_description(path: Path) -> tuple[list[str], list[str]]:
     """Return the names of all variables of an FMU, and errors in its description.
 
-    FMPy finds the errors.
+    FMPy checks the description.
     """
     with needed("FMPy", "running an FMU", "check"):
         import fmpy
@@ -71,9 +71,10 @@ def read_description(path: Path) -> tuple[list[str], list[str]]:
 
 
 def run_in_fmpy(path: Path, kind: str, grid: Array, names: Sequence[str]) -> ImporterRun:
-    """Run an FMU in FMPy, and return the values of the named variables at the times of `grid`.
+    """Simulate an FMU in FMPy, and return the values of some variables.
 
-    `kind` is `CoSimulation` or `ModelExchange`. Model exchange uses the solver CVODE.
+    `kind` is `CoSimulation` or `ModelExchange`. Model exchange uses the solver CVODE. `grid` contains the times of the
+    values, and `names` the variables.
     """
     import fmpy
 
@@ -97,9 +98,10 @@ def run_in_fmpy(path: Path, kind: str, grid: Array, names: Sequence[str]) -> Imp
 
 
 def run_in_libcosim(path: Path, grid: Array, names: Sequence[str]) -> ImporterRun:
-    """Run an FMU in libcosim, and return the values of the named variables at the times of `grid`.
+    """Simulate an FMU in libcosim, and return the values of some variables.
 
-    The first values are available at the end of the first step.
+    `grid` contains the times of the values, and `names` the variables. The first values are those at the end of the
+    first step.
     """
     with needed("libcosimpy", "running an FMU in a second host", "check"):
         from libcosimpy.CosimExecution import CosimExecution
@@ -127,10 +129,10 @@ def run_in_libcosim(path: Path, grid: Array, names: Sequence[str]) -> ImporterRu
 
 
 def circuit_resources(text: str, changes: Mapping[str, float | str], result: str | None) -> dict[str, bytes]:
-    """Return the files of an FMU that contain the circuit, by path.
+    """Return the files inside an FMU that contain the circuit, by path.
 
-    They are the circuit file and the changes that were made before the export. `result` is the path of a file with
-    identified parameters.
+    They are the circuit file and the changes made before the export. `result` is the path of a file with identified
+    parameters.
     """
     if not text:
         return {}

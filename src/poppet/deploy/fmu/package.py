@@ -46,7 +46,7 @@ C_END = "#ifdef __cplusplus\n}\n#endif\n"
 
 
 class Fmu(NamedTuple):
-    """Content of an FMU in memory."""
+    """FMU before it is written to a file."""
 
     layout: FmuLayout
     content: dict[str, bytes]  # path in the archive to bytes
@@ -55,7 +55,7 @@ class Fmu(NamedTuple):
 
 
 def directional_derivatives(model: Model) -> casadi.Function:
-    """Return the CasADi function of directional derivatives of rates and outputs.
+    """Return a CasADi function for directional derivatives of rates and outputs.
 
     The direction is a change of x, u and p.
     """
@@ -78,7 +78,10 @@ def export_fmu(
     circuit: BaseCircuit, source: CircuitSource, *, fmi: str = "2", platform: str | None = None,
     inputs: Sequence[str] = (), name: str | None = None,
 ) -> Export:  # fmt: skip
-    """Export a circuit as an FMU; the keyword arguments are the options of the target."""
+    """Export a circuit as an FMU.
+
+    The keyword arguments are the options of the export target.
+    """
     platforms = [entry.strip() for entry in (platform or "").split(",") if entry.strip()] or ["linux64"]
     resources = circuit_resources(source.text, source.changes, source.result)
     fmu = build_fmu(circuit, name or "", fmi=int(fmi), inputs=inputs, platforms=platforms, resources=resources)
@@ -171,7 +174,7 @@ License, whose text stands in them. All other sources were written by poppet, an
 def model_source(export_model: ExportModel, derivatives: casadi.Function) -> str:
     """Return the C source of the model functions and of the integrator.
 
-    It is for importers that compile the FMU. `derivatives` is the function of directional derivatives.
+    It is for importers that compile an FMU themselves. `derivatives` is the function of directional derivatives.
     """
     directional = print_function(derivatives, "directional", DIRECTIONAL, prefix="model_")
     head = "/* The model and the integrator; written by poppet. */\n#include <math.h>\n#include <stdint.h>\n\n"
@@ -193,9 +196,9 @@ def literal(value: float) -> str:
 
 
 def array(kind: str, name: str, values: Iterable[Any]) -> str:
-    """Return the definition of a constant C array with elements of type `kind`.
+    """Return the C definition of a constant array.
 
-    An empty array gets one element, because C has no empty arrays.
+    `kind` is the type of the elements. An empty array gets one element, because C has no empty arrays.
     """
     texts = [literal(v) if kind == "double" else str(int(v)) for v in values] or ["0"]
     lines = [", ".join(texts[k : k + PER_LINE]) for k in range(0, len(texts), PER_LINE)]
@@ -203,7 +206,10 @@ def array(kind: str, name: str, values: Iterable[Any]) -> str:
 
 
 def names_header(functions: Sequence[str], fmi: int) -> str:
-    """Return the text of `names.h`, which adds a unique prefix to the names of the model functions."""
+    """Return the text of `names.h`, which adds a prefix to function names.
+
+    The header contains a macro for each model function, so that several FMUs can be linked together.
+    """
     prefix = f"FMI{fmi}_FUNCTION_PREFIX"
     lines = [
         "/* Names of the model where FMUs are linked together; written by poppet. */",
@@ -217,7 +223,10 @@ def names_header(functions: Sequence[str], fmi: int) -> str:
 
 
 def model_header(layout: FmuLayout, functions: Sequence[str], token: str) -> str:
-    """Return the text of `model.h`, which contains all constants of an FMU."""
+    """Return the text of `model.h`, which contains all constants of the FMU.
+
+    `token` identifies the content of the model.
+    """
     export_model, problem = layout.export_model, layout.export_model.problem
     model, kernel = export_model.model, export_model.instance.kernel
     sizes = {
@@ -289,7 +298,10 @@ def model_header(layout: FmuLayout, functions: Sequence[str], token: str) -> str
 
 
 def pack(content: Mapping[str, bytes]) -> bytes:
-    """Return a ZIP archive of files; equal content gives equal bytes."""
+    """Return a ZIP archive of files as bytes.
+
+    Equal content gives equal bytes.
+    """
     buffer = io.BytesIO()
     with zipfile.ZipFile(buffer, "w", zipfile.ZIP_DEFLATED, compresslevel=9) as archive:
         for path in sorted(content, key=lambda path: (path != "modelDescription.xml", path)):

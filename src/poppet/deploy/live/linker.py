@@ -27,7 +27,7 @@ _ADDRESS_RELOCATIONS = {3: "leb", 4: "sleb", 5: "i32"}
 
 
 class Module(NamedTuple):
-    """Linked WebAssembly module, with the data that the page needs to call it."""
+    """Linked WebAssembly module, with data that the page needs to call it."""
 
     code: bytes
     table: Mapping[str, int]  # index of each function that is called by its index
@@ -203,7 +203,7 @@ def _read_object(code: bytes) -> _Object:
 
 
 def _iterate_segments(wasm_object: _Object) -> Iterator[tuple[int, bytes]]:
-    """Yield the address and the content of each data segment of an object."""
+    """Yield address and content of each data segment in an object file."""
     reader = _ByteReader(bytes(wasm_object.sections.get(_DATA, b"\0")))
     for _ in range(reader.number()):
         if reader.byte() != 0 or reader.byte() != 0x41:
@@ -214,7 +214,10 @@ def _iterate_segments(wasm_object: _Object) -> Iterator[tuple[int, bytes]]:
 
 
 def _read_symbols(wasm_object: _Object) -> None:
-    """Read the symbols of an object: kind, name, and index of the function or address of the data."""
+    """Return all symbols of an object file.
+
+    A symbol has a kind, a name, and the index of its function or the address of its data.
+    """
     reader = _ByteReader(wasm_object.linking)
     if reader.number() != 2:
         raise LinkError("unsupported version of the conventions")
@@ -246,7 +249,7 @@ def _encode_unsigned(value: int) -> bytes:
 
 
 def _encode_signed(value: int) -> bytes:
-    """Encode a non-negative integer as a signed LEB128."""
+    """Return a non-negative integer in the signed LEB128 encoding."""
     encoded = _encode_unsigned(value)
     return encoded if encoded[-1] < 0x40 else bytes([*encoded[:-1], encoded[-1] | 0x80, 0])
 

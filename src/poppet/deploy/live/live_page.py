@@ -54,9 +54,9 @@ _INPUT_UNITS = {
 
 
 def export_live(circuit: BaseCircuit, source: CircuitSource, *, parameters: Sequence[str] = ()) -> Export:
-    """Export a circuit as a live page.
+    """Export a circuit as a live page, an HTML page that simulates the circuit.
 
-    `parameters` contains the values of the option --parameter.
+    `parameters` contains the texts of the option --parameter.
     """
     page = printable(live_page(circuit, parameters=parameters)).encode()
     return Export({"page.html": page}, f"{len(page) / 1000:.0f} kB; runs in any browser, without a network connection.")
@@ -102,7 +102,7 @@ def live_page(circuit: BaseCircuit, *, parameters: Sequence[str] = ()) -> str:
     data = pack({**header, **content}, blobs)
     omitted = content["left_out"]
     notes = [f"Constant in the file's run, and without a curve here: {', '.join(omitted)}."] if omitted else []
-    title, curves = circuit.title or "A circuit", _figure(content, float(grid[-1]))
+    title, curves = circuit.title or "A circuit", _empty_figure(content, float(grid[-1]))
     sections = [
         ("", head(title, _LEAD) + _read("body.html").replace(_CURVES, curves)),
         ("Notes of the run as in the file", findings([*recording.remarks, *notes])),
@@ -115,10 +115,10 @@ def live_page(circuit: BaseCircuit, *, parameters: Sequence[str] = ()) -> str:
 def page_content(
     export_model: ExportModel, circuit: BaseCircuit, recording: Recording, sliders: Sequence[Slider]
 ) -> dict[str, Any]:
-    """Return the data of a live page except the kernel and its arrays.
+    """Return the data of a live page, except the compiled model.
 
-    A line of a panel, and a bar that shows codes (integer outputs such as a flow regime), refer to an output by index.
-    A bar of a flow regime also has the index of the flow.
+    Curves, and bars that show codes such as a flow regime, refer to outputs by index. A bar of a flow regime also has
+    the index of the flow.
     """
     ambient = circuit.surroundings.pressure
     sheet = Sheet({"": recording}, None, None, "", inner=False)
@@ -160,14 +160,17 @@ def page_content(
         "panels": panels,
         "bands": bars,
         "left_out": [series.name for series in sheet.left_out],
-        "drawing": _drawing(export_model, circuit),
+        "drawing": _schematic_of_page(export_model, circuit),
         "units": {si: [[name, *affine(name, si, ambient)] for name in names] for si, names in _INPUT_UNITS.items()},
         "n_inputs": max(1, len(export_model.inputs)),
     }
 
 
-def _drawing(export_model: ExportModel, circuit: BaseCircuit) -> dict[str, Any]:
-    """Return the schematic as SVG, with the positions of values and of moving bodies in its boxes."""
+def _schematic_of_page(export_model: ExportModel, circuit: BaseCircuit) -> dict[str, Any]:
+    """Return the schematic as SVG text, with positions of values and of moving bodies.
+
+    The positions are those inside the boxes of the parts.
+    """
     inner = export_model.instance.inner
     values_of: dict[str, list[dict[str, Any]]] = {}
     for unit, symbol in _SYMBOLS.items():
@@ -208,10 +211,10 @@ def _drawing(export_model: ExportModel, circuit: BaseCircuit) -> dict[str, Any]:
     return {"svg": svg, "values": placed_values, "movers": [movers[part] for part in values_of if part in movers]}
 
 
-def _figure(content: dict[str, Any], duration: float) -> str:
-    """Return the HTML of the figure with curves and bars.
+def _empty_figure(content: dict[str, Any], duration: float) -> str:
+    """Return the HTML of the figure of a live page, without curves and bars.
 
-    The script of the page fills in the values.
+    The script of the page adds them. `content` is the data of the page, and `duration` that of the run [s].
     """
     name, size = content["time"]
     x: dict[str, Any] = {"label": f"time [{name}]", "range": [0.0, duration / size]}

@@ -28,9 +28,9 @@ _KINDS: dict[str, Kind] = {"Pa": "pressure", "K": "temperature", "kg/s": "mass_f
 
 @dataclass(frozen=True)
 class Slider:
-    """Parameter or input with a slider; `unit` is the display unit, and all values are in SI units.
+    """Slider of a live page for a parameter or an input.
 
-    The script of the page reads the fields by these names.
+    Values are in SI units, and `unit` is the display unit. The script of the page reads the fields by these names.
     """
 
     address: str
@@ -52,12 +52,12 @@ class Slider:
     delay: float = 0.0  # of the signal [s]
 
     def scale(self, ambient_pressure: float) -> tuple[float, float]:
-        """Return the factor and the offset of the conversion from SI to the display unit."""
+        """Return factor and offset that convert SI values to the display unit."""
         return affine(self.si, self.unit, ambient_pressure)
 
 
 def affine(unit: str, display_unit: str, ambient_pressure: float = 1e5) -> tuple[float, float]:
-    """Return the factor and the offset of the conversion from `unit` to `display_unit`.
+    """Return factor and offset that convert a unit to a display unit.
 
     The ambient pressure is the reference of gauge pressures.
     """
@@ -66,9 +66,9 @@ def affine(unit: str, display_unit: str, ambient_pressure: float = 1e5) -> tuple
 
 
 def select_sliders(export_model: ExportModel, circuit: BaseCircuit, texts: Sequence[str]) -> list[Slider]:
-    """Return the sliders that the user requested, or a default selection if `texts` is empty.
+    """Return the sliders that the user requested.
 
-    Each text is `ADDRESS` or `ADDRESS=LOW..HIGH`.
+    Each text is `ADDRESS` or `ADDRESS=LOW..HIGH`. Without texts, the result is a default selection.
     """
     if not texts:
         # Inputs with a signal, then parameters that the user gave or that are assumed; no temperatures or start values.
@@ -100,9 +100,10 @@ def select_sliders(export_model: ExportModel, circuit: BaseCircuit, texts: Seque
 
 
 def _is_guided(export_model: ExportModel, address: str) -> bool:
-    """Return True if another input is the slope of this input, which prescribes a motion.
+    """Return True if an input prescribes the motion of a body.
 
-    A slider cannot set such an input, because a constant value would not move the body.
+    Another input is then its rate of change. A slider cannot set such an input, because a constant value would not move
+    the body.
     """
     inputs = export_model.inputs
     return any(item.slope_of >= 0 and inputs[item.slope_of].address == address for item in inputs)
@@ -124,7 +125,7 @@ def _slider(export_model: ExportModel, circuit: BaseCircuit, address: str) -> Sl
         return Slider(
             address, item.value, low, high, item.low, item.high, item.unit, USUAL.get(item.unit, item.unit),
             "input, held while you say so", "a signal of the file", is_assumed=False, number=-1, inputs=(index,),
-            is_driven=True, **_signal(export_model, circuit, index),
+            is_driven=True, **_signal_and_delay(export_model, circuit, index),
         )  # fmt: skip
     if address in inputs:
         address = export_model.parameters[inputs[address].parameter].address
@@ -149,12 +150,15 @@ def _slider(export_model: ExportModel, circuit: BaseCircuit, address: str) -> Sl
     return Slider(
         address, value, low, high, parameter.low, parameter.high, parameter.unit, unit, parameter.meaning,
         source, number.source.kind == "assumed", index, setters, is_driven=False,
-        **(_signal(export_model, circuit, setters[0]) if is_input else {}),
+        **(_signal_and_delay(export_model, circuit, setters[0]) if is_input else {}),
     )  # fmt: skip
 
 
-def _signal(export_model: ExportModel, circuit: BaseCircuit, index: int) -> dict[str, Any]:
-    """Return the signal of an input in the circuit file, and the delay of the signal."""
+def _signal_and_delay(export_model: ExportModel, circuit: BaseCircuit, index: int) -> dict[str, Any]:
+    """Return the signal of an input in the circuit file, and its delay.
+
+    `index` is the index of the input.
+    """
     item, signal = export_model.model.inputs[index], circuit.signals.get(export_model.inputs[index].address)
     course: dict[str, Any] = {"kind": "steps", "times": [], "values": []}
     if isinstance(signal, (Steps, Points)) and len(signal.times) <= MAX_POINTS:
@@ -164,9 +168,9 @@ def _signal(export_model: ExportModel, circuit: BaseCircuit, index: int) -> dict
 
 
 def _default_range(value: float, lower_limit: float, upper_limit: float, unit: str) -> tuple[float, float]:
-    """Return a default slider range within the limits of the parameter.
+    """Return a default range for a slider, within the limits of the parameter.
 
-    It is half to twice the value, or 30 K on either side of a temperature.
+    The range is half to twice the value, or 30 K on either side of a temperature.
     """
     if unit in _TEMPERATURES:
         low, high = value - 30.0, value + 30.0
@@ -183,7 +187,10 @@ def _default_range(value: float, lower_limit: float, upper_limit: float, unit: s
 
 
 def _with_range(slider: Slider, span: str, ambient_pressure: float) -> Slider:
-    """Return the slider with the range in a text such as `50 l..400 l`."""
+    """Return a slider with another range.
+
+    `span` is the text of the range, for example `50 l..400 l`.
+    """
     if ".." not in span:
         raise InputError("deploy.live.range", slider.address, text=span)
     ends = []

@@ -50,9 +50,9 @@ const fs = require("fs");
 
 
 def live_module(model: Model) -> Module:
-    """Return the WebAssembly module of a model.
+    """Return the WebAssembly module that simulates a model.
 
-    The module exports the functions `integrate` and `start`, and its memory.
+    It exports its memory and the functions `integrate` and `start`.
     """
     import llvmlite.binding as llvm
 
@@ -79,9 +79,10 @@ def compile_wasm_object(llvm_module: Any) -> bytes:
 
 
 def run_data(problem: Problem) -> tuple[dict[str, Any], dict[str, bytes]]:
-    """Return the data of a run for the page: a header with array lengths, and the arrays.
+    """Return the data of a run for a live page.
 
-    The arrays are bytes, by the name of the field that contains their address.
+    The result contains a header with array lengths, and the bytes of each array by the name of the field for its
+    address.
     """
     kernel, conditions, module = problem.kernel, problem.stop_conditions, live_module(problem.kernel.model)
     lengths = {name: value for name, value in kernel.job.items() if name.startswith("n_")}
@@ -108,7 +109,7 @@ def run_data(problem: Problem) -> tuple[dict[str, Any], dict[str, bytes]]:
 
 
 def pack(header: Mapping[str, Any], blobs: Mapping[str, bytes]) -> str:
-    """Return a header and arrays as compressed base64 text.
+    """Return a header and arrays as one compressed base64 text.
 
     The order is: length of the header, header as JSON, arrays.
     """
@@ -122,11 +123,9 @@ def pack(header: Mapping[str, Any], blobs: Mapping[str, bytes]) -> str:
 
 
 def run_in_node(problem: Problem, folder: Path, *numbers: Any) -> tuple[dict[str, Any], NDArray[np.float64]]:
-    """Run the WebAssembly kernel in Node.js; return the outcome and the outputs.
+    """Run the WebAssembly model in Node.js, and return outcome and outputs.
 
-    The outcome includes the computing time [s].
-
-    The `numbers` are pairs of an index in p and a value.
+    The outcome includes the computing time [s]. `numbers` contains pairs of an index in p and a value.
     """
     script, table = folder / "run.js", folder / "table.bin"
     kernel = (files("poppet.deploy.live") / "kernel.js").read_text(encoding="utf-8")

@@ -38,9 +38,10 @@ EXCHANGE = (1e-5, "gas", "sharp", "method")
 
 
 def _run_solver(reference: KernelReference, folder: Path, solver: str) -> TargetResult:
-    """Run the problem with a reference solver, or with the kernel (`rosenbrock`) and a changed start.
+    """Run a circuit with one solver, for comparison with the reference run.
 
-    Without a solver, the result is the run of `simulate`.
+    `solver` is a reference solver, or `rosenbrock` for the own integrator with a changed start. Without a solver, the
+    result is that of `simulate`.
     """
     if not solver:
         return TargetResult(reference.run.values, reference.seconds)
@@ -57,7 +58,10 @@ def _run_solver(reference: KernelReference, folder: Path, solver: str) -> Target
 
 
 def kernel_checks() -> list[ParityCheck]:
-    """Return the parity checks of the kernel itself and of the reference solvers."""
+    """Return the parity checks of the own integrator and of the reference solvers.
+
+    A parity check compares the results of two programs.
+    """
     # No target can agree better with the kernel than the kernel with itself: a limit cycle amplifies rounding.
     fused, moved, lsoda, cvodes = (
         partial(_run_solver, solver=solver) for solver in ("", "rosenbrock", "lsoda", "cvodes")
@@ -74,7 +78,10 @@ def kernel_checks() -> list[ParityCheck]:
 
 
 def _run_c(reference: KernelReference, folder: Path, step: float = 0.0, substeps: int = 1) -> TargetResult:
-    """Run the exported C code with a fixed step, or with error control if `step` is 0."""
+    """Compile and run the exported C code.
+
+    `step` is the fixed step, or 0 for error control. `substeps` is the number of substeps.
+    """
     compiler = shutil.which(os.environ.get("CC", "cc")) or shutil.which("gcc") or shutil.which("clang")
     if compiler is None:
         raise NotRunError("no_compiler")
@@ -100,7 +107,7 @@ def _run_c(reference: KernelReference, folder: Path, step: float = 0.0, substeps
 
 
 def c_checks() -> list[ParityCheck]:
-    """Return the parity checks of the exported C code."""
+    """Return the checks that compare the exported C code with the simulation."""
 
     steps = {
         "c 1 kHz": ("1 ms", 1e-3, 1e-3, 1),
@@ -123,7 +130,10 @@ def c_checks() -> list[ParityCheck]:
 
 
 def _run_fmu(reference: KernelReference, folder: Path, kind: str, fmi: int) -> TargetResult:
-    """Run an FMU in libcosim, or in FMPy as `CoSimulation` or `ModelExchange`."""
+    """Run an exported FMU in one importer.
+
+    `kind` selects libcosim, or FMPy with `CoSimulation` or `ModelExchange`. `fmi` is the FMI version.
+    """
     if not sys.platform.startswith("linux"):
         raise NotRunError("other_system", system=sys.platform)
     grid = reference.run.time
@@ -154,7 +164,7 @@ def _run_fmu(reference: KernelReference, folder: Path, kind: str, fmi: int) -> T
 
 
 def fmu_checks() -> list[ParityCheck]:
-    """Return the parity checks of the exported FMU."""
+    """Return the checks that compare the exported FMU with the simulation."""
     return [
         ParityCheck(name, text, limit, scope, partial(_run_fmu, kind=kind, fmi=fmi), rows, cause, fmi)
         for name, text, kind, fmi, (limit, scope, rows, cause) in (
@@ -171,7 +181,10 @@ def fmu_checks() -> list[ParityCheck]:
 
 
 def _run_page_kernel(reference: KernelReference, folder: Path) -> TargetResult:
-    """Run the WebAssembly kernel of a live page in Node.js."""
+    """Run the WebAssembly model of a live page in Node.js.
+
+    `folder` is a folder for temporary files.
+    """
     if shutil.which("node") is None:
         raise NotRunError("no_node")
     try:
@@ -182,12 +195,15 @@ def _run_page_kernel(reference: KernelReference, folder: Path) -> TargetResult:
 
 
 def live_checks() -> list[ParityCheck]:
-    """Return the parity checks of the live page."""
+    """Return the checks that compare the live page with the simulation."""
     return [ParityCheck("wasm", "WebAssembly of the live page, in node", 1e-9, "all", _run_page_kernel)]
 
 
 def _run_controllers(reference: KernelReference, folder: Path) -> TargetResult:
-    """Run the program of all controllers with the sensor values of a simulation."""
+    """Run the program of all controllers with recorded sensor values.
+
+    The sensor values come from a simulation.
+    """
     if not reference.controllers:
         raise NotRunError("no_controller")
     circuit = reference.circuit
@@ -213,6 +229,9 @@ def _run_controllers(reference: KernelReference, folder: Path) -> TargetResult:
 
 
 def controller_checks() -> list[ParityCheck]:
-    """Return the parity check of the program that is printed as structured text and as C."""
+    """Return the check that compares exported controllers with the simulation.
+
+    The program is printed as structured text and as C.
+    """
     text = "the program of the controllers, which structured text and C print"
     return [ParityCheck("controllers", text, 1e-9, "all", _run_controllers)]

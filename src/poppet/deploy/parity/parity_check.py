@@ -30,7 +30,7 @@ MAX_INSTANTS = 3000
 
 
 class NotRunError(Exception):
-    """Error with the reason for which a target cannot run the circuit."""
+    """Error that states why an export target cannot run the circuit."""
 
     def __init__(self, code: str, **facts: object) -> None:
         self.note = Note(f"deploy.parity.{code}", **facts)
@@ -38,7 +38,7 @@ class NotRunError(Exception):
 
 
 class TargetResult(NamedTuple):
-    """Outputs of an export target, (n_outputs, n_times), and the computing time [s]."""
+    """Outputs of one export target, (n_outputs, n_times), and its computing time [s]."""
 
     values: Array
     seconds: float
@@ -49,7 +49,10 @@ class TargetResult(NamedTuple):
 
 
 class ParityCheck(NamedTuple):
-    """Check of one export target: one row of the parity table."""
+    """Comparison of one export target with the simulation.
+
+    It is one row of the parity table.
+    """
 
     name: str
     description: str
@@ -66,7 +69,10 @@ class ParityCheck(NamedTuple):
 
 @dataclass(frozen=True, eq=False)
 class KernelReference:
-    """Run of a circuit by the kernel, and variants of it for the comparison with targets."""
+    """Reference run of a circuit, and variants of it for comparisons.
+
+    The runs are those of poppet's own integrator, the kernel.
+    """
 
     circuit: BaseCircuit
     problem: Problem  # of `simulate`
@@ -82,25 +88,31 @@ class KernelReference:
 
     @cached_property
     def separate(self) -> Problem:
-        """Problem of the run with a kernel that has no fused operations (FMA)."""
+        """Definition of the run for a kernel without fused multiply-add operations (FMA)."""
         return without_fused_operations(self.problem)
 
     @cached_property
     def rows(self) -> ReferenceRun:
-        """Reference run without fused operations, at the output times of the circuit."""
+        """Reference run at the output times of the circuit.
+
+        The kernel has no fused multiply-add operations.
+        """
         # A row at a sample instant has the values after it; the last row of a run has the values before it.
         return run_reference(self.separate, self.problem.grid.size - bool(self.problem.kernel.model.memory))
 
     def at_points(self, points: Array) -> ReferenceRun:
-        """Return the reference run whose steps end at the communication points of an importer.
+        """Return the reference run for an importer that communicates at given times.
 
-        The kernel has no fused operations.
+        The steps of the run end at these times. The kernel has no fused operations.
         """
         return run_reference(with_points(self.separate, _with_next_row(points)), points.size)
 
     @cached_property
     def sharp(self) -> ReferenceRun:
-        """Reference run without fused operations, at the tolerance of FMI model exchange."""
+        """Reference run with the smaller tolerance of FMI model exchange.
+
+        The kernel has no fused operations.
+        """
         grid = _with_next_row(self.problem.grid)
         sharp = replace(self.separate, grid=grid, relative_tolerance=EXCHANGE_TOLERANCE)
         return run_reference(sharp, grid.size - 1)
@@ -123,7 +135,7 @@ class KernelReference:
 
 
 def _with_next_row(points: Array) -> Array:
-    """Return the times and one further time.
+    """Return times, followed by one later time.
 
     The values at the last given time are then those after an event, as in importers.
     """
@@ -131,7 +143,10 @@ def _with_next_row(points: Array) -> Array:
 
 
 def with_points(problem: Problem, points: Array) -> Problem:
-    """Return the problem with output times and ends of steps at the communication points of an importer."""
+    """Return the definition of a run for an importer that communicates at given times.
+
+    Output times and ends of steps are these times.
+    """
     starts = np.union1d(problem.starts, points[:-1])
     # A point next to a breakpoint is replaced by the breakpoint, as in the FMU.
     nearest = np.searchsorted(problem.starts, starts - 1e-12 * (1.0 + starts))

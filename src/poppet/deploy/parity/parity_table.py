@@ -90,7 +90,10 @@ class ParityRow:
 
     @property
     def verdict(self) -> str:
-        """Verdict: `within` the limit, within `rounding`, `coarse` step, `beyond`, `not run` or `not compared`."""
+        """Verdict on the agreement of the target with the simulation.
+
+        It is `within` the limit, within `rounding`, `coarse` step, `beyond`, `not run` or `not compared`.
+        """
         if self.why is not None:
             return "not run"
         if self.greatest is None:
@@ -131,12 +134,18 @@ class Parity:
 
     @property
     def is_within_limits(self) -> bool:
-        """True if no target that was run is beyond its limit and beyond the effect of rounding."""
+        """True if no target differs more than the limit and the effect of rounding permit.
+
+        Targets that were not run are not considered.
+        """
         return all(row.verdict != "beyond" for row in self.rows)
 
 
 def all_checks() -> dict[str, ParityCheck]:
-    """Return all parity checks by name: those of the kernel, then those of the targets."""
+    """Return all parity checks by name.
+
+    Checks of poppet's own integrator come first, then those of the export targets.
+    """
     checks = [*kernel_checks(), *(check for target in TARGETS.values() for check in target.parity_checks())]
     return {check.name: check for check in checks}
 
@@ -184,7 +193,7 @@ def compare_targets(circuit: BaseCircuit, *, only: Sequence[str] = (), fmu: Path
 
 
 def run_kernel(circuit: BaseCircuit, fmu: Path | None = None) -> KernelReference:
-    """Run a circuit with the kernel, and measure the computing time.
+    """Run a circuit with poppet's own integrator, and measure the computing time.
 
     `fmu` is an FMU that is checked instead of newly exported ones.
     """
@@ -246,9 +255,9 @@ def _run_check(check: ParityCheck, reference: KernelReference, folder: Path) -> 
 
 
 def results_table(parity: Parity, *, is_long: bool = False) -> ReportTable:
-    """Return the parity table: one row per check.
+    """Return a table with one row for each parity check.
 
-    With `is_long`, the rows also have the descriptions and the compared outputs.
+    If `is_long` is True, the rows also contain the descriptions and the compared outputs.
     """
     columns = [
         Column("target"), Column("time [ms]", ".4g"), Column("greatest difference", ".2e"), Column("of"),
@@ -279,7 +288,10 @@ def results_table(parity: Parity, *, is_long: bool = False) -> ReportTable:
 
 
 def outputs_table(parity: Parity) -> ReportTable:
-    """Return the maximum difference of each output, with one column for each target that was run."""
+    """Return a table of the largest difference of each output.
+
+    It has one column for each target that was run.
+    """
     compared = [row for row in parity.rows if row.differences]
     names = list(dict.fromkeys([*parity.sizes, *(name for row in compared for name in row.differences)]))
     columns = Column("output"), Column("size", ".4g"), *(Column(row.name, ".1e") for row in compared)
@@ -293,12 +305,12 @@ def not_run_notes(parity: Parity) -> list[str]:
 
 
 def write_parity(parity: Parity, path: str | Path) -> Path:
-    """Write the parity report: results of the targets, targets that were not run, differences of every output."""
+    """Write the results of all parity checks as a report."""
     return write_page(path, lambda: parity_page(parity))
 
 
 def parity_page(parity: Parity) -> str:
-    """Return the parity report as HTML."""
+    """Return the report of all parity checks as HTML."""
     title = f"{parity.title or 'A circuit'}: comparison of all export targets"
     n_run = sum(row.why is None for row in parity.rows)
     lead = (

@@ -13,8 +13,8 @@ from poppet.deploy.controller import (
     SIGNATURES,
     ControllerProgram,
     controller_program,
+    controllers_of_option,
     find_controllers,
-    select_parts,
 )
 from poppet.deploy.export_files import comment_text, identifier
 from poppet.deploy.targets import CircuitSource, Export
@@ -47,15 +47,15 @@ _RESERVED = frozenset(
 
 @dataclass
 class BlockNames:
-    """Names of variables in a function block.
+    """Set of variable names in a function block.
 
-    They are valid, have at most 32 characters, and differ even if upper and lower case are not distinguished.
+    The names are valid, have at most 32 characters, and differ even if upper and lower case are not distinguished.
     """
 
     used: set[str] = field(default_factory=lambda: {name.lower() for name in BLOCK_NAMES})
 
     def add(self, text: str) -> str:
-        """Return a new name that is made from a text.
+        """Return a new valid name that resembles a text.
 
         Parameters
         ----------
@@ -89,7 +89,7 @@ class BlockNames:
 def export_st(circuit: BaseCircuit, source: CircuitSource, *, part: str | None = None) -> Export:
     """Export sampled controllers as structured text.
 
-    `part` is the value of the option --part: the names of the controllers.
+    `part` is the value of the option --part, with the names of the controllers.
     """
     if not part:
         controllers = [*find_controllers(circuit)]
@@ -98,7 +98,7 @@ def export_st(circuit: BaseCircuit, source: CircuitSource, *, part: str | None =
             if controllers
             else InputError("deploy.controller.none")
         )
-    return Export({"controller.st": block_of(circuit, select_parts(circuit, part))})
+    return Export({"controller.st": block_of(circuit, controllers_of_option(circuit, part))})
 
 
 def block_of(circuit: BaseCircuit, parts: Sequence[str] = ()) -> str:
@@ -128,7 +128,7 @@ def block_of(circuit: BaseCircuit, parts: Sequence[str] = ()) -> str:
 
 
 def function_block(program: ControllerProgram) -> str:
-    """Return the text of a function block with the functions that it calls.
+    """Return the structured text of a function block, with the functions that it calls.
 
     Parameters
     ----------
@@ -178,7 +178,7 @@ def function_block(program: ControllerProgram) -> str:
             f"(* Call it every cycle_time seconds, {program.cycle:g} s: it samples by its own count of its calls. *)",
             f"FUNCTION_BLOCK {block_name}",
             *_declarations(program, {**variables, "y": outputs}, printed),
-            *_body(printed, memory[: program.n_timers], fired),
+            *_statements_of_call(printed, memory[: program.n_timers], fired),
             "END_FUNCTION_BLOCK",
             "",
         ]
@@ -188,9 +188,9 @@ def function_block(program: ControllerProgram) -> str:
 
 
 def _declaration(name: str, kind: str, start: str, unit: str, *texts: str) -> str:
-    """Return the declaration of a variable of type `kind`, with a comment.
+    """Return the declaration of one variable in structured text, with a comment.
 
-    The comment contains the unit and `texts`.
+    `kind` is its type and `start` its start value. The comment contains the unit and `texts`.
     """
     comment = "; ".join(comment_text(text) for text in (unit if unit != "1" else "", *texts) if text)
     return f"  {name} : {kind}{f' := {start}' if start else ''};{f' (* {comment} *)' if comment else ''}"
@@ -199,7 +199,10 @@ def _declaration(name: str, kind: str, start: str, unit: str, *texts: str) -> st
 def _declarations(
     program: ControllerProgram, names: Mapping[str, list[str]], printed: Mapping[str, Statements]
 ) -> list[str]:
-    """Return the declarations of all variables of a function block."""
+    """Return the declarations of all variables of a function block.
+
+    `names` maps quantities to names, and `printed` contains the printed functions.
+    """
 
     def start_value(quantity: Any) -> str:
         # A start value is no expression: it accepts a sign, but no parentheses.
@@ -233,8 +236,11 @@ def _declarations(
     ]
 
 
-def _body(printed: Mapping[str, Statements], timers: Sequence[str], fired: Sequence[str]) -> list[str]:
-    """Return the statements that one call of the function block executes."""
+def _statements_of_call(printed: Mapping[str, Statements], timers: Sequence[str], fired: Sequence[str]) -> list[str]:
+    """Return the statements that the function block executes in each call.
+
+    `timers` are the names of the timers, and `fired` those of the variables that show which timer is due.
+    """
     expiry = [f"{flag} := {timer} <= due;" for flag, timer in zip(fired, timers, strict=True)]
     any_expired = " OR ".join(fired)
     return [

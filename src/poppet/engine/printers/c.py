@@ -51,13 +51,16 @@ LARGEST_SINGLE = 3e38
 
 
 class Precision(NamedTuple):
-    """Floating-point type in C, with the suffixes of constants and of functions in `math.h`."""
+    """Floating-point type in C, for example double.
+
+    It contains the suffixes of constants and of functions in `math.h`.
+    """
 
     real: str = "double"
     ending: str = ""
 
     def literal(self, value: float) -> str:
-        """Return the C text of a constant with all significant digits."""
+        """Return the text of a constant in C, with all significant digits."""
         if math.isnan(value):
             return "(0.0 / 0.0)"
         if math.isinf(value) or (self.ending and abs(value) > LARGEST_SINGLE):
@@ -71,7 +74,7 @@ DOUBLE, SINGLE = Precision(), Precision("float", "f")
 
 
 def prelude(precision: Precision = DOUBLE) -> str:
-    """Return the C text of all helper functions that printed functions can call."""
+    """Return the C text of all helper functions for printed code."""
     real, e = precision
     unity, zero = precision.literal(1.0), precision.literal(0.0)
     return f"""/* The exponent of the flow law is a number like others, and nearly always 1/2. */
@@ -142,7 +145,7 @@ def print_function(
 
 
 class _Style(NamedTuple):
-    """Options of a printed function."""
+    """Options with which a function is printed in C."""
 
     labels: Mapping[str, Sequence[str]]
     precision: Precision
@@ -151,7 +154,7 @@ class _Style(NamedTuple):
 
 
 class _Operand(NamedTuple):
-    """Operand of an expression: the name of a variable, or a constant.
+    """Operand of an expression in C: the name of a variable, or a constant.
 
     `is_wide` is True for a double in a function of single precision. `double_name` is the name in double precision.
     """
@@ -167,10 +170,10 @@ class _Operand(NamedTuple):
 
 
 def _print_block(block: Block, names: tuple[list[str], list[str]], style: _Style, passed: str = "") -> list[str]:
-    """Return the lines of C for one block of instructions.
+    """Return the lines of C for a sequence of instructions.
 
-    Each value becomes a constant; the lines that store results follow. `passed` is the name of the array that passes
-    values between blocks.
+    Each intermediate value becomes a constant in C. Lines that store results come last. `passed` is the name of the
+    array that passes values between blocks.
     """
     live, precision, is_single = _live_instructions(block), style.precision, bool(style.precision.ending)
     lines: list[str] = []
@@ -178,7 +181,7 @@ def _print_block(block: Block, names: tuple[list[str], list[str]], style: _Style
     values: dict[int, _Operand] = {}
     referenced: set[str] = set()
     inverses: dict[int, _Operand] = {}
-    divisors = _divisors(block, live) if style.shares_inverses else {}
+    divisors = _shared_divisors(block, live) if style.shares_inverses else {}
 
     def value(slot: int) -> _Operand:
         if slot not in values:
@@ -240,10 +243,10 @@ def _print_block(block: Block, names: tuple[list[str], list[str]], style: _Style
     return [*lines, *ignored, *stores]
 
 
-def _divisors(block: Block, live: Collection[int]) -> dict[int, int]:
-    """Return a mapping from divisions with a shared divisor to their divisor.
+def _shared_divisors(block: Block, live: Collection[int]) -> dict[int, int]:
+    """Return the divisions that share their divisor with another division.
 
-    Keys are indices of instructions. A value identifies the instruction that computes the divisor.
+    Keys are indices of division instructions. A value identifies the instruction that computes the divisor.
     """
     origin: dict[int, int] = {}
     divisors: dict[int, int] = {}
@@ -256,9 +259,9 @@ def _divisors(block: Block, live: Collection[int]) -> dict[int, int]:
 
 
 def _live_instructions(block: Block) -> set[int]:
-    """Return the indices of instructions whose results are used.
+    """Return the indices of the instructions whose results are used.
 
-    The others are omitted, because compilers warn about unused variables.
+    Others are not printed, because compilers warn about unused variables.
     """
     needed, live = set(block.live_out), set()
     for k in reversed(range(len(block.instructions))):
@@ -286,20 +289,26 @@ def _expression(instruction: Instruction, arguments: Sequence[_Operand], precisi
 # Step of the kernel
 
 
-def _weighted(weights: Sequence[float]) -> str:
-    """Return a C expression for a weighted sum of stages at one state."""
+def _weighted_sum_of_stages(weights: Sequence[float]) -> str:
+    """Return a C expression for a weighted sum of solver stages.
+
+    The sum is that of one state s: `weights` are the factors on k0[s], k1[s] and so on.
+    """
     return " + ".join(f"{DOUBLE.literal(weight)} * k{j}[s]" for j, weight in enumerate(weights))
 
 
 def _with_drift(i: int, rates: str) -> str:
-    """Return a C expression for rates plus the drift term of stage i."""
+    """Return a C expression for a rate plus the drift term of a stage.
+
+    `i` is the index of the solver stage, and `rates` the expression of the rate.
+    """
     return rates if STAGE_DRIFT[i] == 0.0 else f"{rates} + {DOUBLE.literal(STAGE_DRIFT[i])} * h * drift[s]"
 
 
 def print_step(n_states: int, n_inputs: int, head: str = "void", prefix: str = "") -> str:
-    """Return the C text of `step` and `dense`: one step of the Rosenbrock method RODAS.
+    """Return the C text of `step` and `dense` for the Rosenbrock method RODAS.
 
-    `dense` computes the interpolant of the step. See `poppet.engine.printers.llvm_step`.
+    `step` computes one step, and `dense` its interpolant. The module `poppet.engine.printers.llvm_step` describes them.
     """
     n = n_states
     stages = [f"  double *k{i} = k + {i * n};" for i in range(6)]
@@ -317,11 +326,12 @@ def print_step(n_states: int, n_inputs: int, head: str = "void", prefix: str = "
     ]
     for i in range(1, 6):
         inputs = f"us + {INPUT_TIMES.index(STAGE_TIME[i]) * n_inputs}"
+        coupled_rates = f"f1[s] + g * ({_weighted_sum_of_stages(COUPLING[i])})"
         text += [
-            f"  for (s = 0; s < {n}; s++) x1[s] = x0[s] + {_weighted(ARGUMENT[i])};",
+            f"  for (s = 0; s < {n}; s++) x1[s] = x0[s] + {_weighted_sum_of_stages(ARGUMENT[i])};",
             f"  *time = th[0] + {DOUBLE.literal(STAGE_TIME[i])} * h;",
             f"  {prefix}rates(time, x1, {inputs}, p, f1);",
-            f"  for (s = 0; s < {n}; s++) right[s] = {_with_drift(i, f'f1[s] + g * ({_weighted(COUPLING[i])})')};",
+            f"  for (s = 0; s < {n}; s++) right[s] = {_with_drift(i, coupled_rates)};",
             f"  {prefix}solve(lu, right, k{i});",
         ]
     text += [
@@ -334,7 +344,7 @@ def print_step(n_states: int, n_inputs: int, head: str = "void", prefix: str = "
         f"  double *d0 = d, *d1 = d + {n};",
         "  int s;",
         f"  for (s = 0; s < {n}; s++) {{",
-        *(f"    d{k}[s] = {_weighted(DENSE[k])};" for k in range(2)),
+        *(f"    d{k}[s] = {_weighted_sum_of_stages(DENSE[k])};" for k in range(2)),
         "  }",
         "}",
     ]

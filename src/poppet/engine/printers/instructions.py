@@ -22,11 +22,14 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from functools import cache
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from poppet.engine.derivatives import differentiate_rates
 from poppet.engine.elimination import solver_functions
 from poppet.engine.model import Model
+
+if TYPE_CHECKING:
+    import casadi
 
 SIGNATURES = {
     "rates": "t x u p -> f",
@@ -44,9 +47,9 @@ SIGNATURES = {
 
 
 def trace_functions(model: Model) -> dict[str, Any]:
-    """Return the CasADi functions of a model by their names in `SIGNATURES`.
+    """Return the CasADi functions of a model by name.
 
-    `update` is included only if the model has discrete states.
+    The names are those in `SIGNATURES`. `update` is included only if the model has discrete states.
     """
     import casadi as ca
 
@@ -73,7 +76,7 @@ def trace_functions(model: Model) -> dict[str, Any]:
     return functions
 
 
-def outputs_function(model: Model) -> Any:
+def outputs_function(model: Model) -> casadi.Function:
     """Return the CasADi function that computes the outputs y of a model."""
     import casadi as ca
 
@@ -92,7 +95,7 @@ class Instruction(NamedTuple):
 
 
 class InstructionList(NamedTuple):
-    """Instructions of a function, and the numbers of its arguments and results."""
+    """Instructions of one function, with the numbers of its arguments and results."""
 
     instructions: Sequence[Instruction]
     n_in: int
@@ -100,7 +103,7 @@ class InstructionList(NamedTuple):
 
     @classmethod
     def of(cls, function: Any) -> InstructionList:
-        """Return the instruction list of a CasADi function."""
+        """Return the instructions of a CasADi function as a list."""
         return cls(instructions(function), function.n_in(), function.n_out())
 
     @property
@@ -112,7 +115,8 @@ class InstructionList(NamedTuple):
 class Block(NamedTuple):
     """Sequence of instructions that is printed as one function.
 
-    `live_out` contains the slots of w that the block writes and later blocks read.
+    `live_out` contains the elements of w that the block writes and later blocks read. Vector w contains the
+    intermediate values.
     """
 
     instructions: Sequence[Instruction]
@@ -121,7 +125,7 @@ class Block(NamedTuple):
 
 @cache
 def _operations() -> dict[int, str]:
-    """Return a mapping from CasADi operation codes to operation names."""
+    """Return a mapping from the operation codes of CasADi to operation names."""
     import casadi
 
     names = {getattr(casadi, name): name.removeprefix("OP_").lower() for name in dir(casadi) if name.startswith("OP_")}
@@ -129,7 +133,7 @@ def _operations() -> dict[int, str]:
 
 
 def instructions(function: Any) -> list[Instruction]:
-    """Return the instructions of a CasADi function in order."""
+    """Return the instructions of a CasADi function in the order of execution."""
     names = _operations()
     result = []
     for k in range(function.n_instructions()):

@@ -23,14 +23,17 @@ _Key = tuple[Any, ...]
 
 
 class LaneListings(NamedTuple):
-    """Simplified functions by name, and the number of elements that `derived` appends to p."""
+    """Simplified functions for simultaneous runs (lanes), by name.
+
+    It also contains the number of elements that the function `derived` appends to p.
+    """
 
     functions: dict[str, InstructionList]
     n_derived: int
 
 
 def lane_listings(functions: Mapping[str, Any], model: Model) -> LaneListings:
-    """Return the simplified functions `rates`, `jacobian` and `jacobian_held`.
+    """Return the functions `rates`, `jacobian` and `jacobian_held` in a simplified form.
 
     `jacobian_held` is valid for constant inputs. The function `derived` computes the elements that are appended to p.
     """
@@ -51,9 +54,9 @@ def lane_listings(functions: Mapping[str, Any], model: Model) -> LaneListings:
 
 
 class _Values:
-    """Table of the distinct values (results of operations) of several functions.
+    """Table of all different values that some functions compute.
 
-    A value is represented by its index in the table.
+    A value is the result of an operation, and is represented by its index in the table.
     """
 
     def __init__(self, n_numbers: int) -> None:
@@ -65,7 +68,7 @@ class _Values:
     def read(self, function: Any, name: str, zero: Sequence[str] = ()) -> list[tuple[tuple[int, int], int]]:
         """Add the instructions of a function, and return the values of its results.
 
-        Each result is a pair of (vector, element) and value. Arguments in `zero` are replaced by zero.
+        A result is a pair of (vector, element) and value. `zero` contains arguments that are always zero.
         """
         vectors = SIGNATURES[name].partition("->")[0].split()
         slots: dict[int, int] = {}
@@ -87,11 +90,17 @@ class _Values:
         return results
 
     def constant(self, value: float) -> int:
-        """Add a constant, and return its value; -0.0 and 0.0 are different."""
+        """Add a constant, and return the index of its value.
+
+        -0.0 and 0.0 are different constants.
+        """
         return self._index("const", value, str(value))
 
     def put(self, operation: str, *arguments: int) -> int:
-        """Add an operation in its simplest form, and return the index of its value."""
+        """Add an operation in its simplest form, and return the index of its value.
+
+        For example, x + 0 becomes x.
+        """
         a, b = arguments[0], arguments[-1]
         match operation:
             case "assign":
@@ -147,18 +156,25 @@ class _Values:
         return self._indices[key]
 
     def is_of(self, value: int, operation: str) -> bool:
-        """Return True if a value is the result of an operation."""
+        """Return True if a value is the result of a given operation.
+
+        `value` is an index.
+        """
         return bool(self.keys[value][0] == operation)
 
     def is_number(self, value: int, number: float) -> bool:
-        """Return True if a value is the constant `number`."""
+        """Return True if a value is a given constant.
+
+        `value` is an index.
+        """
         key = self.keys[value]
         return bool(key[0] == "const" and key[1] == number)
 
     def list_function(self, results: Any, name: str, n_p: int, derived: dict[int, int]) -> InstructionList:
-        """Return the instruction list of a function with the given results.
+        """Return the instructions of a function that computes `results`.
 
-        Parameter expressions are added to `derived`, which maps a value to the index of its additional element in p.
+        Expressions that depend only on parameters are added to `derived`, which maps a value to the index of its
+        additional element in p. `n_p` is the number of original elements of p.
         """
         arguments, _, outputs = SIGNATURES[name].partition("->")
         vectors = {vector: k for k, vector in enumerate(arguments.split())}
@@ -171,9 +187,9 @@ class _Values:
         return self.is_fixed[value] and self.keys[value][0] not in ("input", "const")
 
     def _needed(self, results: Sequence[int], *, stops: bool) -> list[int]:
-        """Return the values on which some results depend, in order of computation.
+        """Return all values that are required for given results, in order of computation.
 
-        If `stops` is True, operands of parameter expressions are omitted.
+        If `stops` is True, operands of expressions that depend only on parameters are omitted.
         """
         needed, values = set(results), []
         for value in reversed(range(max(results, default=-1) + 1)):
@@ -188,9 +204,10 @@ class _Values:
     def order(
         self, results: Any, vectors: Mapping[str, int], n_p: int, derived: Mapping[int, int]
     ) -> list[Instruction]:
-        """Return the instructions that compute some results.
+        """Return the instructions that compute given results.
 
-        The values in `derived` are read from p instead of being computed.
+        Values in `derived` are read from p instead of being computed. `vectors` contains the indices of the arguments,
+        and `n_p` is the number of original elements of p.
         """
         needed = self._needed([value for _, value in results], stops=bool(derived))
         last: dict[int, int] = {}

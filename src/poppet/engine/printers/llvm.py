@@ -79,7 +79,10 @@ class Kind:
         return constant if self.width == 1 else f"<{', '.join([f'double {constant}'] * self.width)}>"
 
     def constant(self, value: float) -> str:
-        """Return the text of a constant with all significant digits, equal in all lanes."""
+        """Return a constant in LLVM IR with all significant digits.
+
+        The constant is equal in all lanes.
+        """
         return self._alike(literal(value))
 
 
@@ -125,14 +128,14 @@ general:
 
 
 def literal(value: float) -> str:
-    """Return the text of a constant with all significant digits."""
+    """Return a constant in LLVM IR with all significant digits."""
     return f"0x{struct.unpack('<Q', struct.pack('<d', value))[0]:016X}"
 
 
 class Text:
-    """Lines of LLVM IR with unique names of values.
+    """Lines of LLVM IR, in which each value has a unique name.
 
-    Most methods add lines and return the name of their result.
+    Most methods add lines and return the name of the result.
     """
 
     def __init__(self, kind: Kind = SCALAR) -> None:
@@ -142,55 +145,61 @@ class Text:
         self._inverses: dict[str, str] = {}
 
     def emit(self, text: str) -> str:
-        """Add a line, and return the name of its result."""
+        """Add a line that computes a value, and return the name of the value."""
         self.count += 1
         name = f"%v{self.count}"
         self.lines.append(f"  {name} = {text}")
         return name
 
     def at(self, pointer: str, offset: int | str) -> str:
-        """Add the computation of an element's address, and return its name."""
+        """Add the computation of the address of an array element, and return its name."""
         return self.emit(f"getelementptr inbounds {self.kind.number}, ptr {pointer}, i64 {offset}")
 
     def load(self, pointer: str, offset: int | str) -> str:
-        """Add a load of an element, and return the name of the loaded value."""
+        """Add a line that reads an array element, and return the name of the value."""
         return self.emit(f"load {self.kind.number}, ptr {self.at(pointer, offset)}")
 
     def store(self, value: str, pointer: str, offset: int | str) -> None:
-        """Add a store of a value into an element."""
+        """Add a line that writes a value into an array element."""
         self.lines.append(f"  store {self.kind.number} {value}, ptr {self.at(pointer, offset)}")
 
     def name(self, name: str, pointer: str, offset: int) -> None:
-        """Add the computation of an element's address, with a given name."""
+        """Add the computation of the address of an array element under a given name."""
         self.lines.append(f"  {name} = getelementptr inbounds {self.kind.number}, ptr {pointer}, i64 {offset}")
 
     def times(self, factor: float, value: str) -> str:
-        """Add the product of a constant and a value, and return its name."""
+        """Add the product of a constant and a value; return its name."""
         return self.emit(f"fmul contract {self.kind.number} {self.kind.constant(factor)}, {value}")
 
     def multiply_add(self, a: str | float, b: str, c: str) -> str:
-        """Add the expression a b + c, and return its name."""
+        """Add the expression a b + c, and return the name of its result."""
         d, factor = self.kind.number, a if isinstance(a, str) else self.kind.constant(a)
         return self.emit(f"call {d} @llvm.fmuladd.{self.kind.suffix}({d} {factor}, {d} {b}, {d} {c})")
 
     def inverse(self, value: str) -> str:
-        """Add the inverse of a value, and return its name.
+        """Add the inverse 1/x of a value, and return its name.
 
-        Each inverse is computed once. The method is valid only in text for lanes without branches.
+        Each inverse is computed only once. The method is valid only in functions for lanes without branches.
         """
         if value not in self._inverses:
             self._inverses[value] = self.emit(f"call {self.kind.number} @inverse.v({self.kind.number} {value})")
         return self._inverses[value]
 
     def define(self, name: str, arguments: str) -> str:
-        """Return the definition of a function with the lines of this text; its arguments are pointers."""
+        """Return the definition of a function whose body consists of these lines.
+
+        `arguments` contains the names of its arguments, which are pointers.
+        """
         formal = ", ".join(f"ptr noalias nocapture {argument}" for argument in arguments.split())
         head = f"define void @{name}({formal}) {self.kind.attributes} {{"
         return "\n".join([head, *self.lines, "  ret void", "}", ""])
 
     @contextmanager
     def loop(self, n: int) -> Iterator[str]:
-        """Add a loop of n > 0 iterations, and yield the name of its index."""
+        """Add a loop of n iterations around the lines of a `with` block.
+
+        The context manager yields the name of the loop index. n must be above 0.
+        """
         self.loops += 1
         k, index = self.loops, f"%n{self.loops}"
         self.lines += [f"  br label %before{k}", f"before{k}:", f"  br label %loop{k}", f"loop{k}:"]
@@ -205,7 +214,10 @@ class Text:
 
 
 def print_function(function: Any, name: str, kind: Kind = SCALAR) -> str:
-    """Return LLVM IR of a CasADi function or an instruction list."""
+    """Return the LLVM IR of a CasADi function or of a list of instructions.
+
+    `name` is the name of the function, and `kind` the type of its numbers.
+    """
     listing = function if isinstance(function, InstructionList) else InstructionList.of(function)
     inputs = [f"%i{k}" for k in range(listing.n_in)]
     outputs = [f"%o{k}" for k in range(listing.n_out)]
@@ -227,9 +239,9 @@ def print_function(function: Any, name: str, kind: Kind = SCALAR) -> str:
 
 
 def _print_block(block: Block, inputs: Sequence[str], outputs: Sequence[str], kind: Kind) -> list[str]:
-    """Return the lines of LLVM IR for one block of instructions.
+    """Return the lines of LLVM IR for a sequence of instructions.
 
-    The block loads slots at first use, and stores the slots that later blocks read at its end.
+    Values from earlier blocks are loaded when they are first used. Values that later blocks read are stored at the end.
     """
     text = Text(kind)
     names: dict[int, str] = {}

@@ -26,9 +26,9 @@ _VECTOR_NAMES = {
 
 @cache
 def vector_functions(width: int) -> Mapping[str, tuple[str, int]]:
-    """Return a mapping from function names to symbol and address in the vector library.
+    """Return the functions of the vector library by name.
 
-    The mapping is empty if this machine has no vector library.
+    Each value contains symbol and address. The mapping is empty if this machine has no vector library.
     """
     import ctypes
     import platform
@@ -53,7 +53,7 @@ def vector_functions(width: int) -> Mapping[str, tuple[str, int]]:
 
 
 def lanes_prelude(kind: Kind) -> str:
-    """Return LLVM IR of all declarations and helper functions for lanes, including `PRELUDE`."""
+    """Return the LLVM IR of all declarations and helper functions for lanes."""
     d, v = kind.number, kind.suffix
     declared = [f"declare {d} @llvm.{name}.{v}({d})" for name in ("sqrt", "fabs", "floor", "ceil")]
     declared.append(f"declare {d} @llvm.copysign.{v}({d}, {d})")
@@ -70,20 +70,25 @@ def lanes_prelude(kind: Kind) -> str:
             elements = [text.emit(f"extractelement {d} {a}, i32 {lane}") for a in arguments]
             value = text.emit(f"call double @{name}({', '.join(f'double {element}' for element in elements)})")
             result = text.emit(f"insertelement {d} {result}, double {value}, i32 {lane}")
-        defined.append(_function(kind, f"{name}.v", formal, text, result))
-    return "\n".join([PRELUDE, *declared, *defined, _inverse(kind), _inverse_root(kind), _power(kind)])
+        defined.append(_define_function(kind, f"{name}.v", formal, text, result))
+    return "\n".join(
+        [PRELUDE, *declared, *defined, _define_inverse(kind), _define_inverse_root(kind), _define_power(kind)]
+    )
 
 
 _PURE = "nounwind willreturn memory(none)"
 
 
-def _function(kind: Kind, name: str, formal: str, text: Text, result: str, attributes: str = "") -> str:
-    """Return LLVM IR of the definition of a function for lanes."""
+def _define_function(kind: Kind, name: str, formal: str, text: Text, result: str, attributes: str = "") -> str:
+    """Return the LLVM IR of a complete function for simultaneous runs (lanes).
+
+    `formal` contains the declared arguments, `text` the lines, and `result` the name of the result.
+    """
     head = f"define internal {kind.number} @{name}({formal}) {attributes}{_PURE} {{"
     return "\n".join([head, *text.lines, f"  ret {kind.number} {result}", "}", ""])
 
 
-def _inverse(kind: Kind) -> str:
+def _define_inverse(kind: Kind) -> str:
     """Return LLVM IR of the function `inverse`.
 
     With AVX-512, it takes two Newton steps from an estimate of 14 bits; otherwise it divides.
@@ -94,19 +99,19 @@ def _inverse(kind: Kind) -> str:
     d, unity = kind.number, kind.words["one"]
     if not _has_estimates(kind):
         text = Text(kind)
-        return _function(kind, "inverse.v", f"{d} %x", text, text.emit(f"fdiv {d} {unity}, %x"), "alwaysinline ")
-    text, first = _estimate(kind, "rcp14")
-    error = _fused(text, text.emit(f"fneg {d} %x"), first, unity)
+        return _define_function(kind, "inverse.v", f"{d} %x", text, text.emit(f"fdiv {d} {unity}, %x"), "alwaysinline ")
+    text, first = _begin_with_estimate(kind, "rcp14")
+    error = _add_fused(text, text.emit(f"fneg {d} %x"), first, unity)
     # The error of the second step is the square of this error.
     square = text.emit(f"fmul {d} {error}, {error}")
-    r = _fused(text, first, error, first)
-    r = _keep_estimate(text, error, first, _fused(text, r, square, r))
+    r = _add_fused(text, first, error, first)
+    r = _keep_estimate(text, error, first, _add_fused(text, r, square, r))
     declared = f"declare {d} @llvm.x86.avx512.rcp14.pd.512({d}, {d}, i8)\n"
     declared += f"declare {d} @llvm.fma.{kind.suffix}({d}, {d}, {d})\n"
-    return declared + _function(kind, "inverse.v", f"{d} %x", text, r, "alwaysinline ")
+    return declared + _define_function(kind, "inverse.v", f"{d} %x", text, r, "alwaysinline ")
 
 
-def _inverse_root(kind: Kind) -> str:
+def _define_inverse_root(kind: Kind) -> str:
     """Return LLVM IR of the function `inverse_root`, the inverse of a square root.
 
     Like `inverse`, it does not use the divider of the processor, which computes other roots.
@@ -116,49 +121,52 @@ def _inverse_root(kind: Kind) -> str:
         text = Text(kind)
         root = text.emit(f"call {d} @llvm.sqrt.{kind.suffix}({d} %x)")
         result = text.emit(f"fdiv {d} {kind.words['one']}, {root}")
-        return _function(kind, "inverse_root.v", f"{d} %x", text, result, "alwaysinline ")
-    text, first = _estimate(kind, "rsqrt14")
+        return _define_function(kind, "inverse_root.v", f"{d} %x", text, result, "alwaysinline ")
+    text, first = _begin_with_estimate(kind, "rsqrt14")
     root = text.emit(f"fmul {d} %x, {first}")
-    error = _fused(text, text.emit(f"fneg {d} {root}"), first, kind.words["one"])
+    error = _add_fused(text, text.emit(f"fneg {d} {root}"), first, kind.words["one"])
     # Series of (1 - e)**-0.5 - 1 up to the cube.
-    series = _fused(text, error, kind.constant(0.3125), kind.constant(0.375))
-    series = _fused(text, error, series, kind.words["half"])
-    r = _fused(text, text.emit(f"fmul {d} {error}, {first}"), series, first)
+    series = _add_fused(text, error, kind.constant(0.3125), kind.constant(0.375))
+    series = _add_fused(text, error, series, kind.words["half"])
+    r = _add_fused(text, text.emit(f"fmul {d} {error}, {first}"), series, first)
     declared = f"declare {d} @llvm.x86.avx512.rsqrt14.pd.512({d}, {d}, i8)\n"
     result = _keep_estimate(text, error, first, r)
-    return declared + _function(kind, "inverse_root.v", f"{d} %x", text, result, "alwaysinline ")
+    return declared + _define_function(kind, "inverse_root.v", f"{d} %x", text, result, "alwaysinline ")
 
 
 def _has_estimates(kind: Kind) -> bool:
-    """Return True if the processor has instructions that estimate inverses of doubles."""
+    """Return True if the processor can estimate inverses with one instruction."""
     import llvmlite.binding as llvm
 
     return kind.width == 8 and bool(llvm.get_host_cpu_features().get("avx512f", False))
 
 
-def _estimate(kind: Kind, name: str) -> tuple[Text, str]:
-    """Return a text that begins with an estimate for the argument %x, and its name."""
+def _begin_with_estimate(kind: Kind, name: str) -> tuple[Text, str]:
+    """Return lines of LLVM IR that compute an estimate, and the name of the estimate.
+
+    `name` selects the instruction of the processor. The argument of the function is %x. More lines can be added.
+    """
     text, d, zero = Text(kind), kind.number, kind.words["zero"]
     return text, text.emit(f"call {d} @llvm.x86.avx512.{name}.pd.512({d} %x, {d} {zero}, i8 -1)")
 
 
-def _fused(text: Text, a: str, b: str, c: str) -> str:
-    """Add the expression a b + c with one rounding, and return its name."""
+def _add_fused(text: Text, a: str, b: str, c: str) -> str:
+    """Add the expression a b + c with a single rounding, and return its name."""
     d = text.kind.number
     return text.emit(f"call {d} @llvm.fma.{text.kind.suffix}({d} {a}, {d} {b}, {d} {c})")
 
 
 def _keep_estimate(text: Text, error: str, first: str, refined: str) -> str:
-    """Add a choice between an estimate and its refined value, and return its name.
+    """Add a selection between an estimate and its refined value, and return its name.
 
-    The estimate is used if the error is NaN, that is for zero, infinite values and NaN.
+    The estimate `first` is used if the error is NaN. This is the case for zero, infinite values and NaN.
     """
     d = text.kind.number
     is_nan = text.emit(f"fcmp uno {d} {error}, {error}")
     return text.emit(f"select {text.kind.flag} {is_nan}, {d} {first}, {d} {refined}")
 
 
-def _power(kind: Kind) -> str:
+def _define_power(kind: Kind) -> str:
     """Return LLVM IR of the function `power`.
 
     An exponent of 1/2 is computed as a root, in each lane independently of the other lanes.
@@ -246,7 +254,10 @@ def print_judge(n_controlled: int, kind: Kind) -> str:
 
 
 def _store_mask(text: Text, flags: str, number: int) -> None:
-    """Add lines that store one bit per lane in an integer of `control`."""
+    """Add lines that store one bit for each lane in an element of `control`.
+
+    `flags` contains the bits, and `number` selects the element.
+    """
     n = text.kind.width
     bits = text.emit(f"bitcast {text.kind.flag} {flags} to i{n}")
     wide = text.emit(f"zext i{n} {bits} to i64")
@@ -255,7 +266,7 @@ def _store_mask(text: Text, flags: str, number: int) -> None:
 
 
 def print_choose(kind: Kind) -> str:
-    """Return LLVM IR of `choose`, which computes lengths and ends of steps.
+    """Return the LLVM IR of the function `choose` for the length of the next step.
 
     The formula is that of `length` in `poppet.engine.stepping`.
     """
@@ -279,9 +290,9 @@ def print_choose(kind: Kind) -> str:
 
 
 def print_settle(kind: Kind) -> str:
-    """Return LLVM IR of `settle`, which prepares the next steps.
+    """Return the LLVM IR of the function `settle`, which prepares the next steps.
 
-    It computes their times and lengths, and the lanes that need attention by the integrator.
+    It computes times and lengths of the steps, and the lanes that the integrator must handle separately.
     """
     text, d, b = Text(kind), kind.number, kind.flag
     unity, zero = kind.words["one"], kind.words["zero"]
@@ -326,7 +337,7 @@ def print_settle(kind: Kind) -> str:
 
 
 def print_commit(n_states: int, kind: Kind) -> str:
-    """Return LLVM IR of `commit`, which completes accepted steps.
+    """Return the LLVM IR of the function `commit`, which completes accepted steps.
 
     Lanes with an accepted step get the new state. Extremes and sums of |change| are updated.
     """
@@ -369,7 +380,7 @@ def _print_rows(outputs: Any, n_states: int, kind: Kind, name: str) -> str:
             elements[instruction.place[0]].add(instruction.place[1])
 
     def broadcast(pointer: str, element: int) -> str:
-        """Add a value of the lane as a vector."""
+        """Add a value of one lane as a vector of equal elements."""
         location = text.emit(f"getelementptr inbounds double, ptr {pointer}, i64 {element * n}")
         value = text.emit(f"load double, ptr {location}")
         first = text.emit(f"insertelement {d} undef, double {value}, i32 0")

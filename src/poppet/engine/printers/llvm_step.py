@@ -12,10 +12,11 @@ from poppet.engine.printers.llvm import SCALAR, Kind, Text
 from poppet.engine.rosenbrock import ARGUMENT, COUPLING, DENSE, GAMMA, INPUT_TIMES, STAGE_DRIFT, STAGE_TIME
 
 
-def _weighted(text: Text, index: str, weights: Sequence[float], start: str = "") -> str:
-    """Add a weighted sum of stages at one state, plus `start`, and return its name.
+def _add_weighted_sum(text: Text, index: str, weights: Sequence[float], start: str = "") -> str:
+    """Add a weighted sum of solver stages at one state, and return its name.
 
-    The pointers to the stages are %k0, %k1, ...
+    `index` is the index of the state, and `weights` the factor of each stage. `start` is added to the sum. The stages
+    are the arrays %k0, %k1 and so on.
     """
     total = start
     for j, weight in enumerate(weights):
@@ -24,8 +25,11 @@ def _weighted(text: Text, index: str, weights: Sequence[float], start: str = "")
     return total
 
 
-def _with_drift(text: Text, i: int, index: str, rates: str) -> str:
-    """Add the sum of rates and the drift term of stage i, and return its name."""
+def _add_drift(text: Text, i: int, index: str, rates: str) -> str:
+    """Add a rate and the drift term of a stage; return the sum's name.
+
+    `i` is the index of the solver stage, `index` that of the state, and `rates` the name of the rate.
+    """
     if STAGE_DRIFT[i] == 0.0:
         return rates
     return text.multiply_add(text.times(STAGE_DRIFT[i], "%h"), text.load("%ft", index), rates)
@@ -50,19 +54,19 @@ def print_step(n_states: int, n_controlled: int, n_inputs: int, kind: Kind = SCA
     shift = text.emit(f"fmul {d} {kind.constant(1.0 / GAMMA)}, %g")
     text.lines += [f"  store {d} {shift}, ptr %w", "  call void @factor(ptr %j, ptr %w, ptr %lu)"]
     with text.loop(n_states) as index:
-        text.store(_with_drift(text, 0, index, text.load("%f0", index)), "%right", index)
+        text.store(_add_drift(text, 0, index, text.load("%f0", index)), "%right", index)
     text.lines.append("  call void @solve(ptr %lu, ptr %right, ptr %k0)")
     for i in range(1, 6):
         with text.loop(n_controlled if i < 5 and n_controlled else n_states) as index:
-            text.store(_weighted(text, index, ARGUMENT[i], text.load("%x0", index)), "%x1", index)
+            text.store(_add_weighted_sum(text, index, ARGUMENT[i], text.load("%x0", index)), "%x1", index)
         time = text.multiply_add(STAGE_TIME[i], "%h", "%t")
         text.lines.append(f"  store {d} {time}, ptr %time")
         inputs = text.at("%us", INPUT_TIMES.index(STAGE_TIME[i]) * n_inputs)
         text.lines.append(f"  call void @rates(ptr %time, ptr %x1, ptr {inputs}, ptr %p, ptr %f1)")
         with text.loop(n_states) as index:
-            coupled = _weighted(text, index, COUPLING[i])
+            coupled = _add_weighted_sum(text, index, COUPLING[i])
             total = text.multiply_add("%g", coupled, text.load("%f1", index))
-            text.store(_with_drift(text, i, index, total), "%right", index)
+            text.store(_add_drift(text, i, index, total), "%right", index)
         text.lines.append(f"  call void @solve(ptr %lu, ptr %right, ptr %k{i})")
     with text.loop(n_states) as index:
         # The method is stiffly accurate: the new state is the argument of the last stage plus the last stage.
@@ -75,5 +79,5 @@ def print_step(n_states: int, n_controlled: int, n_inputs: int, kind: Kind = SCA
     text.name("%d1", "%d0", n_states)
     with text.loop(n_states) as index:
         for k in range(2):
-            text.store(_weighted(text, index, DENSE[k]), f"%d{k}", index)
+            text.store(_add_weighted_sum(text, index, DENSE[k]), f"%d{k}", index)
     return "\n".join([declared, step, text.define("dense", "%k %d0")])

@@ -72,7 +72,10 @@ class UnsupportedOperationError(ValueError):
 
 
 class Value(NamedTuple):
-    """Expression in structured text; a text that is not an atom needs parentheses."""
+    """Expression in structured text.
+
+    If it is not an atom, such as a name or a number, it needs parentheses inside other expressions.
+    """
 
     text: str
     is_flag: bool = False
@@ -83,17 +86,23 @@ class Value(NamedTuple):
 
     @property
     def operand(self) -> str:
-        """Expression as an operand, in parentheses if necessary."""
+        """Expression as an operand of another expression, in parentheses if necessary."""
         return self.text if self.is_atom else f"({self.text})"
 
     @property
     def number(self) -> str:
-        """Expression as a number; a condition is converted to 0 or 1."""
+        """Expression as a number.
+
+        A condition is converted to 0 or 1.
+        """
         return f"SEL({self.text}, 0.0, 1.0)" if self.is_flag else self.operand
 
     @property
     def flag(self) -> str:
-        """Expression as a condition; a number is compared with zero."""
+        """Expression as a condition.
+
+        A number is compared with zero.
+        """
         return self.operand if self.is_flag else f"({self.operand} <> 0.0)"
 
 
@@ -197,7 +206,7 @@ class Statements:
                 return Value(f"{condition.flag} AND {value.flag}", True, False)
             text = f"SEL({condition.text if condition.is_flag else condition.flag}, 0.0, {value.text})"
             return Value(text, choice=(condition.negated or condition.flag, bool(condition.negated), value.text))
-        if name == "add" and (choice := _choice(*arguments)):
+        if name == "add" and (choice := _merge_choices(*arguments)):
             return Value(choice)
         if name not in _FORMS:
             raise UnsupportedOperationError(name)
@@ -207,7 +216,7 @@ class Statements:
         return Value(text, is_atom=text.endswith(")") and "(" in _FORMS[name] and not text.startswith("-"))
 
     def _variable(self, value: Value) -> Value:
-        """Assign an expression to a new variable, and return the variable."""
+        """Assign an expression to a new variable, and return the name of the variable."""
         self.count += 1
         name = f"v{self.count}"
         self.variables.append((name, "BOOL" if value.is_flag else "LREAL"))
@@ -215,8 +224,8 @@ class Statements:
         return Value(name, value.is_flag, negated=value.negated if value.negated.isidentifier() else "")
 
 
-def _choice(a: Value, b: Value) -> str:
-    """Return two added choices with opposite conditions as one choice.
+def _merge_choices(a: Value, b: Value) -> str:
+    """Return the sum of two choices with opposite conditions as a single choice.
 
     The text is empty if the values are not such choices.
     """

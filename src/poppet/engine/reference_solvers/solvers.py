@@ -16,12 +16,14 @@ from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
 from functools import partial
 from itertools import pairwise
-from typing import Any
+from typing import Any, TypeVar
 
 import numpy as np
 
 from poppet.engine.problem import Array, Outcome, Problem, RawRun
 from poppet.engine.reference_solvers.track import Leg, Track, jacobian, rates, rounding, tolerances
+
+_T = TypeVar("_T")
 
 SOLVERS: tuple[str, ...] = ("cvodes", "lsoda", "bdf", "radau")
 
@@ -65,9 +67,9 @@ def solve_with_reference(problem: Problem, solver: str, progress: Callable[[floa
 
 
 class _Legs(ABC):
-    """Base class of the reference solvers, which yield a solution in legs.
+    """Base class of reference solvers, which yield the solution in pieces (legs).
 
-    A leg is an interval of the solution. If the legs end before the end of the segment, the solver has failed.
+    A leg is the solution over one time interval. If the legs end before the end of a segment, the solver has failed.
     """
 
     def __init__(self, problem: Problem) -> None:
@@ -82,19 +84,19 @@ class _Legs(ABC):
 
     @abstractmethod
     def over(self, segment: int, begin: float, end: float, x: Array) -> Iterator[Leg]:
-        """Yield the legs of the solution over one segment from state x.
+        """Yield the solution over a part of one segment, in successive legs.
 
-        The interval is from `begin` to `end` [s].
+        `segment` is the index of the segment, and x the state at the time `begin`. The part ends at the time `end` [s].
         """
 
     def has_too_many_steps(self) -> bool:
-        """Return True if the maximum number of steps is reached."""
+        """Return True if the solver has used the maximum number of steps."""
         if self.accepted + self.rejected >= self.max_steps:
             self.failure = Outcome.TOO_MANY
         return self.failure is Outcome.TOO_MANY
 
     def _row_times(self, begin: float, end: float) -> Array:
-        """Return the ends of an interval, and the output times between them [s]."""
+        """Return the output times between two times, with both times [s]."""
         grid = self.problem.grid
         is_between = (grid > begin + rounding(begin)) & (grid < end - rounding(end))
         return np.concatenate([[begin], grid[is_between], [end]])
@@ -103,7 +105,11 @@ class _Legs(ABC):
 def _run_segments(
     track: Track, legs: _Legs, fractions: tuple[float, ...], progress: Callable[[float], Any] | None
 ) -> Outcome:
-    """Run a solver through all segments; in each, it stops at every sample instant."""
+    """Run a solver through all segments of the inputs.
+
+    The solver stops at each sample instant. `track` records the progress, and `legs` is the solver. `fractions` are
+    points of a leg at which stop conditions are evaluated.
+    """
     starts, last = track.problem.starts, track.problem.grid[-1]
     for segment, (begin, end) in enumerate(zip(starts, np.append(starts[1:], last), strict=True)):
         track.enter(segment, float(begin))
@@ -131,7 +137,7 @@ def _run_segments(
 
 
 class _StatelessLegs(_Legs):
-    """Solver for a circuit without states, with one leg per output time."""
+    """Reference solver for circuits without states, with one leg for each output time."""
 
     def over(self, segment: int, begin: float, end: float, x: Array) -> Iterator[Leg]:
         for first, last in pairwise(self._row_times(begin, end).tolist()):
@@ -139,7 +145,10 @@ class _StatelessLegs(_Legs):
 
 
 class _Scipy(_Legs):
-    """Solver LSODA, BDF or Radau of SciPy, with one leg per step."""
+    """Reference solver LSODA, BDF or Radau of SciPy.
+
+    It yields one leg (piece of the solution) per step.
+    """
 
     def __init__(self, problem: Problem, solver: str) -> None:
         from scipy.integrate import BDF, LSODA, Radau
@@ -174,10 +183,10 @@ class _Scipy(_Legs):
                     return
 
     @staticmethod
-    def _quietly(work: Callable[[], Any]) -> Any:
-        """Return the result of a solver call without warnings.
+    def _quietly(work: Callable[[], _T]) -> _T | None:
+        """Call a function of a solver without its warnings, and return the result.
 
-        The result is None after a numerical error.
+        `work` is this function. The result is None after a numerical error.
         """
         with warnings.catch_warnings(), np.errstate(all="ignore"):
             warnings.simplefilter("ignore")
@@ -230,7 +239,10 @@ class _Cvodes(_Legs):
         yield from self._chain(segment, parts, x)
 
     def _chain(self, segment: int, parts: Sequence[Array], x: Array) -> Iterator[Leg]:
-        """Yield legs over consecutive sets of intervals, until a failure."""
+        """Yield the solution over several groups of intervals, until the solver fails.
+
+        Each element of `parts` contains the ends of the intervals in one group.
+        """
         for stops in parts:
             reached = stops[0]
             for leg in self._legs(segment, stops, x):
@@ -242,7 +254,7 @@ class _Cvodes(_Legs):
                 return
 
     def _legs(self, segment: int, stops: Array, x: Array) -> Iterator[Leg]:
-        """Integrate successive intervals in one CVODES call, and yield the solution of each.
+        """Yield the solution over successive intervals, which one call of CVODES integrates.
 
         `stops` contains the start of the first interval and the ends of all. If the call fails, its intervals are
         divided into two calls.
@@ -261,7 +273,7 @@ class _Cvodes(_Legs):
             x = x1
 
     def _state(self, segment: int, begin: float, x: Array, end: float, halvings: int = HALVINGS) -> Array | None:
-        """Return the state at the end of one interval.
+        """Return the state at the end of one interval, which begins with the state x.
 
         An interval that fails, for example at a kink, is halved, at most `halvings` times in succession.
         """
@@ -279,16 +291,26 @@ class _Cvodes(_Legs):
         return np.full(x.size, np.nan) if state is None else state
 
     def _states(self, segment: int, stops: Array, x: Array) -> list[Array] | None:
-        """Return the states at the ends of the intervals.
+        """Return the states at the ends of several intervals.
 
-        The result is None if CVODES fails.
+        `stops` contains the start of the first interval and the ends of all. The result is None if CVODES fails.
         """
         start, n_u = self.problem.starts[segment], len(self.problem.kernel.model.inputs)
         coefficients = self.problem.coefficients[self.problem.courses[segment], :n_u].T.copy()
         coefficients[6] = start - coefficients[6]
         p = np.concatenate([self.problem.p, [start], self.scale, coefficients.ravel()])
+        # Offset and length of each interval, (2, rows). Both are constant for equidistant rows: CasADi restarts CVODES
+        # after a change.
+        times, warp = stops - start, np.zeros((2, self.rows))
+        lengths = np.diff(times)
+        groups = np.cumsum(np.abs(np.diff(lengths, prepend=lengths[0])) > 1e-9 * lengths)
+        for group in np.unique(groups):
+            indices = np.flatnonzero(groups == group)
+            first, last = indices[0], indices[-1] + 1
+            length = (times[last] - times[first]) / indices.size
+            warp[:, indices] = np.array([[times[first] - length * first], [length]])
         try:
-            states = self.integrator(x0=x / self.scale, p=p, u=_warp(stops - start, self.rows))["xf"].full()
+            states = self.integrator(x0=x / self.scale, p=p, u=warp)["xf"].full()
         except RuntimeError as error:
             # Only the text of the error contains the reason.
             if "TOO_MUCH_WORK" in str(error):
@@ -298,19 +320,3 @@ class _Cvodes(_Legs):
         self.accepted += int(statistics["nsteps"])
         self.rejected += int(statistics["netfails"])
         return [np.ascontiguousarray(z * self.scale) for z in states.T[: stops.size - 1]]
-
-
-def _warp(stops: Array, rows: int) -> Array:
-    """Return offset and length of each interval, (2, rows).
-
-    Both are constant for equidistant rows. This avoids restarts, because CasADi restarts CVODES after a change.
-    """
-    lengths = np.diff(stops)
-    groups = np.cumsum(np.abs(np.diff(lengths, prepend=lengths[0])) > 1e-9 * lengths)
-    warp = np.zeros((2, rows))
-    for group in np.unique(groups):
-        indices = np.flatnonzero(groups == group)
-        first, last = indices[0], indices[-1] + 1
-        length = (stops[last] - stops[first]) / indices.size
-        warp[:, indices] = np.array([[stops[first] - length * first], [length]])
-    return warp

@@ -13,9 +13,9 @@ BISECTIONS = 60
 
 
 class Leg(NamedTuple):
-    """Interval of a solution.
+    """Solution over one time interval.
 
-    It contains the ends of the interval [s], the states at both ends, and a function of the state between them.
+    It contains the ends of the interval [s], the states at both ends, and a function for the state between them.
     """
 
     begin: float
@@ -25,21 +25,24 @@ class Leg(NamedTuple):
     between: Callable[[float], Array]
 
     def at(self, t: float) -> Array:
-        """Return the state at a time in the interval [s]."""
+        """Return the state at the time t, which is in the interval [s]."""
         if t in (self.begin, self.end):
             return self.x0 if t == self.begin else self.x1
         return np.ascontiguousarray(self.between(t))
 
 
 def rounding(t: float) -> float:
-    """Return the time difference below which two instants are equal, as for the kernel [s]."""
+    """Return the time difference below which two times count as equal [s].
+
+    It is the same as in the compiled integrator.
+    """
     return 1e-14 * t + 1e-15
 
 
 class Track:
     """Progress and output rows of a run with a reference solver.
 
-    The problem must have its own copy of `p`, because the run changes the discrete state in it.
+    The run changes the discrete states, so the problem must have its own copy of `p`.
     """
 
     def __init__(self, problem: Problem) -> None:
@@ -58,22 +61,31 @@ class Track:
         return bool(np.all(np.isfinite(rates(self.problem, 0, self.t, self.x))))
 
     def is_valid(self, x: Array) -> bool:
-        """Return True if a state is finite and its positive states are above zero."""
+        """Return True if a state is finite and physically possible.
+
+        Elements such as pressures and masses must be positive.
+        """
         return bool(np.all(np.isfinite(x))) and bool(np.all(x[: self.positive.size][self.positive] > 0.0))
 
     def enter(self, segment: int, begin: float) -> None:
-        """Begin a segment of the inputs, and evaluate the stop conditions."""
+        """Begin a segment of the inputs at the time `begin`, and evaluate the stop conditions."""
         self.segment, self.t = segment, begin
         self.act()
         self.stop = self._condition(self.t, self.x)
 
     def next_instant(self, end: float) -> float:
-        """Return the time of the next sample instant, or the end of the segment [s]."""
+        """Return the time of the next sample instant [s].
+
+        The result is the end of the segment if there is no earlier instant.
+        """
         first = float(self.timers.min(initial=np.inf))
         return first if first < end - rounding(end) else end
 
     def act(self) -> None:
-        """Execute all timers that are due, which change the discrete state."""
+        """Execute all timers that are due.
+
+        The timers change the discrete states.
+        """
         due = self.t + rounding(self.t)
         # A timer can set another timer to the current time, for example a clock that switches a solenoid.
         while np.any(fired := self.timers <= due):
@@ -83,9 +95,10 @@ class Track:
             self.memory[:] = updated
 
     def take(self, leg: Leg, fractions: tuple[float, ...]) -> None:
-        """Write the output rows of a leg up to its end or a stop condition.
+        """Write the output rows of a leg, up to a stop condition.
 
-        Stop conditions are evaluated at the given fractions of the leg.
+        Without a stop, the rows up to the end of the leg are written. Stop conditions are evaluated at the given
+        fractions of the leg.
         """
         end, x1 = leg.end, leg.x1
         for fraction in fractions if self.problem.stop_conditions else ():
@@ -112,7 +125,8 @@ class Track:
     def result(self, outcome: Outcome, steps: tuple[int, int] = (0, 0)) -> RawRun:
         """Return the result of the run.
 
-        After a success, a row at the end is added. `steps` contains the numbers of accepted and rejected steps.
+        A successful run has an additional output row at its end. `steps` contains the numbers of accepted and rejected
+        steps.
         """
         if outcome.is_success:
             self._write(self.t, self.x)
@@ -131,7 +145,7 @@ class Track:
         return y
 
     def _condition(self, t: float, x: Array) -> int:
-        """Return the index of the first stop condition that is true, or -1."""
+        """Return the index of the first true stop condition, or -1 if none is true."""
         if not self.problem.stop_conditions:
             return -1
         y = self._outputs(t, x)
@@ -143,7 +157,10 @@ class Track:
 
 
 def inputs_at(problem: Problem, segment: int, t: float) -> Array:
-    """Return the inputs at a time in a segment; see `poppet.timeseries.segments.SegmentTable`."""
+    """Return the inputs at the time t, which is in a given segment.
+
+    `segment` is the index of the segment. `poppet.timeseries.segments.SegmentTable` contains the formula.
+    """
     value, slope, amplitude, frequency, chirp_rate, phase, origin = problem.coefficients[problem.courses[segment]].T
     tau = t - origin
     wave = amplitude * np.sin(2.0 * np.pi * np.remainder((frequency + 0.5 * chirp_rate * tau) * tau, 1.0) + phase)
@@ -152,7 +169,10 @@ def inputs_at(problem: Problem, segment: int, t: float) -> Array:
 
 
 def rates(problem: Problem, segment: int, t: float, x: Array) -> Array:
-    """Return the rates of all states, including quadratures, at a time in a segment."""
+    """Return the rates of all states at the time t.
+
+    `segment` is the index of the segment of the inputs. Quadratures are included.
+    """
     f = np.empty(x.size)
     u = inputs_at(problem, segment, t)
     problem.kernel.call("rates", np.array([t]), np.ascontiguousarray(x), u, problem.p, f)
@@ -160,7 +180,10 @@ def rates(problem: Problem, segment: int, t: float, x: Array) -> Array:
 
 
 def jacobian(problem: Problem, segment: int, t: float, x: Array) -> Array:
-    """Return the derivatives of the rates by the states as a dense matrix."""
+    """Return the derivatives of the rates by the states at the time t.
+
+    The result is a dense matrix. `segment` is the index of the segment of the inputs.
+    """
     f, drift, entries = np.empty(x.size), np.empty(x.size), np.empty(problem.kernel.jacobian_size)
     u = inputs_at(problem, segment, t)
     arrays = np.array([t]), np.ascontiguousarray(x), u, np.zeros(u.size), problem.p, f, entries, drift
@@ -171,9 +194,9 @@ def jacobian(problem: Problem, segment: int, t: float, x: Array) -> Array:
 
 
 def tolerances(problem: Problem) -> Array:
-    """Return the absolute tolerance of each controlled state, for a relative tolerance of 1.
+    """Return the absolute tolerance of each controlled state per relative tolerance.
 
-    The values are those of the kernel.
+    The values are those of the compiled integrator.
     """
     _, floor, nominal = problem.kernel.scales
     initial = np.abs(problem.x0[: nominal.size])

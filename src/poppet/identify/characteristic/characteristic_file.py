@@ -51,9 +51,9 @@ OF_TEST = {
 
 
 def write_characteristic(result: Result, path: str | Path, *, closing: float | None = None) -> None:
-    """Write a fitted characteristic to a file that a circuit file can refer to.
+    """Write a fitted characteristic to a file.
 
-    The circuit file refers to it by `characteristic = "mine.toml"`.
+    A circuit file refers to it by `characteristic = "mine.toml"`.
 
     Parameters
     ----------
@@ -77,7 +77,7 @@ def write_characteristic(result: Result, path: str | Path, *, closing: float | N
 
 
 def characteristic_table(result: Result, *, closing: float | None = None) -> dict[str, Any]:
-    """Return the content of the file that `write_characteristic` writes, as a table."""
+    """Return the table that `write_characteristic` writes into a file."""
     if result.method != "characteristic":
         raise InputError("characteristic.other_method", method=result.method)
     conditions, is_table = result.conditions, result.conditions["form"] == "spline"
@@ -111,7 +111,7 @@ def _millimetres(x: float) -> str:
 
 
 def read_characteristic_file(path: str | Path) -> tuple[list[StrokeTest], dict[str, Any]]:
-    """Read a file that lists tests at several strokes.
+    """Read a file with tests of a flow path at several strokes.
 
     Parameters
     ----------
@@ -189,7 +189,10 @@ def read_characteristic_file(path: str | Path) -> tuple[list[StrokeTest], dict[s
 
 
 class _Bench(NamedTuple):
-    """Settings that all tests of a file share, and the common errors of C and b of its results."""
+    """Settings that all tests of a file share.
+
+    They include the errors of C and b that all tests have in common.
+    """
 
     folder: Path
     passage: str
@@ -208,7 +211,7 @@ def _read_test(table: Mapping[str, Any], bench: _Bench, name: str) -> StrokeTest
             errors.add("stroke.one_way", test=name, ways=sources or ["nothing"])
         # A misspelt field is one error, not two.
         if sources == ["sonic_conductance"] and not errors.collected:
-            for key in _POINT.keys() - table.keys():
+            for key in (key for key in _POINT if key not in table):
                 errors.extend([missing_field(f"{address}.{key}", OF_TEST[key])])
     if "file" in fields:
         if bench.circuit is None:

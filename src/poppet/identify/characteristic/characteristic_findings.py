@@ -32,7 +32,7 @@ FLAT = 1e-6
 
 @dataclass(frozen=True)
 class MonotoneVerdict:
-    """Result of the test of the constraint that C does not fall with the stroke."""
+    """Result of a test whether C can increase with the stroke without any fall."""
 
     rejected: bool  # True if the data reject the constraint
     probability: float  # probability of this gain or a larger one if C does not fall
@@ -49,9 +49,10 @@ class MonotoneVerdict:
 def judge_monotone(
     fit: CurveFit, free: CurveFit, rival: CurveFit | None, evidence: Sequence[TestEvidence]
 ) -> MonotoneVerdict:
-    """Test whether the data reject the constraint that C does not fall with the stroke.
+    """Test whether the data contradict the constraint that C never falls with the stroke.
 
-    `fit` is the spline with the constraint, `free` the spline without it, and `rival` the polynomial.
+    `fit` is the spline with the constraint, `free` the spline without it, and `rival` the polynomial. `evidence`
+    contains C and b of the tests.
 
     Notes
     -----
@@ -90,9 +91,10 @@ def judge_monotone(
 
 
 def curve_residuals(fit: CurveFit, evidence: Sequence[TestEvidence], curve_index: int) -> Array:
-    """Return the curve minus the value of each test, divided by the standard uncertainty of the test.
+    """Return the differences between a curve and the tests, in standard uncertainties.
 
-    The curve is C for `curve_index` 0 and b for 1. The residuals are in the order of the strokes.
+    `evidence` contains C and b of the tests. The curve is C for `curve_index` 0 and b for 1. The residuals are curve
+    minus test, in the order of the strokes.
     """
     ordered = sorted(evidence, key=lambda e: e.stroke)
     curve = fit.curve(curve_index, np.array([e.stroke for e in ordered]))
@@ -110,7 +112,11 @@ def characteristic_findings(
     domain: tuple[float, float],
     joint: bool,
 ) -> tuple[Note, ...]:
-    """Return findings on the fitted curves and the tests, the most important first."""
+    """Return findings on the fitted curves and the tests, the most important first.
+
+    `by_test` is the fit to C and b of the single tests, `evidence` contains these values, and `verdict` is the test of
+    the constraint on C.
+    """
     notes = list[Note]()
     if verdict:
         numbers = {name: getattr(verdict, name) for name in ("gain", "probability", "runs_probability")}
@@ -161,7 +167,10 @@ def characteristic_findings(
 
 
 def _stroke_notes(evidence: Sequence[TestEvidence], domain: tuple[float, float]) -> list[Note]:
-    """Return findings on repeated tests that differ, and on ranges of stroke that no test covers."""
+    """Return findings on the strokes of the tests.
+
+    The findings are on repeated tests that differ, and on ranges of stroke that no test covers.
+    """
     notes = []
     for stroke, group in groupby(sorted(evidence, key=lambda e: e.stroke), key=lambda e: e.stroke):
         tests = list(group)

@@ -34,7 +34,7 @@ APART = 0.01
 
 
 class HistoryTerm:
-    """Residuals of one test with recorded samples.
+    """Contribution of one recorded test to the residuals of a fit.
 
     The noise of the samples is that of the fit to this test alone.
     """
@@ -64,34 +64,37 @@ class HistoryTerm:
 
 @dataclass(frozen=True, eq=False)
 class LackOfFit:
-    """Lack of fit of the curves to the tests, relative to the uncertainties of the tests."""
+    """Deviations of the tests from the curves, compared with the uncertainties of the tests."""
 
     chi_square: float  # sum of squared residuals minus that of the separate fits to the tests
     freedom: int
 
     @property
     def probability(self) -> float:
-        """Probability of a larger chi-square if curves and uncertainties are correct."""
+        """Probability of a larger chi-square, if curves and uncertainties are correct."""
         return chi_square_probability(self.chi_square, self.freedom)
 
     @property
     def widening(self) -> float:
-        """Variance factor (square of Birge's ratio); 1 if the scatter agrees with the uncertainties."""
+        """Factor by which the lack of fit increases the variances (square of Birge's ratio).
+
+        The factor is 1 if the scatter agrees with the uncertainties.
+        """
         return max(1.0, self.chi_square / self.freedom) if self.probability < DOUBT else 1.0
 
     @property
     def coverage(self) -> float:
         """Ratio of the half width of a 95 % interval to the standard uncertainty.
 
-        If the lack of fit enlarges the uncertainty, the ratio uses Student's t. Its degrees of freedom are those of the
-        lack of fit plus those of the stated uncertainties.
+        If the lack of fit enlarges the uncertainty, the ratio is that of Student's t. Its degrees of freedom are those
+        of the lack of fit plus those of the stated uncertainties.
         """
         return coverage_factor(self.freedom + STATED if self.widening > 1.0 else math.inf)
 
 
 @dataclass(frozen=True, eq=False)
 class CurveFit:
-    """Fitted curves of C and b versus stroke."""
+    """Fitted curves of C and b over the stroke."""
 
     shapes: Shapes  # shapes of C and b
     theta: Array  # free parameters of C, of b, then the scaled parameters of the bench
@@ -103,35 +106,79 @@ class CurveFit:
     evaluations: int  # number of evaluations of all tests
     cost: float = math.nan  # half the sum of squared residuals
     twin: CurveFit | None = None  # equivalent curves
+    rivals: tuple[CurveFit, ...] = ()  # unconstrained splines with all compared selections of knots, the best one first
+    strokes: tuple[Array, Array] = (np.empty(0), np.empty(0))  # strokes of the tests that determine C and b, ascending
 
     def part(self, index: int) -> slice:
-        """Return the slice of `theta` that contains the parameters of C (0), b (1) or the bench (2)."""
+        """Return the slice of `theta` with the parameters of C, b or the bench.
+
+        `index` is 0 for C, 1 for b and 2 for the bench.
+        """
         first, second = self.shapes[0].size, self.shapes[0].size + self.shapes[1].size
         return (slice(0, first), slice(first, second), slice(second, self.theta.size))[index]
 
     def curve(self, index: int, x: Array) -> Array:
-        """Return C (`index` 0) or b (`index` 1) at the strokes `x`, (n,)."""
+        """Return C or b at the strokes `x`, (n,).
+
+        `index` is 0 for C and 1 for b.
+        """
         return self.shapes[index].values(self.theta[self.part(index)], x)
 
     def standard_uncertainty(self, index: int, x: Array) -> Array:
-        """Return the standard uncertainty of C (`index` 0) or b (`index` 1) at the strokes `x`, (n,).
+        """Return the standard uncertainty of C or b at the strokes `x`, (n,).
 
-        It includes the errors that all tests have in common.
+        `index` is 0 for C and 1 for b. Errors that all tests have in common and the unknown shape of the curve are
+        included.
         """
+        shared = self.common[index] * (self.curve(0, x) if index == 0 else np.ones_like(x))
+        variance = self._variance(index, x) + self.shape_variance(index, x)
+        return np.asarray(np.sqrt(np.maximum(variance, 0.0) + shared**2))
+
+    def _variance(self, index: int, x: Array) -> Array:
+        """Return the variance of C (`index` 0) or b (`index` 1) at the strokes `x`, (n,), for a known shape."""
         part = self.part(index)
         slopes = self.shapes[index].slopes(self.theta[part], x)
-        variance = np.einsum("ij,jk,ik->i", slopes, self.covariance[part, part], slopes)
-        shared = self.common[index] * (self.curve(0, x) if index == 0 else np.ones_like(x))
-        return np.asarray(np.sqrt(np.maximum(variance, 0.0) + shared**2))
+        return np.asarray(np.einsum("ij,jk,ik->i", slopes, self.covariance[part, part], slopes))
+
+    def shape_variance(self, index: int, x: Array) -> Array:
+        r"""Return the variance caused by the unknown shape of C or b at the strokes `x`, (n,).
+
+        `index` is 0 for C and 1 for b. In the formula, y is the curve, l are straight lines between the tests, and y_k
+        with the standard uncertainty u_k is the spline with the selection of knots k; the best selection is 0.
+
+        .. math::
+
+            (y - \ell)^2 + \sum_k w_k \left[(y_k - y_0)^2 + u_k^2\right] - u_0^2, \qquad
+            w_k \propto e^{-(\mathrm{AIC}_k - \mathrm{AIC}_0)/2}
+
+        Notes
+        -----
+        The first term is the uncertainty of the interpolation between the tests. Polynomials that describe the tests
+        do not have it. The other terms are the uncertainty of the selection of knots. They can be slightly negative.
+
+        References
+        ----------
+        Burnham & Anderson 2002, Model Selection and Multimodel Inference, section 4.3.2.
+        """
+        variance = np.zeros_like(x)
+        if self.rivals or self.misfits[index].widening > 1.0:
+            strokes = self.strokes[index]
+            variance += (self.curve(index, x) - np.interp(x, strokes, self.curve(index, strokes))) ** 2
+        if self.rivals:
+            best, aicc = self.rivals[0], np.array([rival.aicc() for rival in self.rivals])
+            shifts = np.array([rival.curve(index, x) - best.curve(index, x) for rival in self.rivals])
+            sampling = np.array([rival._variance(index, x) for rival in self.rivals])
+            variance += np.average(shifts**2 + sampling, axis=0, weights=np.exp(0.5 * (aicc[0] - aicc))) - sampling[0]
+        return np.asarray(variance)
 
     @property
     def chi_square(self) -> float:
-        """Chi-square of the lack of fit of both curves."""
+        """Sum of the squared, normalised deviations of all tests from both curves."""
         return sum(m.chi_square for m in dict.fromkeys(self.misfits))
 
     @property
     def freedom(self) -> int:
-        """Degrees of freedom of the lack of fit of both curves."""
+        """Degrees of freedom of `chi_square`, which measures the lack of fit of both curves."""
         return sum(m.freedom for m in dict.fromkeys(self.misfits))
 
     @property
@@ -140,16 +187,20 @@ class CurveFit:
         return self.shapes[0].size + self.shapes[1].size
 
     def aicc(self) -> float:
-        """Return the corrected Akaike information criterion (AICc) of both curves, for known noise.
+        """Return the information criterion AICc of both curves.
 
-        The correction for small samples comes from an estimated variance. With known variances it is zero.
+        The criterion of Akaike is corrected for small samples only if the variance is estimated. Here the variances are
+        known, so the correction is zero.
         """
         return self.chi_square + 2.0 * self.size
 
 
 @dataclass
 class _CurveObjective:
-    """Residuals of all tests as a function of the parameters `theta`, with their derivatives."""
+    """Function object that returns the residuals of all tests for given parameters.
+
+    The parameters are `theta`. The derivatives are returned too.
+    """
 
     terms: Sequence[TestEvidence | HistoryTerm]
     strokes: Array
@@ -189,7 +240,10 @@ class _CurveObjective:
 def fit_evidence(
     evidence: Sequence[TestEvidence], shapes: Shapes, common: tuple[float, float] = (0.0, 0.0)
 ) -> CurveFit:
-    """Fit the curves to the values of C and b from the single tests."""
+    """Fit curves to the values of C and b from the single tests.
+
+    `evidence` contains these values, `shapes` the forms of the curves, and `common` the errors that all tests share.
+    """
     strokes = np.array([e.stroke for e in evidence])
     objective = _CurveObjective(evidence, strokes, shapes, ())
     centres = np.array([e.centre for e in evidence])
@@ -204,7 +258,10 @@ def fit_histories(
     first_fit: CurveFit,
     progress: Callable[[int, float], Any] | None = None,
 ) -> CurveFit:
-    """Fit the coefficients of both curves to all recorded samples of all tests together."""
+    """Fit both curves to the recorded samples of all tests together.
+
+    The search starts from `first_fit`, the fit to C and b of the single tests.
+    """
     pairs = list(zip(tests, evidence, strict=True))
     terms = [HistoryTerm(t, e) if isinstance(t, StrokeRecording) else e for t, e in pairs]
     nuisance = tuple(dict.fromkeys(f for term in terms for f in term.nuisance))
@@ -234,7 +291,8 @@ def fit_histories(
     limit = best.cost + ALIKE * best.misfits[0].widening
     curves = {fit: fit.curve(0, objective.strokes) for fit in fits}
     equivalent = [f for f in fits if f.cost < limit and np.max(np.abs(curves[f] / curves[best] - 1.0)) > APART]
-    return replace(best, twin=min(equivalent, key=lambda fit: fit.cost)) if equivalent else best
+    twin = min(equivalent, key=lambda fit: fit.cost, default=None)
+    return replace(best, twin=twin and replace(twin, rivals=first_fit.rivals), rivals=first_fit.rivals)
 
 
 def _fit_curves(
@@ -244,7 +302,10 @@ def _fit_curves(
     single_cost: float,
     common: tuple[float, float],
 ) -> CurveFit:
-    """Fit the curves, starting the search from `theta`."""
+    """Return the fit of the curves from a search that starts at `theta`.
+
+    `objective` returns the residuals. `single_cost` is the cost of the fits to single tests.
+    """
     from scipy.optimize import least_squares
 
     ends = [s.bounds for s in objective.shapes]
@@ -263,7 +324,8 @@ def _fit_curves(
         max_nfev=200,
     )
     residual, rows = objective(solution.x)
-    n_determined = np.isfinite([e.uncertainty for e in evidence]).sum(axis=0)
+    is_determined = np.isfinite([e.uncertainty for e in evidence])
+    n_determined = is_determined.sum(axis=0)
     sizes = [shape.size for shape in objective.shapes]
     if objective.nuisance or single_cost or any(e.root[0, 1] for e in evidence):  # a test couples C and b
         saved = sum(sum(f in term.nuisance for term in objective.terms) - 1 for f in objective.nuisance)
@@ -279,8 +341,18 @@ def _fit_curves(
     _, s, vt = np.linalg.svd(rows, full_matrices=False)
     s = np.maximum(s, 1e-9 * max(float(s[0]), 1e-300))
     covariance = np.asarray((vt.T / s**2) @ vt) * np.outer(wide, wide)
-    count, cost = objective.evaluations, 0.5 * float(residual @ residual)
-    return CurveFit(objective.shapes, solution.x, objective.nuisance, covariance, misfits, common, count, cost)
+    first_strokes, second_strokes = (np.unique(objective.strokes[mask]) for mask in is_determined.T)
+    return CurveFit(
+        objective.shapes,
+        solution.x,
+        objective.nuisance,
+        covariance,
+        misfits,
+        common,
+        objective.evaluations,
+        cost=0.5 * float(residual @ residual),
+        strokes=(first_strokes, second_strokes),
+    )
 
 
 def bootstrap_bands(
@@ -288,7 +360,8 @@ def bootstrap_bands(
 ) -> tuple[tuple[Array, Array], tuple[Array, Array]]:
     """Return 95 % bands of C and b from a parametric bootstrap.
 
-    Each bootstrap fit uses random errors of all tests and satisfies all constraints of the curves.
+    `count` is the number of bootstrap fits. Each uses random errors of all tests, and satisfies all constraints of the
+    curves. `x` contains the strokes.
     """
     generator = np.random.default_rng(seed)
     strokes = np.array([e.stroke for e in evidence])
@@ -311,20 +384,26 @@ TEMPERATURE = "temperature"
 
 @dataclass(frozen=True)
 class AmbientUncertainty:
-    """Relative standard uncertainties caused by temperatures that are assumed because they are not stated."""
+    """Standard uncertainties that result from temperatures that are assumed.
+
+    A temperature is assumed if it is neither stated nor recorded. The uncertainties are relative.
+    """
 
     unstated: tuple[str, ...]  # addresses of the temperatures that are not stated
     conductance: float  # relative standard uncertainty that all values of C share
     shares: dict[str, float]  # relative standard uncertainty by free parameter
 
     def note(self, names: Sequence[str]) -> Note:
-        """Return a finding that names the parameters whose intervals include this uncertainty."""
+        """Return a finding on parameters whose intervals include this uncertainty.
+
+        `names` are these parameters.
+        """
         facts = {"percent": 100.0 * self.conductance / SPREAD, "spread": SPREAD, "untold": self.unstated}
         return Note("characteristic.room", "sonic_conductance", **facts, names=tuple(names))
 
 
 def ambient_uncertainty(tests: Sequence[StrokeTest], evidence: Sequence[TestEvidence]) -> AmbientUncertainty | None:
-    """Return the uncertainty caused by temperatures that are not stated.
+    """Return the uncertainty that results from temperatures that are not stated.
 
     The result is None if all temperatures are stated.
     """

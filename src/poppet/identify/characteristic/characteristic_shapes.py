@@ -19,10 +19,10 @@ STEP = 1e-7
 
 @dataclass(frozen=True)
 class PolynomialShape:
-    """Polynomial of the stroke, represented as a Chebyshev series over the domain.
+    """Curve that is a polynomial of the stroke.
 
-    From 0 to 1 mm, the powers up to degree 7 have a condition number of about 1e5; that of the Chebyshev polynomials
-    is about 2.
+    The polynomial is a Chebyshev series over the domain. From 0 to 1 mm, the powers up to degree 7 have a condition
+    number of about 1e5; that of the Chebyshev polynomials is about 2.
     """
 
     degree: int
@@ -36,12 +36,15 @@ class PolynomialShape:
 
     @property
     def bounds(self) -> tuple[Array, Array]:
-        """Lower and upper bounds of the free parameters, shape (size,) each."""
+        """Lower and upper bounds of the free parameters, as two arrays of shape (size,)."""
         return np.full(self.size, -np.inf), np.full(self.size, np.inf)
 
     @cached_property
     def numbers_matrix(self) -> Array:
-        """Matrix that converts Chebyshev coefficients to powers of the stroke in mm, without the scale."""
+        """Matrix that converts Chebyshev coefficients to coefficients of powers of the stroke in mm.
+
+        The scale of the curve is not included.
+        """
         from numpy.polynomial import Chebyshev, Polynomial
 
         window = [MILLIMETRES * x for x in self.domain]
@@ -52,15 +55,24 @@ class PolynomialShape:
         return columns
 
     def numbers(self, theta: Array) -> Array:
-        """Return the coefficients of the powers of the stroke in mm, highest power first."""
+        """Return the coefficients of the polynomial, highest power first.
+
+        The argument of the polynomial is the stroke in mm. `theta` contains the free parameters.
+        """
         return np.asarray(self.scale * (self.numbers_matrix @ theta))
 
     def values(self, theta: Array, x: Array) -> Array:
-        """Return the curve with parameters `theta` at the strokes `x`, (n,), in the unit of the curve."""
+        """Return the curve at the strokes `x`, (n,), in the unit of the curve.
+
+        `theta` contains the free parameters.
+        """
         return np.asarray(self.slopes(theta, x) @ theta)
 
     def slopes(self, theta: Array, x: Array) -> Array:
-        """Return the derivatives of the curve values by the free parameters, (n, size)."""
+        """Return the derivatives of the curve by its free parameters, (n, size).
+
+        `theta` contains these parameters, and `x` the strokes.
+        """
         low, high = self.domain
         powers = np.polynomial.chebyshev.chebvander((2.0 * x - low - high) / (high - low), self.degree)
         return np.asarray(self.scale * powers, dtype=float)
@@ -89,21 +101,24 @@ class SplineShape:
 
     @property
     def bounds(self) -> tuple[Array, Array]:
-        """Lower and upper bounds of the free parameters, shape (size,) each."""
+        """Lower and upper bounds of the free parameters, as two arrays of shape (size,)."""
         low = np.full(self.size, 0.0 if self.constrained or not self.rises else -np.inf)
         low[0] = 0.0
         return low, np.full(self.size, self.upper / self.scale)
 
     @property
     def table_knots(self) -> tuple[float, ...]:
-        """Strokes of all knots of the curve, including the added knots at its ends [m]."""
+        """Strokes of all knots, including those that are added at both ends [m]."""
         start_knots = (self.first,) if self.first < self.knots[0] else ()
         end_knots = (self.last,) if self.last > self.knots[-1] else ()
         return (*start_knots, *self.knots, *end_knots)
 
     @cached_property
     def numbers_matrix(self) -> Array:
-        """Matrix that converts the free parameters to the values at all knots, without the scale."""
+        """Matrix that converts the free parameters to the values at all knots.
+
+        The scale of the curve is not included.
+        """
         free = np.tril(np.ones((self.size, self.size))) if self.rises else np.eye(self.size)
         rows = [free]
         if self.first < self.knots[0]:
@@ -114,7 +129,10 @@ class SplineShape:
         return np.vstack(rows)
 
     def numbers(self, theta: Array) -> Array:
-        """Return the values of the curve at all knots, in the unit of the curve."""
+        """Return the values of the curve at all knots, in the unit of the curve.
+
+        `theta` contains the free parameters.
+        """
         values = self.scale * self._at_knots(theta)
         # Rounding errors could make sums of increments fall.
         return np.maximum.accumulate(values) if self.rises and self.constrained else values
@@ -127,11 +145,17 @@ class SplineShape:
         return np.asarray(values)
 
     def values(self, theta: Array, x: Array) -> Array:
-        """Return the curve with parameters `theta` at the strokes `x`, (n,), in the unit of the curve."""
+        """Return the curve at the strokes `x`, (n,), in the unit of the curve.
+
+        `theta` contains the free parameters.
+        """
         return self.scale * pchip(self.table_knots, self._at_knots(theta), x)
 
     def slopes(self, theta: Array, x: Array) -> Array:
-        """Return the derivatives of the curve values by the free parameters, (n, size)."""
+        """Return the derivatives of the curve by its free parameters, (n, size).
+
+        `theta` contains these parameters, and `x` the strokes.
+        """
         base = self.values(theta, x)
         step = STEP * max(float(np.max(np.abs(theta))), 1e-3)
         shifted = [self.values(theta + step * row, x) for row in np.eye(self.size)]
@@ -143,9 +167,10 @@ Shape = PolynomialShape | SplineShape
 
 
 def start_parameters(shape: Shape, x: Array, y: Array, weight: Array) -> Array:
-    """Return start values of the free parameters from a weighted linear fit to points `x`, `y`.
+    """Return start values of the free parameters from a linear fit to points.
 
-    The values are limited to the bounds.
+    `x`, `y` and `weight` are the positions, the values and the weights of the points. The start values are limited to
+    the bounds.
     """
     low, high = shape.bounds
     rows = shape.slopes(np.clip(np.full(shape.size, 0.5), low, high), x) * weight[:, None]
@@ -179,6 +204,9 @@ def pchip(knots: tuple[float, ...], values: Array, x: Array) -> Array:
 
 
 def select_knots(strokes: Array, count: int) -> tuple[float, ...]:
-    """Return `count` of the tested strokes, evenly selected, including the first and the last."""
+    """Select evenly distributed knots from the tested strokes.
+
+    The result contains `count` strokes, with the first and the last.
+    """
     indices = np.round(np.linspace(0, strokes.size - 1, count)).astype(int)
     return tuple(strokes[indices].tolist())

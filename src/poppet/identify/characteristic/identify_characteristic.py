@@ -62,7 +62,7 @@ BOUND = 1e-6
 
 @dataclass(frozen=True)
 class _CurveOptions:
-    """Checked options of `identify_characteristic`."""
+    """Options of `identify_characteristic` after a check of their values."""
 
     form: Form
     degrees: tuple[int, int]
@@ -140,7 +140,8 @@ def identify_characteristic(
     -------
     Result
         Coefficients of the stroke in mm, highest power first, or values at the knots, with intervals. `series` has the
-        curves with 95 % bands and the points of the tests.
+        curves with 95 % bands, and the points of the tests. A band contains the true value at a stroke with a
+        probability of 95 %, not the whole curve.
 
     Raises
     ------
@@ -191,7 +192,7 @@ def identify_characteristic(
     recorded = [k for k, test in enumerate(tests) if not isinstance(test, StrokePoint)]
     if joint and recorded and not (verdict and verdict.rejected):
         fit = fit_histories(tests, evidence, fit, progress)
-    bands = _bands(fit, evidence, options)
+    bands = _confidence_bands(fit, evidence, options)
     remarks = characteristic_findings(fit, by_test, evidence, verdict, options.domain, joint and bool(recorded))
     prefix = f"{part}.characteristic." if part else ""
     estimates = _estimates(fit, options, prefix)
@@ -200,7 +201,7 @@ def identify_characteristic(
         estimates |= {name: widened(estimates[name], ambient.shares[name]) for name in names}
         remarks = (*remarks, ambient.note(("C(x)", *names)))
     if fit.twin:  # the intervals include those of the equivalent curves
-        twin_bands = _bands(fit.twin, evidence, options)
+        twin_bands = _confidence_bands(fit.twin, evidence, options)
         bands = [(np.minimum(a, c), np.maximum(b, d)) for (a, b), (c, d) in zip(bands, twin_bands, strict=True)]
         for name, twin in _estimates(fit.twin, options, prefix).items():
             e = estimates[name]
@@ -210,7 +211,7 @@ def identify_characteristic(
         method="characteristic",
         title=title,
         parameters=estimates,
-        residuals=_residuals(fit, evidence),
+        residuals=_residual_statistics(fit, evidence),
         comparison=_comparison(fit, evidence, verdict),
         remarks=(*replace_uncertain_findings(remarks, estimates), *notes_of(notes)),
         conditions=_conditions(options, fit, evidence, fit is not by_test, common),
@@ -228,7 +229,7 @@ def _check_options(
     bootstrap: int,
     seed: int,
 ) -> _CurveOptions:
-    """Check the tests and the options, and return the options."""
+    """Check the tests and the options of an identification, and return the options."""
     with ErrorCollector() as errors:
         if form not in FORMS:
             near = NameSuggestion(str(form), FORMS)
@@ -268,12 +269,17 @@ def _polynomial_shapes(options: _CurveOptions) -> Shapes:
 def _fit_spline(
     options: _CurveOptions, evidence: Sequence[TestEvidence], common: tuple[float, float]
 ) -> tuple[CurveFit, MonotoneVerdict]:
-    """Return the spline with the constraint that C does not fall, and the test of this constraint."""
+    """Return the spline in which C never falls, and the test of this constraint.
+
+    `evidence` contains C and b of the tests, and `common` the errors that they share.
+    """
     decoupled = [e.decoupled() for e in evidence]
     candidates = [options.knots] if options.knots else _knot_candidates(options.strokes, decoupled)
-    free = min((fit_evidence(decoupled, _spline_shapes(options, k, False)) for k in candidates), key=CurveFit.aicc)
+    fits = (fit_evidence(decoupled, _spline_shapes(options, k, False)) for k in candidates)
+    rivals = tuple(sorted(fits, key=CurveFit.aicc))
+    free = rivals[0]
     knots = free.shapes[0].knots  # type: ignore[union-attr]
-    constrained = fit_evidence(decoupled, _spline_shapes(options, knots, True), common)
+    constrained = replace(fit_evidence(decoupled, _spline_shapes(options, knots, True), common), rivals=rivals)
     polynomials = (
         fit_evidence(decoupled, _polynomial_shapes(options))
         if options.strokes.size > max(options.degrees) + 1
@@ -283,7 +289,10 @@ def _fit_spline(
 
 
 def _knot_candidates(strokes: Array, evidence: Sequence[TestEvidence]) -> list[tuple[float, ...]]:
-    """Return the selections of knots that the AICc compares, up to all strokes at which tests determine b."""
+    """Return several selections of knots, between which AICc decides.
+
+    The largest selection contains all strokes at which tests determine b.
+    """
     determined = np.unique(determined_values(evidence, 1)[0])
     candidates = [select_knots(strokes, n) for n in range(FEWEST_KNOTS, strokes.size)]
     candidates += [select_knots(determined, n) for n in range(FEWEST_KNOTS, determined.size + 1)]
@@ -310,6 +319,8 @@ def _estimates(fit: CurveFit, options: _CurveOptions, prefix: str) -> dict[str, 
         is_shifted = np.zeros_like(values)
         is_shifted[-1 if options.form == "polynomial" else slice(None)] = 1.0
         common_errors = fit.common[index] * (values if index == 0 else is_shifted)
+        if isinstance(shape, SplineShape):
+            variance = variance + fit.shape_variance(index, np.array(shape.table_knots))
         errors = np.sqrt(np.maximum(variance, 0.0) + common_errors**2)
         limits = (-math.inf, math.inf) if options.form == "polynomial" else (0.0, LARGEST_RATIO if index else math.inf)
         for k, (value, error) in enumerate(zip(values, errors, strict=True), start=begin):
@@ -329,8 +340,8 @@ def _estimate(value: float, unit: str, error: float, coverage: float, limits: tu
     return Estimate(value, unit, error, max(limits[0], value - half), min(limits[1], value + half), verdict)
 
 
-def _residuals(fit: CurveFit, evidence: Sequence[TestEvidence]) -> dict[str, ResidualSummary]:
-    """Return statistics of the differences between the curves and C and b of the tests."""
+def _residual_statistics(fit: CurveFit, evidence: Sequence[TestEvidence]) -> dict[str, ResidualSummary]:
+    """Return statistics of the differences between the curves and the tests."""
     summaries = {}
     for index, name in enumerate(NUMBERS):
         strokes, measured, _ = determined_values(evidence, index)
@@ -351,13 +362,18 @@ def _comparison(fit: CurveFit, evidence: Sequence[TestEvidence], verdict: Monoto
     return statistics | ({"monotone": asdict(verdict)} if verdict else {})
 
 
-def _bands(fit: CurveFit, evidence: Sequence[TestEvidence], options: _CurveOptions) -> list[tuple[Array, Array]]:
-    """Return the 95 % bands of C and b at strokes over the domain."""
+def _confidence_bands(
+    fit: CurveFit, evidence: Sequence[TestEvidence], options: _CurveOptions
+) -> list[tuple[Array, Array]]:
+    """Return the 95 % bands of C and b at many strokes in the domain."""
     x = np.linspace(*options.domain, DRAWN)
     limits = ((0.0, np.inf), (0.0, 1.0))
     if options.bootstrap:
         bootstrap_evidence = [e.decoupled() for e in evidence] if options.form == "spline" else evidence
         bands = list(bootstrap_bands(fit, bootstrap_evidence, x, options.bootstrap, options.seed))
+        for k, ends in enumerate(bands):  # all bootstrap fits have the same knots
+            curve, shape = fit.curve(k, x), 1.96 * np.sqrt(np.maximum(fit.shape_variance(k, x), 0.0))
+            bands[k] = (curve - np.hypot(curve - ends[0], shape), curve + np.hypot(ends[1] - curve, shape))
     else:
         halves = [fit.misfits[k].coverage * fit.standard_uncertainty(k, x) for k in (0, 1)]
         bands = [(fit.curve(k, x) - halves[k], fit.curve(k, x) + halves[k]) for k in (0, 1)]
@@ -400,7 +416,7 @@ def _conditions(
         "tested": [float(options.strokes[0]), float(options.strokes[-1])],
         **({"knots": list(knots)} if knots else {"argument_unit": "mm"}),
         "common_uncertainty": list(common),
-        "bands": f"bootstrap of {options.bootstrap}" if options.bootstrap else "delta method",
+        "bands": (f"bootstrap of {options.bootstrap}" if options.bootstrap else "delta method") + ", at each stroke",
         "evaluations": fit.evaluations,
         "tests": {
             label: [float(v) for v in (e.stroke, *e.centre, *e.uncertainty)]

@@ -100,9 +100,11 @@ StrokeTest = StrokePoint | StrokeRecording
 
 @dataclass(frozen=True, eq=False)
 class TestEvidence:
-    r"""Values of C and b from one test, with their covariance, as two residuals of unit variance.
+    r"""Values of C and b from one test with their covariance, as residuals.
 
-    The residuals r are a function of z = (C, b). z_0 is `centre`, R is `root`, and r_0 is `pull`.
+    There are two residuals r of unit variance, which are a function of z = (C, b). z_0 is `centre`, R is `root`, and
+    r_0 is `pull`.
+
 
     .. math:: r(z) = R\,(z - z_0) + r_0
     """
@@ -120,11 +122,11 @@ class TestEvidence:
 
     @property
     def nuisance(self) -> tuple[FreeParameter, ...]:
-        """Free parameters of the bench; the tuple is empty, because they are already eliminated."""
+        """Free parameters of the bench, which are none: they have been eliminated."""
         return ()
 
     def evaluate(self, z: Array, nuisance: Array) -> tuple[Array, Array]:
-        """Return the two residuals at z = (C, b), and their derivatives by z.
+        """Return the two residuals for values z = (C, b), and their derivatives by z.
 
         `nuisance` is not used.
         """
@@ -132,7 +134,10 @@ class TestEvidence:
 
     @property
     def uncertainty(self) -> Array:
-        """Standard uncertainties of C and b; infinite for a value that the test does not determine."""
+        """Standard uncertainties of C and b.
+
+        The uncertainty of a value that the test does not determine is infinite.
+        """
         uncertainty = np.full(2, np.inf)
         scale = np.array([self.centre[0], 1.0])
         is_determined = np.linalg.norm(self.root * scale, axis=0) > SENSITIVITY_LIMIT
@@ -141,13 +146,16 @@ class TestEvidence:
         return uncertainty
 
     def decoupled(self) -> TestEvidence:
-        """Return a copy with the same values and uncertainties of C and b, but without their correlation."""
+        """Return a copy in which the errors of C and b are not correlated."""
         root = np.diag(1.0 / self.uncertainty)
         return replace(self, root=root, pull=np.zeros(2))
 
 
 def check_tests(tests: Sequence[StrokeTest], domain: tuple[float, float] | None) -> None:
-    """Check the tests and raise all errors together."""
+    """Check the tests of a characteristic, and raise all errors together.
+
+    `domain` is the range of strokes for the curves.
+    """
     with ErrorCollector() as errors:
         recordings = [(k, test) for k, test in enumerate(tests) if isinstance(test, StrokeRecording)]
         for (k, first_test), (n, second_test) in itertools.combinations(recordings, 2):
@@ -184,16 +192,19 @@ def check_tests(tests: Sequence[StrokeTest], domain: tuple[float, float] | None)
 
 
 def determined_values(evidence: Sequence[TestEvidence], index: int) -> Array:
-    """Return stroke, value and standard uncertainty of C (`index` 0) or b (`index` 1).
+    """Return all values of C or b that tests determine, with their strokes.
 
-    The result has the shape (3, n) for the n tests that determine this value.
+    `index` is 0 for C and 1 for b. The result has the shape (3, n) and contains stroke, value and standard uncertainty.
     """
     rows = [(e.stroke, e.centre[index], e.uncertainty[index]) for e in evidence]
     return np.array([row for row in rows if math.isfinite(row[2])], dtype=float).reshape(-1, 3).T
 
 
 def test_name(test: StrokeTest, index: int) -> str:
-    """Return the name of a test that messages use."""
+    """Return the name of a test for messages.
+
+    `index` is used if the test has no name.
+    """
     name = test.name or (str(test.measurement.name) if isinstance(test, StrokeRecording) else "")
     return name or f"test {index + 1}"
 
@@ -201,7 +212,7 @@ def test_name(test: StrokeTest, index: int) -> str:
 def evidence_of(test: StrokeTest, name: str) -> TestEvidence:
     """Return the values of C and b from one test, with their covariance.
 
-    A recording is fitted separately from all other tests.
+    A recording is fitted for this purpose, separately from all other tests.
     """
     if isinstance(test, StrokeRecording):
         free = free_parameters(test)
@@ -232,14 +243,18 @@ def evidence_of(test: StrokeTest, name: str) -> TestEvidence:
 
 
 def free_parameters(test: StrokeRecording) -> tuple[FreeParameter, ...]:
-    """Return the free parameters of the fit to one recording: C, b, then those of the bench."""
+    """Return the free parameters of the fit to one recorded test.
+
+    C and b come first, then those of the bench.
+    """
     return (*(read_free(f"{test.passage}.{number}", {}, test.circuit) for number in NUMBERS), *test.free)
 
 
 def point_of_result(result: Result, stroke: float, *, part: str = "", name: str = "") -> StrokePoint:
-    """Return the C and b that a tank test or a flow bench identified, as a test at a stroke.
+    """Return C and b from another identification as a test at one stroke.
 
-    `part` is the name of the flow path in the result. The uncertainties exclude errors that all tests have in common.
+    The result is that of a tank test or a flow bench. `part` is the name of the flow path in the result. The
+    uncertainties exclude errors that all tests have in common.
     """
     keys = [f"{part}.{number}" if part else number for number in NUMBERS]
     missing = [key for key in keys if key not in result.parameters]
@@ -265,10 +280,10 @@ def point_of_result(result: Result, stroke: float, *, part: str = "", name: str 
 
 
 def common_of_result(result: Result, *, part: str = "") -> tuple[float, float]:
-    """Return the standard uncertainties of C (relative) and b that all tests of a bench share.
+    """Return the errors of C (relative) and b that all tests of a bench share.
 
-    They are caused by the sensors and an unknown ambient temperature. `part` is the name of the flow path in the
-    result.
+    They are standard uncertainties, and result from the sensors and an unknown ambient temperature. `part` is the name
+    of the flow path in the result.
     """
     keys = [f"{part}.{number}" if part else number for number in NUMBERS]
     budget = result.comparison.get("uncertainty", {})
@@ -279,6 +294,6 @@ def common_of_result(result: Result, *, part: str = "") -> tuple[float, float]:
 
 
 def _ambient_uncertainty(result: Result) -> float:
-    """Return the relative standard uncertainty of C caused by an unknown ambient temperature."""
+    """Return the relative uncertainty of C that results from an unknown ambient temperature."""
     facts = [note.facts for note in result.remarks if note.code == "finding.room"]
     return 1e-2 * facts[0]["percent"] * facts[0]["spread"] if facts else 0.0

@@ -45,7 +45,7 @@ MOST_SAMPLES = 100_000
 
 @dataclass(frozen=True)
 class DesignSensor:
-    """Sensor of a possible test, with noise, offset and lag."""
+    """Sensor that a possible test can use, with its noise, offset and lag."""
 
     address: str
     unit: str
@@ -56,7 +56,7 @@ class DesignSensor:
 
 @dataclass(frozen=True)
 class TestCandidate:
-    """Possible test that the design can recommend."""
+    """Possible test, which the design can recommend."""
 
     name: str
     circuit: BaseCircuit
@@ -67,13 +67,13 @@ class TestCandidate:
 
     @property
     def samples(self) -> int:
-        """Number of samples of each sensor during the test."""
+        """Number of samples of each sensor in the test."""
         return max(2, math.floor(self.duration / self.sample_time * (1.0 + 1e-9)) + 1)
 
 
 @dataclass(frozen=True)
 class DesignPlan:
-    """Free parameters and candidates of a test design.
+    """Possible tests, and the free parameters that they must determine.
 
     Parameters
     ----------
@@ -170,7 +170,10 @@ def _read_sensor(address: str, table: Any, units: Mapping[str, str]) -> DesignSe
 def _read_candidates(
     errors: ErrorCollector, data: Mapping[str, Any], circuit: BaseCircuit, sensors: Mapping[str, DesignSensor]
 ) -> Iterator[TestCandidate]:
-    """Yield one candidate for each test and each combination of its varied values."""
+    """Yield a possible test for each combination of the varied values.
+
+    `data` is the content of the design file.
+    """
     tests: dict[str, Mapping[str, Any]] = {}
     for name, table in data.get("tests", {"": {}}).items():
         if isinstance(table, Mapping):

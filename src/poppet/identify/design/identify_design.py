@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import warnings
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -38,7 +39,7 @@ LOST = 1e-10
 
 @dataclass(frozen=True)
 class Prediction:
-    """Predicted estimate of one parameter from one or more tests.
+    """Expected estimate of one parameter after one or several tests.
 
     Parameters
     ----------
@@ -72,19 +73,26 @@ class Prediction:
         return TWO_SIDED * self.standard_error
 
     @property
-    def half_at_most(self) -> float:
+    def largest_half_width(self) -> float:
         """Half width of the 95 % interval at the least favourable sample of the priors."""
         return TWO_SIDED * self.largest
 
     @property
-    def half_typical(self) -> float:
+    def typical_half_width(self) -> float:
         """Geometric mean of the half widths of the 95 % intervals at all samples of the priors."""
         return TWO_SIDED * self.typical
+
+    def __getattr__(self, name: str) -> Any:
+        former_names = {"half_at_most": "largest_half_width", "half_typical": "typical_half_width"}
+        if name not in former_names:
+            raise AttributeError(name)
+        warnings.warn(f"Prediction.{name} is now called {former_names[name]}.", DeprecationWarning, stacklevel=2)
+        return getattr(self, former_names[name])
 
 
 @dataclass(frozen=True)
 class Design(ResultFileMixin):
-    """Ranking of possible tests, the best first, with the recommended tests.
+    """Possible tests in the order of their benefit, with the recommended tests.
 
     Parameters
     ----------
@@ -123,16 +131,16 @@ class Design(ResultFileMixin):
     simulated: Mapping[str, SimulatedEstimate] = field(default_factory=dict)
 
     def ranked_by(self) -> dict[str, float]:
-        """Return the criterion of each candidate in the form of a relative 95 % half width [%].
+        """Return the criterion of each test, as half of a relative 95 % interval [%].
 
-        For `intervals` it is the geometric mean of the typical half widths of all parameters, and for `worst` their
-        maximum. For `volume` it is the geometric mean of the semi-axes of the joint region.
+        For `intervals` it is the geometric mean over all parameters, and for `worst` their maximum. For `volume` it is
+        the geometric mean of the semi-axes of the joint region.
         """
         axes = len(self.together) if self.criterion == "volume" else 1
         return {test: 100.0 * TWO_SIDED * math.exp(score / axes) for test, score in self.scores.items()}
 
     def content(self) -> dict[str, Any]:
-        """Return the content of the design file as plain tables."""
+        """Return the content of the design result file as nested tables."""
         return {
             "method": "design",
             "title": self.title,
@@ -185,7 +193,7 @@ def identify_design(plan: DesignPlan | str | Path, *, progress: Callable[[int, i
     Atkinson, Donev & Tobias, Optimum Experimental Designs, with SAS, Oxford 2007.
     """
     plan = plan if isinstance(plan, DesignPlan) else read_design_file(plan)
-    points, prior = _priors(plan)
+    points, prior = _points_and_information(plan)
     informations: list[FloatArray] = []
     try:
         for k, candidate in enumerate(plan.candidates):
@@ -242,10 +250,11 @@ def identify_design(plan: DesignPlan | str | Path, *, progress: Callable[[int, i
     )
 
 
-def _priors(plan: DesignPlan) -> tuple[list[FloatArray], FloatArray]:
-    """Return points of the priors, and the Fisher information from the priors and from an earlier result.
+def _points_and_information(plan: DesignPlan) -> tuple[list[FloatArray], FloatArray]:
+    """Return sample points of the priors, and the information that is already available.
 
-    The points are the start values of the free parameters and random samples.
+    The information is the Fisher information from the priors and from an earlier result. The points are the start
+    values of the free parameters and random samples.
     """
     points = [np.array([f.start for f in plan.free])]
     generator = np.random.default_rng(plan.seed)
@@ -268,9 +277,10 @@ def _priors(plan: DesignPlan) -> tuple[list[FloatArray], FloatArray]:
 
 
 def _fisher_information(candidate: TestCandidate, free: Sequence[FreeParameter], point: FloatArray) -> FloatArray:
-    """Return the Fisher information of a test on the free parameters, at the parameter values `point`.
+    """Return the Fisher information of one test on the free parameters.
 
-    The nuisance parameters of the test (initial values, lags, offsets) are eliminated.
+    `point` contains the values of these parameters. The nuisance parameters of the test (initial values, lags, offsets)
+    are eliminated.
     """
     measurement, values = empty_measurement("test", candidate), by_name(free, point)
     if candidate.start or any(math.isinf(sensor.offset) for sensor in candidate.sensors):
@@ -293,10 +303,11 @@ def _fisher_information(candidate: TestCandidate, free: Sequence[FreeParameter],
     return np.asarray(0.5 * (information + information.T))
 
 
-def _errors(plan: DesignPlan, information: FloatArray) -> tuple[FloatArray, FloatArray]:
-    """Return the relative standard errors, (n_points, n_free), and log determinants of the covariance, (n_points,).
+def _standard_errors(plan: DesignPlan, information: FloatArray) -> tuple[FloatArray, FloatArray]:
+    """Return the standard errors and the log determinants for all points of the priors.
 
-    `information` is the Fisher information of tests and priors at each point of the priors, (n_points, n_free, n_free).
+    The relative standard errors have the shape (n_points, n_free). The log determinants are those of the covariance.
+    `information` is the Fisher information of tests and priors at each point, (n_points, n_free, n_free).
     """
     scale = np.array([f.scale for f in plan.free])
     relative = information * np.outer(scale, scale)
@@ -310,8 +321,11 @@ def _errors(plan: DesignPlan, information: FloatArray) -> tuple[FloatArray, Floa
 
 
 def _criterion(plan: DesignPlan, information: FloatArray) -> float:
-    """Return the natural logarithm of the criterion, averaged over the points of the priors."""
-    errors, volumes = _errors(plan, information)
+    """Return the logarithm of the criterion, averaged over the points of the priors.
+
+    `information` is the Fisher information at each point. A lower value is better.
+    """
+    errors, volumes = _standard_errors(plan, information)
     if plan.criterion == "volume":
         return float(np.mean(0.5 * volumes))
     logarithms = np.log(errors)
@@ -324,7 +338,7 @@ def _select_tests(plan: DesignPlan, prior: FloatArray, informations: Sequence[Fl
     """Return the indices of the recommended tests.
 
     Tests are first added one by one, the best at each time. Single tests are then exchanged while this improves the
-    criterion.
+    criterion. `prior` and `informations` contain the Fisher information of the priors and of each test.
     """
 
     def score(tests: Sequence[int]) -> float:
@@ -348,7 +362,7 @@ def _select_tests(plan: DesignPlan, prior: FloatArray, informations: Sequence[Fl
 
 def _predict(plan: DesignPlan, information: FloatArray) -> dict[str, Prediction]:
     predictions = {}
-    for f, errors in zip(plan.free, _errors(plan, information)[0].T, strict=True):
+    for f, errors in zip(plan.free, _standard_errors(plan, information)[0].T, strict=True):
         error, largest = f.scale * float(errors[0]), f.scale * float(np.max(errors))
         typical = f.scale * float(np.exp(np.mean(np.log(errors))))
         level = verdict(f, f.start, TWO_SIDED * error)

@@ -25,7 +25,7 @@ MOST_FITTED = 20_000
 
 @dataclass(frozen=True)
 class SimulatedEstimate:
-    """Estimate of one parameter in fits to simulated recordings of the recommended tests.
+    """Estimates of one parameter in several fits to simulated recordings.
 
     Parameters
     ----------
@@ -52,10 +52,10 @@ class SimulatedEstimate:
 
 
 def count_fits(plan: DesignPlan, selected: Sequence[TestCandidate]) -> int:
-    """Return the number of fits to simulate: as requested, or by default 5 if each one is fast.
+    """Return the number of simulated fits.
 
-    The default is 0 for sampled circuits, for many samples, and for designs with an earlier result: a fit does not use
-    this result.
+    If the plan does not state it, the default is 5 for fast fits. It is 0 for sampled circuits, for many samples, and
+    for designs with an earlier result: a fit does not use this result.
     """
     if plan.fits is not None:
         return plan.fits
@@ -67,10 +67,10 @@ def count_fits(plan: DesignPlan, selected: Sequence[TestCandidate]) -> int:
 def simulate_fits(
     plan: DesignPlan, selected: Sequence[TestCandidate], on_fit: Callable[[int, int], None]
 ) -> dict[str, SimulatedEstimate]:
-    """Fit simulated recordings of the recommended tests, and return the estimate of each free parameter.
+    """Fit simulated recordings of the recommended tests.
 
-    The recordings have the assumed values, random noise, and random offsets of the sensors. `on_fit` is called with
-    the number of completed fits and their total number.
+    The result contains the estimates of each free parameter. The recordings have the assumed values, random noise, and
+    random offsets of the sensors. `on_fit` is called with the number of completed fits and their total number.
 
     Raises
     ------
@@ -78,14 +78,23 @@ def simulate_fits(
         If the user interrupted a fit.
     """
     count, generator = count_fits(plan, selected), np.random.default_rng([plan.seed, len(selected)])
-    simulated = [_noise_free(f"test_{k}", candidate, plan.free) for k, candidate in enumerate(selected, start=1)]
+    assumed = by_name(plan.free, [f.start for f in plan.free])
+    simulated = []  # noise-free measurements
+    for k, candidate in enumerate(selected, start=1):
+        measurement = empty_measurement(f"test_{k}", candidate)
+        values = noise_free_values(measurement, candidate, assumed, plan.free)
+        simulated.append(with_values(measurement, values))
     tables: list[Mapping[str, Estimate]] = []
     for k in range(count):
         on_fit(k, count)
-        measurements = [
-            _with_errors(measurement, candidate, generator)
-            for measurement, candidate in zip(simulated, selected, strict=True)
-        ]
+        measurements = []
+        for measurement, candidate in zip(simulated, selected, strict=True):
+            rows = []
+            for channel, sensor in zip(measurement.channels, candidate.sensors, strict=True):
+                # A free offset without prior is zero.
+                offset = generator.normal(0.0, sensor.offset) if np.isfinite(sensor.offset) else 0.0
+                rows.append(channel.values + offset + generator.normal(0.0, sensor.noise, channel.values.size))
+            measurements.append(with_values(measurement, rows))
         circuits, roles = [candidate.circuit for candidate in selected], ["fit"] * len(selected)
         free = (
             *plan.free,
@@ -117,7 +126,7 @@ def _summary(f: FreeParameter, estimates: Sequence[Estimate]) -> SimulatedEstima
 
 
 def empty_measurement(name: str, candidate: TestCandidate) -> Measurement:
-    """Return the measurement of a candidate with its sensors, without values."""
+    """Return a measurement for one possible test, in which the values are missing."""
     time = candidate.sample_time * np.arange(candidate.samples, dtype=np.float64)
     channels = tuple(
         Channel(s.address, time, np.zeros(time.size), s.unit, s.noise, s.lag, offset=s.offset or None)
@@ -128,7 +137,7 @@ def empty_measurement(name: str, candidate: TestCandidate) -> Measurement:
 
 
 def with_values(measurement: Measurement, values: Sequence[FloatArray]) -> Measurement:
-    """Return a measurement with other values of its channels."""
+    """Return a measurement in which the channels have other values."""
     channels = zip(measurement.channels, values, strict=True)
     return replace(measurement, channels=tuple(replace(channel, values=row) for channel, row in channels))
 
@@ -136,24 +145,12 @@ def with_values(measurement: Measurement, values: Sequence[FloatArray]) -> Measu
 def noise_free_values(
     measurement: Measurement, candidate: TestCandidate, values: Mapping[str, float], free: Sequence[FreeParameter]
 ) -> list[FloatArray]:
-    """Return the noise-free values of the channels of a candidate; free lags have their start values."""
+    """Return the simulated channels of a test without noise.
+
+    `values` are the parameter values. Free lags have their start values.
+    """
     # A free initial value starts from the first value of the noise-free recording.
     started = replace(measurement, start={})
     lags = recording_parameters([started], [candidate.circuit], ["fit"])
     experiment = Experiment(candidate.circuit.instance, started, (*free, *lags))
     return experiment.outputs({**values, **by_name(lags, [f.start for f in lags])})
-
-
-def _noise_free(name: str, candidate: TestCandidate, free: Sequence[FreeParameter]) -> Measurement:
-    measurement = empty_measurement(name, candidate)
-    assumed = by_name(free, [f.start for f in free])
-    return with_values(measurement, noise_free_values(measurement, candidate, assumed, free))
-
-
-def _with_errors(measurement: Measurement, candidate: TestCandidate, generator: np.random.Generator) -> Measurement:
-    """Return a noise-free measurement with noise and offsets; a free offset without prior is zero."""
-    rows = []
-    for channel, sensor in zip(measurement.channels, candidate.sensors, strict=True):
-        offset = generator.normal(0.0, sensor.offset) if np.isfinite(sensor.offset) else 0.0
-        rows.append(channel.values + offset + generator.normal(0.0, sensor.noise, channel.values.size))
-    return with_values(measurement, rows)

@@ -31,7 +31,10 @@ Fit = Callable[..., Optimum]
 
 
 def add_contour(plan: FitPlan, optimum: Optimum, result: Result, on_progress: Callable[[str, int, int], Any]) -> Result:
-    """Add the chi-square contour, and a note on each connected 95 % region, to a result."""
+    """Add the contour of chi-square to a result.
+
+    A note describes each connected 95 % region. `on_progress` is called during the fits.
+    """
     conductance_index, wall_index = contour_indices(plan.free)
     conductance_parameter, wall_parameter = plan.free[conductance_index], plan.free[wall_index]
     spread = error_model_of(plan, optimum)
@@ -49,9 +52,9 @@ def add_contour(plan: FitPlan, optimum: Optimum, result: Result, on_progress: Ca
 
     try:
         wall_error = spread.deviation(spread.influences[wall_index])
-        rows = _fit_rows(wall_parameter, optimum, wall_index, wall_error, fit, variance_factor)
+        rows = _fit_wall_conductances(wall_parameter, optimum, wall_index, wall_error, fit, variance_factor)
         cells = [
-            _fit_columns(wall, row, (conductance_index, wall_index), conductance_parameter, fit, variance_factor)
+            _fit_conductances(wall, row, (conductance_index, wall_index), conductance_parameter, fit, variance_factor)
             for wall, row in rows
         ]
     except KeyboardInterrupt:
@@ -78,7 +81,7 @@ def add_contour(plan: FitPlan, optimum: Optimum, result: Result, on_progress: Ca
 
 
 def contour_indices(free: Sequence[FreeParameter]) -> tuple[int, int]:
-    """Return the indices of the conductance and the wall conductance among the free parameters.
+    """Return the indices of conductance and wall conductance among the free parameters.
 
     Raises
     ------
@@ -95,7 +98,7 @@ def contour_indices(free: Sequence[FreeParameter]) -> tuple[int, int]:
     return indices[0], indices[1]
 
 
-def _fit_rows(
+def _fit_wall_conductances(
     wall_parameter: FreeParameter,
     optimum: Optimum,
     wall_index: int,
@@ -103,9 +106,10 @@ def _fit_rows(
     fit: Fit,
     variance_factor: float,
 ) -> list[tuple[float, Optimum]]:
-    """Fit at each wall conductance of a grid; return pairs of wall conductance and optimum.
+    """Fit at each wall conductance of a grid.
 
-    The grid is local to the optimum, or global if another region fits equally well.
+    The result contains pairs of wall conductance and optimum. `wall_error` is the standard error of the wall
+    conductance. The grid is local to the optimum, or global if another region fits equally well.
     """
     low, high = wall_parameter.low, wall_parameter.high
     best = float(optimum.x[wall_index])
@@ -129,9 +133,10 @@ def _fit_rows(
 
 
 def _fit_from_neighbours(walls: FloatArray, best: float, optimum: Optimum, fit: Fit) -> dict[float, Optimum]:
-    """Fit at each wall conductance of `walls`, outwards from the optimum; return the optima by wall conductance.
+    """Fit at given wall conductances, one after the other.
 
-    Each fit starts from the result of the neighbour that is closer to the optimum.
+    `best` is the wall conductance at the optimum, where the fits begin. Each fit starts from the result of the
+    neighbour that is closer to the optimum. The result is sorted by wall conductance.
     """
     rows: dict[float, Optimum] = {}
     for branch in (walls[walls >= best], walls[walls < best][::-1]):
@@ -141,7 +146,7 @@ def _fit_from_neighbours(walls: FloatArray, best: float, optimum: Optimum, fit: 
     return rows
 
 
-def _fit_columns(
+def _fit_conductances(
     wall: float,
     row_optimum: Optimum,
     pair: tuple[int, int],
@@ -149,9 +154,9 @@ def _fit_columns(
     fit: Fit,
     variance_factor: float,
 ) -> list[tuple[float, float]]:
-    """Fit at conductances on both sides of the best fit of a row.
+    """Fit at conductances on both sides of the best fit for one wall conductance.
 
-    The result contains pairs of conductance and cost.
+    `wall` is the wall conductance and `row_optimum` the best fit. The result contains pairs of conductance and cost.
     """
     conductance_index, n_parameters = pair[0], row_optimum.x.size
     nuisances = [k for k in range(n_parameters) if k not in pair and row_optimum.active[k] == 0]

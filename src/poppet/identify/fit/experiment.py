@@ -44,7 +44,7 @@ FAILED = 1e6
 
 
 class ChannelSensor(NamedTuple):
-    """Sensor model of a channel: lag and offset between an output of the circuit and the readings."""
+    """Model of a sensor: lag and offset between an output and its readings."""
 
     places: slice | NDArray[np.int64]  # indices of the times of the samples in the grid
     lag: float  # known time constant [s]
@@ -53,7 +53,7 @@ class ChannelSensor(NamedTuple):
 
 
 class _LastRun(NamedTuple):
-    """Outputs of the most recent run of the model."""
+    """Results of the most recent run, which are stored for repeated requests."""
 
     repeated: RepeatedCall | None  # call of the compiled kernel; None if several runs are computed together
     tables: FloatArray  # (n_runs, n_outputs, n_times); the first run has the given values, others one shifted parameter
@@ -61,7 +61,7 @@ class _LastRun(NamedTuple):
 
 
 class Experiment:
-    """Recording with the model that simulates it.
+    """Recording, and the model that simulates it.
 
     The constructor ignores free parameters that apply to other recordings only.
     """
@@ -96,7 +96,7 @@ class Experiment:
         # Only the measured channels are computed.
         self._kernel = instance.kernel.observing(rows)
         self.base = self._problem_of(self.instance)
-        self.slots = _slots(self.instance, [f for f in self.free if f.role in ("number", "start")])
+        self.slots = _locations_in_arrays(self.instance, [f for f in self.free if f.role in ("number", "start")])
         self._sensors: list[ChannelSensor] = []
         for channel in measurement.channels:
             samples = slice(None) if np.array_equal(self.grid, channel.time) else self.grid.searchsorted(channel.time)
@@ -121,9 +121,9 @@ class Experiment:
         self._last: tuple[tuple[float, ...], _LastRun] | None = None
 
     def with_samples(self, samples: Sequence[FloatArray], free: Sequence[FreeParameter]) -> Experiment:
-        """Return a copy of the experiment with other sample values and other start values.
+        """Return a copy of the object with other samples and other start values.
 
-        `samples` are the values of each channel. `free` are the free parameters with the new start values.
+        `samples` contains the values of each channel. `free` contains the free parameters with the new start values.
         """
         channels = zip(self.measurement.channels, samples, strict=True)
         resampled = tuple(dataclasses.replace(channel, values=values) for channel, values in channels)
@@ -146,7 +146,7 @@ class Experiment:
         return [channel.time.size for channel in self.measurement.channels]
 
     def problem(self, values: Mapping[str, float]) -> Problem:
-        """Return the input arrays of a run with the given parameter values."""
+        """Return the definition of a run with given values of the free parameters."""
         base = self.base
         if self._rebuilds:
             # Inputs or dependent parameters change: compute the arrays again from the circuit.
@@ -165,7 +165,7 @@ class Experiment:
         return dataclasses.replace(instance.problem(self.run), grid=self.grid, kernel=self._kernel)
 
     def _write(self, values: Mapping[str, float], p: FloatArray, coefficients: FloatArray) -> None:
-        """Write parameter values into the input arrays of a run."""
+        """Write values of the free parameters into the arrays p and `coefficients` of a run."""
         for name, slots in self.slots.items():
             if slots is None:
                 continue
@@ -175,22 +175,27 @@ class Experiment:
                 coefficients[:, driven, 0] = values[name]
 
     def all_outputs(self, values: Mapping[str, float]) -> tuple[RawRun, list[str]]:
-        """Run the circuit with the given values; return all outputs and their names."""
+        """Simulate the circuit, and return all outputs with their names.
+
+        `values` are values of the free parameters by name.
+        """
         kernel = self.instance.kernel
         run = solve(dataclasses.replace(self.problem(values), kernel=kernel))
         return run, [name for name, _ in kernel.model.outputs]
 
     def outputs(self, values: Mapping[str, float]) -> list[FloatArray]:
-        """Return the modelled channels at the measured times, including sensor lags and offsets."""
+        """Return the simulated channels at the times of measurement.
+
+        `values` are values of the free parameters. Lags and offsets of sensors are included.
+        """
         return self._channels(self._run_at(values).tables[0], values)
 
     def _run_at(self, values: Mapping[str, float]) -> _LastRun:
-        """Return the outputs of a run with the given values.
+        """Return the simulated outputs for given values of the free parameters.
 
-        If several runs can be computed together, the result also contains the runs in which one value is shifted.
-
-        The result is stored, because the derivatives at the same values are usually requested next. A run that stalls
-        is not repeated with a slower solver.
+        If several runs can be computed together, the result also contains the runs in which one value is shifted. The
+        result is stored, because the derivatives at the same values are usually requested next. A run that stalls is
+        not repeated with a slower solver.
         """
         key = tuple([values[f.name] for f in self.free])
         if self._last is None or self._last[0] != key:
@@ -218,7 +223,7 @@ class Experiment:
         ]
 
     def _sense(self, series: FloatArray, sensor: ChannelSensor, values: Mapping[str, float]) -> FloatArray:
-        """Return output series, (..., n_times), as readings of a sensor at its sample times.
+        """Convert output series, (..., n_times), to readings of a sensor at its sample times.
 
         The readings include the lag, but not the offset.
         """
@@ -226,9 +231,10 @@ class Experiment:
         return apply_lag(self.grid, series, lag)[..., sensor.places]
 
     def slopes(self, values: Mapping[str, float], width: float = SAMPLED_DIFFERENCE) -> list[FloatArray]:
-        """Return the derivatives of the modelled channels by the free parameters, (n_samples, n_free) each.
+        """Return the derivatives of each simulated channel by the free parameters.
 
-        `width` is the relative step of the finite differences. Only sampled circuits use it.
+        The arrays have the shape (n_samples, n_free). `width` is the relative step of the finite differences. Only
+        sampled circuits use it.
         """
         repeated, tables, steps = self._run_at(values)
         # Column order, because each column is written as a whole.
@@ -269,10 +275,10 @@ class Experiment:
     def _wide_slopes(
         self, free: Sequence[FreeParameter], values: Mapping[str, float], width: float
     ) -> dict[str, list[FloatArray]]:
-        """Return derivatives from central differences of whole runs, for the parameters that need them.
+        """Return derivatives by some parameters, from differences between whole runs.
 
-        Values of parameters are limited to their bounds. Delays are not limited, because an input can be recorded early
-        or late.
+        `free` are these parameters. The differences are central, with steps of relative size `width`. Values are
+        limited to their bounds, except delays, because an input can be recorded early or late.
         """
         pairs: dict[str, tuple[float, float]] = {}
         for f in free:
@@ -299,13 +305,19 @@ class Experiment:
 
 
 def _difference_step(f: FreeParameter, values: Mapping[str, float]) -> float:
-    """Return the change of a parameter for its forward difference."""
+    """Return the step of a parameter for a forward difference.
+
+    `value` is its present value.
+    """
     step = DIFFERENCE * max(abs(values[f.name]), 1e-3 * f.scale)
     return -step if values[f.name] + step > f.high else step
 
 
 class FittedChannel(NamedTuple):
-    """Channel of a fit; `rows` is the slice of its samples in the vector of all residuals."""
+    """Channel that a fit compares with the model.
+
+    `rows` is the slice of its samples in the vector of all residuals.
+    """
 
     name: str
     channel: Channel
@@ -313,7 +325,7 @@ class FittedChannel(NamedTuple):
 
 
 def channels_of(experiments: Sequence[Experiment]) -> list[FittedChannel]:
-    """Return all channels of all experiments, in the order of the residuals."""
+    """Return the channels of all recordings, in the order of the residuals."""
     channels, row = [], 0
     for e in experiments:
         for channel in e.measurement.channels:
@@ -325,7 +337,7 @@ def channels_of(experiments: Sequence[Experiment]) -> list[FittedChannel]:
 def _with_dead_times(
     free: Sequence[FreeParameter], measurement: Measurement, instance: Instance
 ) -> tuple[tuple[FreeParameter, ...], Instance]:
-    """Replace free dead times of recorded inputs by shifts of the recordings.
+    """Treat free dead times of recorded inputs as shifts of the recordings.
 
     A shifted recording can contain times before the start of the run.
     """
@@ -340,10 +352,10 @@ def _with_dead_times(
 
 
 def start_values(measurement: Measurement, instance: Instance) -> dict[str, Any]:
-    """Return a mapping from the address of each start value to a given value or a first measured value.
+    """Return the initial values that a recording states or measures, by address.
 
-    The search for a free start value begins at the first value of its channel. The result omits a free start value
-    that no channel measures.
+    For a free initial value, this is the value from which the search starts. An initial value that is free and not
+    measured is omitted.
 
     Raises
     ------
@@ -364,7 +376,10 @@ def start_values(measurement: Measurement, instance: Instance) -> dict[str, Any]
 
 
 def starting_channel(address: str, instance: Instance, measurement: Measurement) -> tuple[str, Channel | None]:
-    """Return the output that starts at a start value, and the channel that measures it, or None."""
+    """Return the output that begins with an initial value, and its channel.
+
+    `address` is that of the initial value. The channel is None if the output was not measured.
+    """
     output = next((name for name, number in instance.initial.items() if number == address), address)
     return output, next((c for c in measurement.channels if c.address == output), None)
 
@@ -377,12 +392,11 @@ def _grid(measurement: Measurement, has_lag: bool) -> FloatArray:
     return grid
 
 
-def _slots(instance: Instance, free: Sequence[FreeParameter]) -> dict[str, tuple[int, list[int]] | None]:
-    """Return the location of each free parameter in the arrays of a run, by name.
+def _locations_in_arrays(instance: Instance, free: Sequence[FreeParameter]) -> dict[str, tuple[int, list[int]] | None]:
+    """Return the locations of the free parameters in the arrays of a run.
 
-    The location is the index in the parameter array p and the indices of the inputs that have this parameter as value.
-
-    The value of the mapping is None for a parameter on which other parameters depend.
+    A location is the index in the parameter array p, and the indices of the inputs that have this parameter as their
+    value. It is None for a parameter on which other parameters depend.
     """
     inputs, values = instance.model.inputs, instance.parameters
     probes: dict[str, float] = {}

@@ -33,14 +33,14 @@ CARRIED = ("table", "measured", "doubt", "series")
 
 
 class DataFrame(Protocol):
-    """Table with labelled columns and an index, such as `pandas.DataFrame`."""
+    """Interface of a table with column labels and an index, as in pandas."""
 
     @property
-    def columns(self) -> Any:
+    def columns(self) -> Iterable[Any]:
         """Labels of the columns."""
 
     @property
-    def index(self) -> Any:
+    def index(self) -> Iterable[Any]:
         """Labels of the rows."""
 
     def __getitem__(self, key: Any, /) -> Any: ...
@@ -68,7 +68,7 @@ class FitResult(Result, Generic[CircuitT]):
 
     @classmethod
     def of(cls, result: Result, circuit: CircuitT, plan: FitPlan) -> FitResult[CircuitT]:
-        """Return a result, extended by the fitted circuit.
+        """Return a result, extended by the circuit with the fitted values.
 
         Parameters
         ----------
@@ -128,7 +128,10 @@ def fit_circuit(
     progress: Progress | None = None,
     stages: Stages | None = None,
 ) -> FitResult[CircuitT]:
-    """Fit parameters of a circuit to recordings; `Circuit.fit` describes the arguments."""
+    """Fit parameters of a circuit to recordings.
+
+    The public method `Circuit.fit` describes the arguments.
+    """
     if not isinstance(free, Mapping):
         free = {address: {} for address in ([free] if isinstance(free, str) else free)}
     tables = {a: dict(value) if isinstance(value, Mapping) else {"start": value} for a, value in free.items()}
@@ -166,7 +169,7 @@ def _add_limits(
     bounds: Mapping[str, Sequence[Any]],
     priors: Mapping[str, Any],
 ) -> None:
-    """Add the bounds and priors of the arguments to the tables of the free parameters."""
+    """Add bounds and priors to the tables of the free parameters."""
     for argument, keys, pairs in (("bounds", ("min", "max"), bounds), ("priors", ("mean", "sd"), priors)):
         for address, pair in pairs.items():
             if address not in tables:
@@ -182,7 +185,7 @@ def _add_limits(
 
 
 class _RecordingReader:
-    """Reader that assigns the series of recordings in memory to inputs and outputs of a circuit."""
+    """Reader that assigns the series of recordings to inputs and outputs of a circuit."""
 
     def __init__(
         self,
@@ -200,7 +203,7 @@ class _RecordingReader:
         self.inputs = {address: item for address, item in self.inputs.items() if not item.slope_of}
 
     def read_all(self, recordings: Data | Mapping[str, Data]) -> list[Measurement]:
-        """Return all recordings as measurements, after a check of the addresses in the arguments.
+        """Return all recordings as measurements, after a check of the addresses.
 
         A single recording without a name is called `recording`.
 
@@ -250,7 +253,10 @@ class _RecordingReader:
         return measurements
 
     def _read(self, name: str, data: Data, recordings: Iterable[str]) -> Measurement:
-        """Return one recording as a measurement in SI units."""
+        """Return one recording as a measurement in SI units.
+
+        `data` is the recording or data frame, and `recordings` contains all of them.
+        """
         location = f"recordings.{name}"
         if isinstance(data, Recording):
             names, units = ("time", *data.names), ("s", *data.units)
@@ -275,9 +281,9 @@ class _RecordingReader:
         )
 
     def _fields(self, table: Table, internal: set[str], location: str) -> tuple[dict[str, Any], list[str]]:
-        """Return the fields that describe the channels and inputs of a recording, and the omitted series.
+        """Return the fields that describe channels and inputs, and the omitted series.
 
-        Only a default selection omits series.
+        Only a default selection omits series. `table` is the recording, and `internal` contains the internal outputs.
         """
         recorded, omitted = dict(zip(table.names[1:], table.columns[1:], strict=True)), list[str]()
         if self.selected is not None:
@@ -306,7 +312,14 @@ class _RecordingReader:
             if address in self.noise:
                 fields[address]["noise"] = self.noise[address]
             if address in self.offsets:
-                fields[address]["offset"] = _offset_field(self.offsets[address], address)
+                offset = self.offsets[address]
+                if not isinstance(offset, str | int | float | Mapping):
+                    first, second = OFFSET_MOMENTS
+                    if not isinstance(offset, Sequence) or len(offset) != 2:
+                        name = f"offsets.{address}"
+                        raise InputError("fit.no_pair", name, value=offset, first=first, second=second)
+                    offset = {first: offset[0], second: offset[1]}
+                fields[address]["offset"] = offset
         for address in (address for address in recorded if address in self.inputs):
             default, unit = self.inputs[address].default, self.inputs[address].unit
             if isinstance(default, str):
@@ -319,18 +332,10 @@ class _RecordingReader:
         return fields, omitted
 
 
-def _offset_field(argument: Any, address: str) -> Any:
-    """Return the argument for the offset of a sensor in the form of a fit file; a pair becomes a table."""
-    if isinstance(argument, str | int | float | Mapping):
-        return argument
-    if not isinstance(argument, Sequence) or len(argument) != 2:
-        first, second = OFFSET_MOMENTS
-        raise InputError("fit.no_pair", f"offsets.{address}", value=argument, first=first, second=second)
-    return dict(zip(OFFSET_MOMENTS, argument, strict=True))
-
-
 def _frame_table(frame: DataFrame, location: str) -> Table:
     """Convert a data frame to a table whose first column is the time.
+
+    `location` is the name of the data frame in messages.
 
     Raises
     ------
@@ -353,17 +358,17 @@ def _frame_table(frame: DataFrame, location: str) -> Table:
     else:
         label = getattr(frame.index, "name", None)
         time, unit = frame.index, split_heading(str(label))[1] if label else ""
-    series = {name: (_numbers(frame[label]), u) for label, (name, u) in zip(labels, headings, strict=True)}
+    series = {name: (_column_as_floats(frame[label]), u) for label, (name, u) in zip(labels, headings, strict=True)}
     series.pop("time", None)
     return Table(
         ("time", *series),
-        (_numbers(time), *(column for column, _ in series.values())),
+        (_column_as_floats(time), *(column for column, _ in series.values())),
         (unit or "s", *(u or stated.get(name, "") for name, (_, u) in series.items())),
     )
 
 
-def _numbers(column: Any) -> FloatArray:
-    """Return a column as floats.
+def _column_as_floats(column: Any) -> FloatArray:
+    """Return a column of a data frame as floats.
 
     Dates become seconds since the first date, and text becomes NaN.
     """

@@ -39,7 +39,7 @@ IDEAL_RATIO = 0.53
 
 @dataclass(frozen=True)
 class CompletedFit:
-    """Completed fit with optimum, error model and estimates."""
+    """Completed fit: plan, optimum, error model and estimates."""
 
     plan: FitPlan
     optimum: Optimum
@@ -54,7 +54,7 @@ class CompletedFit:
 
 
 def finding_notes(fit: CompletedFit) -> list[Note]:
-    """Return all findings of a fit, the most important first.
+    """Return the findings of a fit, the most important first.
 
     `critical_ratio_notes` is not included, because it needs further searches.
     """
@@ -81,9 +81,9 @@ def finding_notes(fit: CompletedFit) -> list[Note]:
 
 
 def unexplained_note(channels: Sequence[ChannelFit]) -> Note | None:
-    """Return a note if the model explains none of the channels.
+    """Return a note if the model describes none of the channels.
 
-    The result is None if it explains at least one channel.
+    The result is None if it describes at least one channel.
     """
 
     def unexplained_fraction(channel_fit: ChannelFit) -> float:
@@ -105,7 +105,10 @@ def unexplained_note(channels: Sequence[ChannelFit]) -> Note | None:
 
 
 def offset_notes(fit: CompletedFit) -> Iterator[Note]:
-    """Yield a note on each channel with a significant offset, with its effect on the intervals."""
+    """Yield a note on each channel whose sensor seems to have an offset.
+
+    The note contains the effect of the offset on the intervals.
+    """
     for offset in fit.spread.offsets:
         growth = {}
         for f, pull in zip(fit.plan.free, fit.spread.influences, strict=True):
@@ -131,7 +134,10 @@ def offset_notes(fit: CompletedFit) -> Iterator[Note]:
 
 
 def local_misfit_notes(fit: CompletedFit) -> Iterator[Note]:
-    """Yield a note on parameters that depend mainly on samples with a large lack of fit."""
+    """Yield a note on parameters that a local lack of fit affects most.
+
+    Such parameters depend mainly on samples with a large lack of fit.
+    """
     pairs = zip(fit.plan.free, fit.spread.influences, strict=True)
     names = tuple(f.name for f, pull in pairs if fit.spread.is_local(pull, LOCAL))
     if names:
@@ -139,9 +145,10 @@ def local_misfit_notes(fit: CompletedFit) -> Iterator[Note]:
 
 
 def widening_of(residual: FloatArray) -> float:
-    """Return the variance factor of residuals, from their mean square and their correlation time.
+    """Return the factor by which a lack of fit increases variances.
 
-    The residuals are divided by the noise.
+    It follows from the mean square and the correlation time of the residuals. `residual` contains the residuals divided
+    by the noise.
     """
     return max(1.0, float(np.mean(residual**2))) * (1.0 if is_white(residual) else correlation_time(residual))
 
@@ -149,7 +156,7 @@ def widening_of(residual: FloatArray) -> float:
 def residual_findings(name: str, residual: FloatArray, sigma: float, unit: str) -> Iterator[Note]:
     """Yield notes on a channel whose residuals are not white noise of the expected size.
 
-    The residuals are divided by the noise `sigma`.
+    `residual` contains the residuals, divided by the noise `sigma`.
     """
     spread, samples = float(np.mean(residual**2)), correlation_time(residual)
     if spread > 2.0:
@@ -165,7 +172,10 @@ def residual_notes(fit: CompletedFit) -> Iterator[Note]:
 
 
 def error_model_of(plan: FitPlan, optimum: Optimum) -> ErrorModel:
-    """Return the error model of a fit, with the variance factor averaged over all samples."""
+    """Return the error model of a fit.
+
+    Its variance factor is averaged over all samples.
+    """
     variance_factors, sizes, gauges = [], [], []
     for (_, channel, rows), sigma in zip(channels_of(plan.experiments), optimum.sigmas, strict=True):
         residual, quantum = optimum.residual[rows], channel.quantum
@@ -189,7 +199,10 @@ def error_model_of(plan: FitPlan, optimum: Optimum) -> ErrorModel:
 
 
 def parameter_notes(free: Sequence[FreeParameter], estimates: Mapping[str, Estimate]) -> Iterator[Note]:
-    """Yield notes on parameters that are at a bound, did not change, or are not determined."""
+    """Yield notes on parameters whose estimates are not reliable.
+
+    Such a parameter is at a bound, did not change, or is not determined by the data.
+    """
     for f in free:
         e = estimates[f.name]
         is_low = e.value <= f.low + 1e-6 * f.scale
@@ -214,7 +227,7 @@ def unusual_ratio_notes(free: Sequence[FreeParameter], estimates: Mapping[str, E
 
 
 def choking_notes(fit: CompletedFit) -> Iterator[Note]:
-    """Yield notes on critical ratios of flow paths whose flow is always choked or never choked."""
+    """Yield notes on flow paths in which the flow is always or never choked."""
     for f in fit.plan.free:
         owner, _, local = f.address.rpartition(".")
         if local != "critical_ratio":
@@ -233,7 +246,7 @@ def choking_notes(fit: CompletedFit) -> Iterator[Note]:
 
 
 def gauge_reference_notes(fit: CompletedFit) -> Iterator[Note]:
-    """Yield notes on gauge pressures that were probably read as absolute pressures.
+    """Yield notes on gauge pressures that were probably read as absolute.
 
     The criterion is a tank that seems to empty to a vacuum, together with a critical ratio that is not determined.
     Tanks that are evacuated at the start and circuits with a vacuum are excluded.
@@ -264,7 +277,7 @@ def gauge_reference_notes(fit: CompletedFit) -> Iterator[Note]:
 
 
 def correlation_notes(fit: CompletedFit) -> Iterator[Note]:
-    """Yield notes on the least determined combination of free parameters."""
+    """Yield notes on a combination of parameters that the data cannot separate."""
     x = fit.optimum.x
     indices = [k for k in range(len(fit.plan.free)) if fit.optimum.active[k] == 0 and x[k] != 0.0]
     if len(indices) < 2:
@@ -307,7 +320,10 @@ def correlation_notes(fit: CompletedFit) -> Iterator[Note]:
 
 
 def critical_ratio_notes(fit: CompletedFit) -> Iterator[Note]:
-    """Yield notes on refits with other critical ratios, if the data do not determine a critical ratio."""
+    """Yield notes on fits with other critical ratios.
+
+    They are made only if the data do not determine a critical ratio.
+    """
 
     def first_rms(x: FloatArray) -> float:
         return channel_fits(fit.plan.experiments[:1], by_name(fit.plan.free, x))[0].summary().rms

@@ -56,7 +56,7 @@ TOP_LEVEL = {
 
 @dataclass(frozen=True)
 class FitPlan:
-    """Recordings with their models, free parameters and search settings of a fit."""
+    """Definition of a fit: recordings with their models, free parameters and search settings."""
 
     experiments: tuple[Experiment, ...]  # recordings that are fitted, with their models
     free: tuple[FreeParameter, ...]  # parameters of single recordings last
@@ -89,7 +89,7 @@ def read_fit_file(path: str | Path) -> FitPlan:
         with ErrorCollector() as errors:
             data = read_fields(errors, file.content, TOP_LEVEL, table="fit file")
         circuit = read_circuit(data, file.folder)
-        settings, tables = _search(data)
+        settings, tables = _read_search_settings(data)
         measurements, roles = [], []
         with ErrorCollector() as errors:
             for name, table in data["recordings"].items():
@@ -117,9 +117,9 @@ def read_fit_file(path: str | Path) -> FitPlan:
 
 
 def read_circuit(data: Mapping[str, Any], folder: Path) -> BaseCircuit:
-    """Return the circuit that a file refers to, with the changed values of the table `set`.
+    """Return the circuit that a file names, with the values of the table `set`.
 
-    Errors refer to the location in that file.
+    Error messages refer to the location in that file.
     """
     try:
         circuit = load(folder / str(data["circuit"]))
@@ -131,10 +131,10 @@ def read_circuit(data: Mapping[str, Any], folder: Path) -> BaseCircuit:
         raise relocated(error, "set.{}".format) from None
 
 
-def _search(data: Mapping[str, Any]) -> tuple[SearchSettings, dict[str, Any]]:
-    """Return the search settings, and the tables of the free parameters without these settings.
+def _read_search_settings(data: Mapping[str, Any]) -> tuple[SearchSettings, dict[str, Any]]:
+    """Return the search settings of a fit file, and the remaining tables.
 
-    The settings can be in both tables, but must agree.
+    The remaining tables are those of the free parameters. Settings can be in several tables, but must agree.
     """
     parameters = {k: dict(v) if isinstance(v, Mapping) else v for k, v in data["free"].items() if k not in SEARCH}
     tables = {"": data, "free.": data["free"]} | {f"free.{k}.": v for k, v in parameters.items() if isinstance(v, dict)}
@@ -164,9 +164,10 @@ def plan_fit(
     settings: SearchSettings,
     title: str,
 ) -> FitPlan:
-    """Return the plan of a fit of recordings, each with its circuit and its role.
+    """Return the plan of a fit of several recordings.
 
-    Fit files, `Circuit.fit` and tank tests use this function.
+    Each recording has its circuit and its role (fit or validation). Fit files, `Circuit.fit` and tank tests use this
+    function.
 
     Raises
     ------
@@ -201,7 +202,9 @@ def plan_fit(
 
 
 def refit(plan: FitPlan, x: FloatArray, sigmas: list[float], fixed: Mapping[str, float] | None = None) -> Optimum:
-    """Repeat the search of a plan from the point `x`, with the noise `sigmas`.
+    """Repeat the search of a fit from another point.
+
+    `x` is this point. `sigmas` is the noise of each channel, and `fixed` maps names of parameters to fixed values.
 
     Raises
     ------
@@ -217,7 +220,7 @@ def refit(plan: FitPlan, x: FloatArray, sigmas: list[float], fixed: Mapping[str,
 
 
 def is_same(first: Measurement, second: Measurement) -> bool:
-    """Return True if two recordings have the same channels with the same samples."""
+    """Return True if two recordings have equal channels with equal samples."""
     pairs = zip(first.channels, second.channels, strict=False)
     return len(first.channels) == len(second.channels) and all(
         a.address == b.address and np.array_equal(a.values, b.values) and np.array_equal(a.time, b.time)
@@ -231,9 +234,9 @@ def recording_parameters(
     roles: Sequence[str],
     limits: Mapping[str, Mapping[str, Any]] | None = None,
 ) -> list[FreeParameter]:
-    """Return the start values, lags and delays of recordings that are free.
+    """Return the free parameters that belong to single recordings.
 
-    `limits` maps the address of a start value to its bounds and prior.
+    They are initial values, lags and delays. `limits` maps the address of an initial value to its bounds and prior.
     """
     parameters: list[FreeParameter] = []
     fitted = [measurement for measurement, role in zip(measurements, roles, strict=True) if role == "fit"]
@@ -264,7 +267,9 @@ def recording_parameters(
 def offset_parameters(
     measurements: Sequence[Measurement], circuits: Sequence[BaseCircuit], roles: Sequence[str]
 ) -> list[FreeParameter]:
-    """Return the free offsets of the channels that state an offset, for all recordings that are fitted.
+    """Return the free sensor offsets of all recordings that are fitted.
+
+    A channel has a free offset if its table states one.
 
     Raises
     ------
@@ -281,32 +286,31 @@ def offset_parameters(
                     location = f"recordings.{measurement.name}.start.{address}"
                     errors.add("fit.first_of_offset", location, channel=channel.address)
             parameters += [
-                offset_parameter(measurement.name, channel, NormalPrior(0.0, channel.offset), FARTHEST)
+                offset_parameter(measurement.name, channel, NormalPrior(0.0, channel.offset))
                 for channel in measurement.channels
                 if channel.offset is not None
             ]
     return parameters
 
 
-def offset_parameter(
-    recording: str, channel: Channel, prior: NormalPrior | None, farthest: float = SURELY
-) -> FreeParameter:
-    """Return the free offset of a sensor, limited to `farthest` standard deviations of its prior.
+def offset_parameter(recording: str, channel: Channel, prior: NormalPrior | None) -> FreeParameter:
+    """Return the free offset of one sensor.
 
-    The mean of the prior is relative to the expected offset that the channel states. Without a prior, the limits are
-    plus and minus a tenth of the range of the recorded channel.
+    The offset is limited to five standard deviations of its prior. The mean of the prior is relative to the
+    expected offset that the channel states. Without a prior, the limits are plus and minus a tenth of the range of the
+    recorded channel.
     """
     prior = None if prior is None or not math.isfinite(prior.sd) else prior
     prior = None if prior is None else NormalPrior(prior.mean + channel.offset_mean, prior.sd)
     mean = channel.offset_mean if prior is None else prior.mean
-    largest = LARGEST_OFFSET * float(np.ptp(channel.values)) if prior is None else farthest * prior.sd
+    largest = LARGEST_OFFSET * float(np.ptp(channel.values)) if prior is None else FARTHEST * prior.sd
     name, address = f"{recording}.{channel.address}.offset", channel.address
     bounds = mean - largest, mean + largest
     return FreeParameter(name, address, channel.unit, mean, *bounds, "offset", recording, prior)
 
 
 def check_effects(plan: FitPlan) -> None:
-    """Raise an error for each free parameter that has no effect on the compared outputs.
+    """Raise an error for each free parameter without effect on the compared outputs.
 
     The check is omitted for sampled circuits: their outputs are piecewise constant in the parameters.
 
@@ -335,7 +339,10 @@ def check_effects(plan: FitPlan) -> None:
 
 
 def _effective_parameters(experiment: Experiment, values: Mapping[str, float]) -> set[str]:
-    """Return the names of the parameters that change a compared output."""
+    """Return the names of the parameters that affect a compared output.
+
+    `values` are their present values.
+    """
     # Not-a-number, from a run that failed at a bound, gives no information.
     slopes = [np.nan_to_num(slope) for slope in experiment.slopes(values)]
     return {parameter.name for k, parameter in enumerate(experiment.free) if any(slope[:, k].any() for slope in slopes)}

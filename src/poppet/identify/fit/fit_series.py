@@ -15,9 +15,11 @@ PER_START = 75
 
 
 def apply_lag(time: Array, values: Array, lag: float) -> Array:
-    r"""Return the response of a first-order sensor to piecewise linear series, (..., n_times).
+    r"""Return series as a sensor with a first-order lag would record them.
 
-    y is the response, u the series, and tau the time constant `lag`.
+    The series are piecewise linear, (..., n_times). In the formula, u is the series, y the reading, and tau the time
+    constant `lag`.
+
 
     .. math:: \tau \dot y + y = u, \quad y(0) = u(0)
 
@@ -39,9 +41,9 @@ def apply_lag(time: Array, values: Array, lag: float) -> Array:
 
 
 def recursion(factor: Array, term: Array) -> Array:
-    """Return the series y[k] = factor[k] y[k-1] + term[k] for each row of `term`.
+    """Return the solution of a linear recursion for each row of `term`.
 
-    Each series starts from y = 0.
+    The recursion is y[k] = factor[k] y[k-1] + term[k]. Each solution starts from y = 0.
 
     Examples
     --------
@@ -57,9 +59,9 @@ def recursion(factor: Array, term: Array) -> Array:
 
 
 def shift_series(time: Array, values: Array, delay: float, *, hold: bool = False) -> tuple[Array, Array]:
-    """Return a series that is shifted to earlier times by a delay and starts at time 0.
+    """Return a series that is shifted to earlier times, and starts at time 0.
 
-    The value at time 0 is interpolated linearly. With `hold`, it is the last value before time 0.
+    `delay` is the shift. The value at time 0 is interpolated linearly. With `hold`, it is the last value before time 0.
     """
     shifted_time = time - delay
     first = float(np.interp(0.0, shifted_time, values))
@@ -72,7 +74,10 @@ def shift_series(time: Array, values: Array, delay: float, *, hold: bool = False
 def driving_signals(
     measurement: Any, delays: Mapping[str, float], lags: Mapping[str, float] | None = None
 ) -> dict[str, Any]:
-    """Return the recorded inputs as signals, corrected for delays and sensor lags."""
+    """Return the recorded inputs as signals that drive the model.
+
+    They are corrected for delays and sensor lags.
+    """
     signals: dict[str, Any] = {}
     lags = lags or {}
     for item in measurement.inputs:
@@ -92,8 +97,8 @@ def driving_signals(
 def first_value(channel: Any) -> float:
     """Return the value of a channel at the start of the recording.
 
-    If there are many samples, a line is fitted to the first few. If they agree with the line within the noise, the
-    result is the value of this line at time 0. Otherwise it is the first sample.
+    If there are many samples, a straight line is fitted to the first few. If they agree with the line within the noise,
+    the result is the value of this line at time 0. Otherwise it is the first sample.
     """
     from poppet.timeseries.measurements import noise_of
 

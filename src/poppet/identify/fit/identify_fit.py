@@ -95,9 +95,10 @@ def identify_fit(
 
 
 def describe_optimum(plan: FitPlan, optimum: Optimum, *, with_trials: bool = True) -> Result:
-    """Return the result that belongs to an optimum: estimates, residuals and findings.
+    """Return the result of a fit from its optimum.
 
-    `with_trials` adds fits with other critical ratios, which need further searches.
+    The result contains estimates, residuals and findings. `with_trials` adds fits with other critical ratios, which
+    need further searches.
     """
     values = by_name(plan.free, optimum.x)
     fitted, validation = channel_fits(plan.experiments, values), channel_fits(plan.validation, values)
@@ -143,9 +144,9 @@ def describe_optimum(plan: FitPlan, optimum: Optimum, *, with_trials: bool = Tru
 
 
 def _series_table(channel_fit: ChannelFit, band: ConfidenceBand | None) -> dict[str, Any]:
-    """Return measured and modelled series of a channel for the report.
+    """Return measured and simulated series of a channel for the report.
 
-    Validation data have no confidence band.
+    `band` contains the confidence band. Validation data have none.
     """
     channel, model = channel_fit.channel, channel_fit.model
     table = {"time": channel.time, "measured": channel.values, "model": model, "unit": channel.unit}
@@ -179,7 +180,10 @@ def _conditions(plan: FitPlan, optimum: Optimum) -> dict[str, Any]:
 
 
 def compare_results(first: Result, second: Result, name: str) -> Result:
-    """Return the first result, extended by a comparison with a second one by AICc."""
+    """Add a comparison by AICc with another result to a result.
+
+    `first` is extended, `second` is the other result, and `name` the name of the other result.
+    """
     if first.comparison["samples"] != second.comparison["samples"] or set(first.residuals) != set(second.residuals):
         raise InputError("fit.compare", "compare", other=name)
     difference = float(second.comparison["aicc"]) - float(first.comparison["aicc"])

@@ -33,9 +33,10 @@ BETWEEN = 8
 
 
 def add_profiles(plan: FitPlan, optimum: Optimum, result: Result, names: Sequence[str], stages: Stages) -> Result:
-    """Replace the intervals of the parameters `names` by intervals of the profile likelihood.
+    """Replace the intervals of some parameters by those of the profile likelihood.
 
-    The profile of a parameter is the least cost at each value of this parameter. All other parameters are refitted.
+    `names` are these parameters. The profile of a parameter is the least cost at each of its values, with all other
+    parameters fitted again.
     """
     spread = error_model_of(plan, optimum)
     estimates, series = dict(result.parameters), dict(result.series)
@@ -65,9 +66,9 @@ def add_profiles(plan: FitPlan, optimum: Optimum, result: Result, names: Sequenc
 def _compute_profile(
     plan: FitPlan, optimum: Optimum, k: int, variance_factor: float, progress: Callable[[int, int], None]
 ) -> tuple[float, float, dict[str, Any]]:
-    """Return the ends of the 95 % interval of a parameter, and the points of its profile.
+    """Return the 95 % interval of a parameter, and points of its profile.
 
-    If there are several equivalent optima, the interval contains all of them.
+    `k` is the index of the parameter. If there are several equivalent optima, the interval contains all of them.
     """
     from scipy.special import chdtri
 
@@ -114,9 +115,10 @@ def _compute_profile(
 
 
 def _find_crossing(cost: Callable[[float], float], best: float, step: float, bound: float, limit: float) -> float:
-    """Return the parameter value at which the cost of a profile reaches `limit`.
+    """Return the parameter value at which the cost reaches a limit.
 
-    The search starts at `best` with `step`. The result is `bound` if the cost stays below the limit.
+    `cost` is the cost as a function of the value. The search starts at `best` with `step`. The result is `bound` if the
+    cost stays below the limit.
     """
     inner, outer = best, best + step
     for _ in range(FARTHEST):
@@ -143,7 +145,10 @@ def _find_crossing(cost: Callable[[float], float], best: float, step: float, bou
 
 
 def add_bootstrap(plan: FitPlan, optimum: Optimum, result: Result, repeats: int, stages: Stages) -> Result:
-    """Add bootstrap intervals, from fits to the model plus resampled residuals."""
+    """Add bootstrap intervals to a result.
+
+    Each bootstrap fit uses the model plus residuals that are drawn at random. `repeats` is the number of fits.
+    """
     generator = np.random.default_rng(plan.settings.seed)
     start = with_starts(plan.free, optimum.x)
     models = [e.outputs(by_name(plan.free, optimum.x)) for e in plan.experiments]

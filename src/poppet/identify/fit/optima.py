@@ -52,7 +52,7 @@ Local = Sequence[Mapping[str, Estimate]]
 
 @dataclass
 class _Searches:
-    """Searches over the same residuals from several start points, and the optima they reached."""
+    """Searches for the lowest cost from several start points, and the optima that they reached."""
 
     plan: FitPlan
     weights: list[float]
@@ -71,7 +71,11 @@ class _Searches:
         joinable: Sequence[Optimum] = (),
         weights: list[float] | None = None,
     ) -> Optimum:
-        """Run one search from `start_point` and return the optimum."""
+        """Run one search from a start point, and return the optimum.
+
+        `name` is the name of the start point. `fixed` maps names of parameters to fixed values. The search ends if it
+        reaches a known optimum in `joinable`. `weights` is the noise of each channel.
+        """
         evaluations_before = self.evaluations
 
         def report(evaluations: int, cost: float) -> None:
@@ -99,9 +103,10 @@ class _Searches:
         )
 
     def add(self, name: str, start_point: FloatArray, fixed: Mapping[str, float] | None = None) -> FloatArray:
-        """Run a search with the initial sigmas, store the optimum and return the end point.
+        """Run one search with the first noise estimates, and store its optimum.
 
-        After an interruption by the user, the result is the start point.
+        The result is the end point, or the start point if the user has interrupted the search. `fixed` maps names of
+        parameters to fixed values.
         """
         if self.is_stopped:
             return start_point
@@ -110,12 +115,15 @@ class _Searches:
         return self.optima[-1].x
 
     def lowest(self, optima: Sequence[Optimum]) -> Optimum:
-        """Return the optimum of lowest cost; of equal optima, the first one."""
+        """Return the optimum with the lowest cost.
+
+        If several optima have the same cost, it is the first one.
+        """
         return min(optima, key=lambda o: round(float(np.sum(costs_of(o.residual, self.plan.settings.loss))), TIE))
 
 
 def find_optima(plan: FitPlan, *, progress: Callable[[int, float], Any] | None = None) -> Optimum:
-    """Return the optimum of lowest cost, with all equivalent optima."""
+    """Return the optimum with the lowest cost, with all equivalent optima."""
     experiments, free, settings = plan.experiments, plan.free, plan.settings
     searches = _Searches(plan, initial_sigmas(experiments), progress)
     start = np.array([f.start for f in free])
@@ -155,10 +163,10 @@ def find_optima(plan: FitPlan, *, progress: Callable[[int, float], Any] | None =
 
 
 def thermal_units(experiments: Sequence[Experiment], free: Sequence[FreeParameter]) -> dict[int, float]:
-    """Return the wall conductances of tanks without temperature data.
+    """Return a typical wall conductance for each tank whose temperature was not recorded [W/K].
 
-    The result maps the index of each such free parameter to the wall conductance of one transfer unit [W/K]: the heat
-    capacity of the gas, divided by the duration of the pressure change.
+    The keys are the indices of the free wall conductances. A typical value is the heat capacity of the gas, divided by
+    the duration of the pressure change (one transfer unit).
     """
     units: dict[int, float] = {}
     for k, f in enumerate(free if not any(e.samples for e in experiments) else ()):
@@ -182,12 +190,15 @@ def thermal_units(experiments: Sequence[Experiment], free: Sequence[FreeParamete
 
 
 def kappa_of(experiment: Experiment) -> float:
-    """Return the isentropic exponent of the gas in a recording."""
+    """Return the isentropic exponent of the gas that a recording belongs to."""
     return float(experiment.instance.parameters["gas.isentropic_exponent"])
 
 
 def _search_thermal_limits(searches: _Searches, start: FloatArray, walls: Mapping[int, float]) -> None:
-    """Search at the adiabatic and the isothermal limit, then from points near these limits."""
+    """Search from the adiabatic and from the isothermal limit, and from points near them.
+
+    `walls` maps the indices of wall conductances to their size, as `thermal_units` returns it.
+    """
     free = searches.plan.free
     flows = [k for k, f in enumerate(free) if f.address.endswith(CONDUCTANCES)]
 
@@ -213,10 +224,10 @@ def _search_thermal_limits(searches: _Searches, start: FloatArray, walls: Mappin
 def _points_along_valley(
     free: Sequence[FreeParameter], optimum: Optimum
 ) -> Iterator[tuple[FloatArray, dict[str, float]]]:
-    """Yield start points along the direction that the data determine least, and the fixed parameter.
+    """Yield start points in the direction that the data determine least.
 
-    The parameter with the largest change is twice or half its value at the optimum. It is fixed at this value in the
-    search.
+    In this direction, the parameter with the largest change is set to twice and to half its value at the optimum. The
+    second item is this parameter, which is fixed in the search.
     """
     indices = np.flatnonzero((optimum.active == 0) & (optimum.x != 0.0))
     slopes = optimum.jacobian[:, indices] * optimum.x[indices]
@@ -241,10 +252,10 @@ def _points_along_valley(
 
 
 def _add_equivalent_optima(searches: _Searches, best: Optimum, least: float) -> Optimum:
-    """Return the optimum of lowest cost, with all equivalent optima.
+    """Return the best optimum, with all equivalent optima.
 
-    `least` is the least cost of the first searches, with the initial sigmas. Optima that agree within their intervals
-    are returned once.
+    `least` is the lowest cost of the first searches, with the first noise estimates. Optima that agree within their
+    intervals are returned once.
     """
     plan, candidates = searches.plan, [best]
     # Use the weights of the best optimum; a single search has no others.
@@ -262,7 +273,7 @@ def _add_equivalent_optima(searches: _Searches, best: Optimum, least: float) -> 
     distinct = [estimates(plan.free, best, spread)]
     for rival in sorted(candidates, key=lambda o: o.cost):
         rival_spread = error_model_of(plan, rival)
-        excess = _evidence(plan, best, rival, {o.channel for s in (spread, rival_spread) for o in s.offsets})
+        excess = _evidence_against(plan, best, rival, {o.channel for s in (spread, rival_spread) for o in s.offsets})
         values = by_name(plan.free, rival.x)
         is_same = any(all(e.low <= values[name] <= e.high for name, e in table.items()) for table in distinct)
         limit = distant if is_distant(plan.free, best.x, rival.x) else near
@@ -273,8 +284,8 @@ def _add_equivalent_optima(searches: _Searches, best: Optimum, least: float) -> 
     return replace(best, others=tuple(equivalent), limit=near, interrupted=is_stopped, evaluations=evaluations)
 
 
-def _limit(probability: float) -> float:
-    """Return the increase of the cost that noise exceeds with this probability."""
+def _limit_of_increase(probability: float) -> float:
+    """Return the increase in cost that noise exceeds with a given probability."""
     from scipy.special import chdtri
 
     # The cost is half a sum of squares, whose increase is chi-square.
@@ -282,25 +293,36 @@ def _limit(probability: float) -> float:
 
 
 def near_limit(plan: FitPlan, best: Optimum) -> float:
-    """Return the least evidence that excludes a point with nearly the same conductance."""
-    return _limit(1.0 - CONFIDENCE) * error_model_of(plan, best).variance_factor
+    """Return the evidence above which a nearby optimum is excluded.
+
+    A nearby optimum has almost the same conductance as `best`. Evidence is a difference of costs.
+    """
+    return _limit_of_increase(1.0 - CONFIDENCE) * error_model_of(plan, best).variance_factor
 
 
 def distant_limit(plan: FitPlan, best: Optimum) -> float:
-    """Return the least evidence that excludes an optimum with a different conductance."""
-    return _limit(WRONG_CHOICE) * error_model_of(plan, best).variance_factor * rounding_ratio(plan, best)
+    """Return the evidence above which a distant optimum is excluded.
+
+    A distant optimum has another conductance than `best`. Evidence is a difference of costs.
+    """
+    return _limit_of_increase(WRONG_CHOICE) * error_model_of(plan, best).variance_factor * rounding_ratio(plan, best)
 
 
 def is_distant(free: Sequence[FreeParameter], x: FloatArray, other: FloatArray) -> bool:
-    """Return True if a conductance of two optima differs by more than the limit of `determined`."""
+    """Return True if two optima have clearly different conductances.
+
+    The difference must exceed the limit up to which a parameter counts as `determined`. `x` and `other` are the
+    parameter values.
+    """
     flows = [k for k, f in enumerate(free) if f.address.endswith(CONDUCTANCES)]
     return any(abs(other[k] - x[k]) > DETERMINED * abs(x[k]) for k in flows)
 
 
 def rounding_ratio(plan: FitPlan, optimum: Optimum) -> float:
-    """Return the largest ratio of total variance to that of the noise before rounding, of all channels.
+    """Return by which factor rounding increases the variance of the noise.
 
-    The errors of rounding repeat along both optima. They are evidence neither for nor against one of them.
+    The largest factor of all channels is returned. The errors of rounding repeat along both optima. They are evidence
+    neither for nor against one of them.
     """
     ratios = [1.0]
     for (_, channel, rows), sigma in zip(channels_of(plan.experiments), optimum.sigmas, strict=True):
@@ -311,11 +333,11 @@ def rounding_ratio(plan: FitPlan, optimum: Optimum) -> float:
     return max(ratios)
 
 
-def _evidence(plan: FitPlan, best: Optimum, rival: Optimum, offset_channels: Collection[int]) -> float:
-    """Return the evidence against another optimum: the difference of costs, at least 0.
+def _evidence_against(plan: FitPlan, best: Optimum, rival: Optimum, offset_channels: Collection[int]) -> float:
+    """Return the evidence against another optimum, a difference of costs of at least 0.
 
-    `offset_channels` contains the indices of channels with a possible offset. The difference excludes what such an
-    offset explains, and differences of the models that are below the resolution of a sensor.
+    `rival` is this optimum. `offset_channels` contains the indices of channels with a possible offset. The difference
+    excludes what such an offset explains, and differences of the models that are below the resolution of a sensor.
     """
     channels = channels_of(plan.experiments)
     is_visible = np.ones(best.residual.size, dtype=bool)
@@ -346,7 +368,7 @@ def _evidence(plan: FitPlan, best: Optimum, rival: Optimum, offset_channels: Col
 
 
 def local_estimates(plan: FitPlan, optimum: Optimum) -> list[dict[str, Estimate]]:
-    """Return the estimates at each equivalent optimum, as if it were the only one.
+    """Return the estimates at each equivalent optimum, as if there were no other.
 
     An optimum whose cost exceeds the lowest cost has narrower intervals, because its values are less likely.
     """
@@ -360,7 +382,10 @@ def local_estimates(plan: FitPlan, optimum: Optimum) -> list[dict[str, Estimate]
 
 
 def unite_estimates(plan: FitPlan, local: Local) -> dict[str, Estimate]:
-    """Return the estimates at the lowest optimum, with intervals that include those of all optima."""
+    """Return the estimates at the best optimum, with intervals that include all optima.
+
+    `local` contains the estimates at each equivalent optimum.
+    """
     from scipy.special import ndtri
 
     result = {}
@@ -380,7 +405,7 @@ def unite_estimates(plan: FitPlan, local: Local) -> dict[str, Estimate]:
 
 
 def optima_notes(plan: FitPlan, optimum: Optimum) -> Iterator[Note]:
-    """Yield a note if equivalent optima have different parameter values."""
+    """Yield a note if equivalent optima have clearly different parameter values."""
     optima = (optimum, *optimum.others)
     differing = {
         f.name: tuple(o.x[k] for o in optima)
@@ -409,7 +434,10 @@ def optima_notes(plan: FitPlan, optimum: Optimum) -> Iterator[Note]:
 
 
 def optimum_tables(plan: FitPlan, optimum: Optimum, local: Local) -> tuple[dict[str, Any], ...]:
-    """Return one plain table for each equivalent optimum, the one of lowest cost first."""
+    """Return one table for each equivalent optimum, the best first.
+
+    `local` contains the estimates at each of them.
+    """
     tables = []
     for o, table in zip((optimum, *optimum.others), local, strict=True):
         values = by_name(plan.free, o.x)
@@ -430,7 +458,10 @@ def optimum_tables(plan: FitPlan, optimum: Optimum, local: Local) -> tuple[dict[
 
 
 def search_tables(plan: FitPlan, optimum: Optimum) -> list[dict[str, Any]]:
-    """Return one table for each search: start point, name of the start point, end point and cost."""
+    """Return one table for each search.
+
+    It contains start point, name of the start point, end point and cost.
+    """
     return [
         {"name": o.name, "cost": o.cost, "start": by_name(plan.free, o.start_point), "end": by_name(plan.free, o.x)}
         for o in optimum.searches

@@ -20,7 +20,7 @@ FLAT = 1e-16
 
 
 def costs_of(residual: FloatArray, loss: str) -> FloatArray:
-    """Return the contribution of each residual to the cost, for a linear or a robust loss.
+    """Return the contribution of each residual to the cost.
 
     For the linear loss it is half the square. For a robust loss it is half of rho in SciPy's notation.
     """
@@ -35,7 +35,10 @@ def costs_of(residual: FloatArray, loss: str) -> FloatArray:
 
 
 def weights_of(residual: FloatArray, loss: str) -> FloatArray:
-    """Return the weight of each residual in the gradient of the cost (rho' in SciPy)."""
+    """Return the weight of each residual in the gradient of the cost.
+
+    The weight is rho' in SciPy's notation.
+    """
     if loss == "soft_l1":
         return np.asarray(1.0 / np.sqrt(1.0 + residual**2))
     if loss == "huber":
@@ -44,9 +47,9 @@ def weights_of(residual: FloatArray, loss: str) -> FloatArray:
 
 
 def curvatures_of(residual: FloatArray, loss: str) -> FloatArray:
-    """Return the weight of each residual in the curvature of the cost (rho' + 2 r^2 rho'').
+    """Return the weight of each residual in the curvature of the cost.
 
-    The weight has a positive lower limit.
+    The weight is rho' + 2 r^2 rho'' in SciPy's notation, with a positive lower limit.
     """
     weights = weights_of(residual, loss)
     if loss == "soft_l1":
@@ -71,7 +74,7 @@ WHITE_SHORT, SHORT = 0.02, 100
 def runs_probability(residual: FloatArray) -> float:
     """Return the two-sided probability of the number of sign runs (Wald & Wolfowitz).
 
-    A sign run is a sequence of successive residuals on the same side of the median.
+    A sign run is a sequence of residuals on the same side of the median. A small probability indicates a lack of fit.
     """
     from scipy.special import erfc
 
@@ -87,7 +90,7 @@ def runs_probability(residual: FloatArray) -> float:
 
 
 def portmanteau_probability(residual: FloatArray) -> float:
-    """Return the probability of the autocorrelations of residuals at small lags (Ljung & Box 1978).
+    """Return the probability of the autocorrelations at small lags (Ljung & Box 1978).
 
     The test detects a slow lack of fit that is too small, compared with the noise, to change the signs of residuals.
     """
@@ -104,17 +107,24 @@ def portmanteau_probability(residual: FloatArray) -> float:
 
 
 def whiteness(residual: FloatArray) -> float:
-    """Return the smaller probability of two tests for white noise: runs test and portmanteau test."""
+    """Return the smaller probability of two tests for white noise.
+
+    The tests are the runs test and the portmanteau test. A small value is evidence that the residuals are not white
+    noise.
+    """
     return min(runs_probability(residual), portmanteau_probability(residual))
 
 
 def is_white(residual: FloatArray) -> bool:
-    """Return False if a test rejects that the residuals are white noise."""
+    """Return False if a test shows that the residuals are not white noise."""
     return whiteness(residual) >= (WHITE if residual.size >= SHORT else WHITE_SHORT)
 
 
 def correlation_time(residual: FloatArray) -> float:
-    """Return the integrated autocorrelation time of residuals, in samples, at least 1."""
+    """Return the autocorrelation time of residuals in samples, which is at least 1.
+
+    One independent value corresponds to this number of samples.
+    """
     centred = residual - residual.mean()
     variance = float(centred @ centred)
     if variance <= 0.0 or residual.size < 8:
@@ -156,17 +166,18 @@ class Staircase(NamedTuple):
     square: float
 
     def excess(self, weights: FloatArray) -> float:
-        """Return the additional variance of a weighted sum that the correlation of rounding errors causes.
+        """Return the variance that correlated rounding errors add to a weighted sum.
 
-        The reference is the variance for independent errors of the same size.
+        `weights` are the factors on the samples. The reference is the variance for independent errors of the same size.
         """
         return float(np.sum((self.waves @ weights) ** 2)) - self.square * float(weights @ weights)
 
 
 def staircase(values: FloatArray, quantum: float, noise: float) -> Staircase | None:
-    """Return the rounding error of readings with the resolution `quantum`.
+    """Return a model of the rounding errors in readings of coarse resolution.
 
-    The result is None if the noise hides the steps.
+    `quantum` is the resolution, and `noise` the standard deviation of the noise. The result is None if the noise hides
+    the steps.
     """
     order = np.arange(1, HARMONICS + 1)
     smooth = np.exp(-2.0 * (np.pi * order * noise / quantum) ** 2)

@@ -73,7 +73,7 @@ class SearchSettings:
 
 
 class KnownOptimum(NamedTuple):
-    """Optimum that another search over the same residuals has reached."""
+    """Optimum that an earlier search with the same residuals has reached."""
 
     x: FloatArray
     errors: FloatArray  # standard error of each parameter, infinite if the data are insensitive to it
@@ -90,12 +90,12 @@ class KnownOptimum(NamedTuple):
 
 
 class _JoinedError(Exception):
-    """Signal that a search has reached a known optimum and can end."""
+    """Signal that a search has reached a known optimum, and can therefore end."""
 
 
 @dataclass
 class Optimum:
-    """Result of a search.
+    """Result of a search: the best point with its residuals and their derivatives.
 
     In `residual` and `jacobian`, the rows of the priors follow those of the samples.
     """
@@ -119,9 +119,9 @@ class Optimum:
 
 @dataclass
 class FitObjective:
-    """Weighted residuals of all experiments as a function of the free parameters.
+    """Residuals of all recordings as a function of the free parameters.
 
-    The last residuals are those of the priors.
+    The residuals are divided by the noise. Those of the priors come last.
     """
 
     experiments: Sequence[Experiment]
@@ -145,16 +145,19 @@ class FitObjective:
         self._priors = [(k, f.prior) for k, f in enumerate(self.free) if f.prior]
 
     def searched_indices(self) -> NDArray[np.int64]:
-        """Return the indices of the free parameters that the search changes."""
+        """Return the indices of the free parameters that are not fixed."""
         return np.array([k for k, f in enumerate(self.free) if f.name not in self.fixed], dtype=np.int64)
 
     def cost(self, x: FloatArray, loss: str = "linear") -> float:
-        """Return the cost at a point: half the sum of squares, or that of a robust loss."""
+        """Return the cost at a point.
+
+        The cost is half the sum of the squared residuals, or that of a robust loss.
+        """
         residual = self.residual(x)
         return self._last_residual[2] if loss == "linear" else float(np.sum(costs_of(residual, loss)))
 
     def residual(self, x: FloatArray) -> FloatArray:
-        """Return the weighted residuals at a point."""
+        """Return the residuals at a point, divided by the noise."""
         key = x.tobytes()
         if self._last_residual[0] != key:
             values = by_name(self.free, x)
@@ -175,15 +178,19 @@ class FitObjective:
         return self._last_residual[1]
 
     def residual_and_jacobian(self, x: FloatArray, width: float = SAMPLED_DIFFERENCE) -> tuple[FloatArray, FloatArray]:
-        """Return the weighted residuals at a point, and their derivatives.
+        """Return the residuals at a point, and their derivatives.
 
-        `width` is the relative step of the finite differences. Only sampled circuits use it.
+        The residuals are divided by the noise. `width` is the relative step of the finite differences. Only sampled
+        circuits use it.
         """
         residual = self.residual(x)
         return residual, self._weighted_slopes(x, width)[:, :-1]
 
     def local_model(self, x: FloatArray, width: float, loss: str, indices: Places) -> LocalModel:
-        """Return the local model of the residuals for the parameters with the given indices."""
+        """Return a local model of the residuals at a point, for the search.
+
+        `indices` are the indices of the parameters that change, and `width` is the relative step of finite differences.
+        """
         columns, residual = self._weighted_slopes(x, width), self.residual(x)
         columns[:, -1] = residual
         if loss == "linear":
@@ -196,7 +203,10 @@ class FitObjective:
         return LocalModel(triangle[:, indices], triangle[:, -1], columns[:, indices], force)
 
     def _weighted_slopes(self, x: FloatArray, width: float) -> FloatArray:
-        """Return the derivatives of the weighted residuals, with space for one more column."""
+        """Return the derivatives of the residuals, with space for one more column.
+
+        The residuals are divided by the noise. `width` is the relative step of finite differences.
+        """
         key = x.tobytes(), width
         if self._slopes[0] != key:
             values, indices = by_name(self.free, x), {f.name: k for k, f in enumerate(self.free)}
@@ -222,7 +232,10 @@ class FitObjective:
 
 
 def kick_rounds(settings: SearchSettings, experiments: Sequence[Experiment]) -> int:
-    """Return the maximum number of restart rounds, from the settings or the type of circuit."""
+    """Return how many times a search can restart near its optimum.
+
+    The number is that in the settings, or depends on the kind of circuit.
+    """
     if settings.kicks is not None:
         return settings.kicks
     return 0 if any(experiment.samples for experiment in experiments) else KICKS
@@ -239,10 +252,11 @@ def optimise(
     start_point: FloatArray | None = None,
     joinable: Sequence[KnownOptimum] = (),
 ) -> Optimum:
-    """Search for an optimum from the start values, or from `start_point` if given.
+    """Search for the parameter values with the lowest cost.
 
-    `sigmas` is the noise of each channel from an earlier search. `fixed` maps names of parameters to fixed values. The
-    search ends if it reaches a known optimum in `joinable`.
+    The search begins at the start values, or at `start_point`. `sigmas` is the noise of each channel from an earlier
+    search. `fixed` maps names of parameters to fixed values. The search ends if it reaches a known optimum in
+    `joinable`.
     """
     settings = settings or SearchSettings()
     stated_noise = [fitted.channel.noise for fitted in channels_of(experiments)]
@@ -283,8 +297,6 @@ def random_point(free: tuple[FreeParameter, ...], generator: np.random.Generator
     """Return a random start point within the bounds.
 
     A parameter that is positive or without finite bounds is within a factor of ten of its start value.
-
-    For a parameter without finite bounds, the value is within a factor of ten of the start value.
     """
     point = []
     for f in free:
@@ -296,10 +308,10 @@ def random_point(free: tuple[FreeParameter, ...], generator: np.random.Generator
 
 
 def _leave_false_minimum(objective: FitObjective, x: FloatArray, settings: SearchSettings) -> FloatArray:
-    """Restart the search from other points while the residuals are not white; return the best point.
+    """Restart a search from other points while its residuals are not white noise.
 
-    Conductance and wall conductance compensate each other. A discharge therefore has a false minimum near the
-    isothermal or the adiabatic limit, where the residuals are not white.
+    The result is the best point. Conductance and wall conductance compensate each other. A discharge therefore has a
+    false minimum near the isothermal or the adiabatic limit, where the residuals are not white.
     """
     max_rounds = kick_rounds(settings, objective.experiments)
     if max_rounds == 0:
@@ -327,16 +339,17 @@ def _leave_false_minimum(objective: FitObjective, x: FloatArray, settings: Searc
 
 
 def _is_suspicious(objective: FitObjective, x: FloatArray) -> bool:
-    """Return True if the residuals of a channel are not white."""
+    """Return True if the residuals of any channel are not white noise."""
     residual = objective.residual(x)
     return any(whiteness(residual[fitted.rows]) < SUSPICIOUS for fitted in objective.channels)
 
 
 def _search_locally(objective: FitObjective, x: FloatArray, settings: SearchSettings) -> tuple[FloatArray, float]:
-    """Return the best point of local searches: one, or several for sampled circuits.
+    """Return the best point that local searches from `x` reach.
 
-    The best width of the differences depends on the circuit, and a search can end at a false minimum. All widths are
-    therefore tried, first from x and then from the best point.
+    For most circuits there is one search. For circuits with sampled controllers, the best step of the finite
+    differences depends on the circuit, and a search can end at a false minimum. All steps are therefore tried, first
+    from `x` and then from the best point.
     """
     if not any(experiment.samples for experiment in objective.experiments):
         return _search_downhill(objective, x, settings, SAMPLED_DIFFERENCE)
@@ -353,7 +366,10 @@ def _search_locally(objective: FitObjective, x: FloatArray, settings: SearchSett
 def _search_downhill(
     objective: FitObjective, x: FloatArray, settings: SearchSettings, width: float
 ) -> tuple[FloatArray, float]:
-    """Run one local search from `x` and return its end point and cost."""
+    """Return the end point of one local search from `x`, and its cost.
+
+    `width` is the relative step of finite differences.
+    """
     indices = objective.searched_indices()
     if indices.size == 0:
         return x, objective.cost(x)
@@ -387,9 +403,10 @@ def _search_downhill(
 
 
 def initial_sigmas(experiments: Sequence[Experiment]) -> list[float]:
-    """Return the noise of each channel, stated or estimated from the samples of the channel.
+    """Return the noise of each channel before the first search.
 
-    An estimate is at least the noise that the resolution of the sensor causes.
+    The noise is stated, or estimated from the samples of the channel. An estimate is at least the noise that the
+    resolution of the sensor causes.
     """
     sigmas = []
     for _, channel, _ in channels_of(experiments):

@@ -40,9 +40,11 @@ OF_RATIOS = 0.05, 0.15
 
 
 def influences(optimum: Optimum) -> FloatArray:
-    r"""Return the change of each parameter per sigma of each sample, one row per parameter.
+    r"""Return the change of each parameter if one sample changes by one sigma.
 
-    K is this matrix, and J contains the derivatives of the weighted residuals by the parameters.
+    The matrix K in the formula has one row for each parameter. J contains the derivatives of the weighted residuals by
+    the parameters.
+
 
     .. math:: K = (J^T J)^{-1} J^T
     """
@@ -61,12 +63,12 @@ def _scale(optimum: Optimum) -> FloatArray:
 
 
 def _pseudo_inverse(jacobian: FloatArray) -> FloatArray:
-    """Return the pseudo-inverse (J^T J)^-1 J^T of derivatives per relative change of the parameters.
+    """Return the pseudo-inverse (J^T J)^-1 J^T of the Jacobian of the residuals.
 
-    `jacobian` contains the derivatives of the residuals. The rows of the result that belong to parameters that are not
-    identifiable are infinite.
+    `jacobian` contains derivatives per relative change of the parameters. The rows of the result that belong to
+    parameters that are not identifiable are infinite.
     """
-    scale, felt, u, s, vt = _decompose(jacobian)
+    scale, felt, u, s, vt = _decompose_jacobian(jacobian)
     is_visible = s > RANK * np.max(s, initial=0.0)
     rows = (vt[is_visible].T / s[is_visible]) @ u[:, is_visible].T / scale[:, None]
     rows[np.sum(vt[~is_visible] ** 2, axis=0) > PART] = np.inf
@@ -75,12 +77,13 @@ def _pseudo_inverse(jacobian: FloatArray) -> FloatArray:
     return inverse
 
 
-def _decompose(jacobian: FloatArray) -> tuple[FloatArray, NDArray[np.bool_], FloatArray, FloatArray, FloatArray]:
-    """Return the singular value decomposition of the columns of parameters with an effect.
+def _decompose_jacobian(
+    jacobian: FloatArray,
+) -> tuple[FloatArray, NDArray[np.bool_], FloatArray, FloatArray, FloatArray]:
+    """Return the singular value decomposition of the Jacobian without zero columns.
 
-    The result contains the norms of these columns, the mask of the columns, and U, s and V^T.
-
-    The columns are divided by their norms.
+    Each column is divided by its norm. The result contains the norms of these columns, the mask of the columns, and U,
+    s and V^T.
     """
     norms = np.linalg.norm(jacobian, axis=0)
     felt = norms > UNFELT
@@ -90,17 +93,17 @@ def _decompose(jacobian: FloatArray) -> tuple[FloatArray, NDArray[np.bool_], Flo
 
 
 class SensorLimits(NamedTuple):
-    """Resolution and largest offset of a sensor, in sigmas of its noise."""
+    """Resolution of a sensor and its largest possible offset, in units of its noise."""
 
     steps: Staircase | None = None  # rounding error; None for a sensor of fine resolution
     largest: float = np.inf  # largest possible offset
 
 
 class SensorOffset(NamedTuple):
-    """Constant difference between a channel and its model, in sigmas of its noise.
+    """Constant difference between a channel and the model, in units of the noise.
 
-    `bias` is the mean of model - measurement. `size` is the estimated offset if no other sensor has one, and
-    `error` is the standard deviation of this estimate. Both are limited to the largest possible offset of the sensor.
+    `bias` is the mean of model - measurement. `size` is the estimated offset if no other sensor has one, and `error` is
+    the standard deviation of this estimate. Both are limited to the largest possible offset of the sensor.
     `is_possible` is False if the estimate exceeds this limit. An offset then does not explain the difference.
     """
 
@@ -152,7 +155,7 @@ class ErrorModel:
         self._priors = slice(int(ends[-1]), None)
         # A robust loss reduces the weight of outliers, as in the search.
         residual = optimum.residual * weights_of(optimum.residual, loss)
-        self._seen = _decompose((optimum.jacobian * _scale(optimum))[:, optimum.active == 0])[2]
+        self._seen = _decompose_jacobian((optimum.jacobian * _scale(optimum))[:, optimum.active == 0])[2]
         self._leverage = np.minimum(1.0 - EDGE, np.sum(self._seen**2, axis=1))
         self._square = max(1.0, float(np.mean(residual**2)))
         offsets = [self._offset(k, residual) for k in range(len(self.rows))]
@@ -160,7 +163,7 @@ class ErrorModel:
         self._misfit, self._reaches = self._by_leverage(residual)
 
     def deviation(self, pull: FloatArray, *, offsets: Sequence[SensorOffset] | None = None) -> float:
-        """Return the standard deviation of a weighted sum of samples.
+        """Return the standard deviation of a weighted sum of the samples.
 
         `pull` contains the weights k, per sigma of the noise. By default, all detected offsets are included.
         """
@@ -174,15 +177,15 @@ class ErrorModel:
         return float(np.sqrt(spread + shifts))
 
     def factor(self, pull: FloatArray) -> float:
-        """Return the ratio of the variance of a weighted sum to its variance for white noise.
+        """Return by which factor the lack of fit increases a variance.
 
-        `pull` contains the weights of the samples.
+        The variance is that of a weighted sum of the samples, compared with white noise. `pull` contains the weights.
         """
         white_deviation = float(np.sqrt(pull @ pull)) if np.all(np.isfinite(pull)) else 0.0
         return (self.deviation(pull) / white_deviation) ** 2 if white_deviation > 0.0 else self.variance_factor
 
     def model_deviation(self) -> FloatArray:
-        """Return the standard deviation of the model at each sample, in sigmas of its noise.
+        """Return the standard deviation of the model at each sample, in units of the noise.
 
         Parameters at a bound are treated as fixed.
         """
@@ -204,10 +207,10 @@ class ErrorModel:
         return np.asarray(np.sqrt(variance))
 
     def is_local(self, pull: FloatArray, factor: float) -> bool:
-        """Return True if the lack of fit of few samples dominates the variance of a weighted sum.
+        """Return True if few samples with a lack of fit dominate a variance.
 
-        The variance from the lack of fit of each sample must exceed `factor` squared times that from the mean lack of
-        fit. `pull` contains the weights of the samples.
+        The variance is that of a weighted sum of the samples with the weights `pull`. The variance from the lack of fit
+        of each sample must exceed `factor` squared times that from the mean lack of fit.
         """
         if not np.all(np.isfinite(pull)):
             return False
@@ -217,7 +220,10 @@ class ErrorModel:
         return _correlated_variance(pull * self._misfit, self.rows, self._reaches)
 
     def _rounding_variance(self, pull: FloatArray) -> float:
-        """Return the variance of a weighted sum, with correlated rounding errors of coarse sensors."""
+        """Return the variance of a weighted sum with correlated rounding errors.
+
+        `pull` contains the weights of the samples. Rounding errors are those of coarse sensors.
+        """
         pairs = [(gauge.steps, rows) for gauge, rows in zip(self._gauges, self.rows, strict=True) if gauge.steps]
         if not pairs:
             return 0.0
@@ -225,7 +231,10 @@ class ErrorModel:
         return self._square * float(pull @ pull) + excess
 
     def _by_leverage(self, residual: FloatArray) -> tuple[FloatArray, list[int]]:
-        """Return the residuals divided by sqrt(1 - leverage), and the correlation length of each channel."""
+        """Return residuals that are corrected for their leverage.
+
+        They are divided by sqrt(1 - leverage). The second item is the correlation length of each channel.
+        """
         misfit = residual / np.sqrt(1.0 - self._leverage)
         misfit[self._priors] = 1.0
         reaches = []
@@ -238,7 +247,7 @@ class ErrorModel:
         return misfit, reaches
 
     def _offset(self, channel: int, residual: FloatArray) -> SensorOffset | None:
-        """Return the significant offset of a channel.
+        """Return the offset of the sensor of one channel.
 
         The result is None if noise explains the offset.
         """
@@ -273,7 +282,7 @@ class ErrorModel:
 def _correlated_variance(moves: FloatArray, channels: Sequence[slice], reaches: Sequence[int]) -> float:
     """Return the variance of a sum whose terms are correlated within each channel.
 
-    `reaches` contains the correlation length of each channel in samples.
+    `moves` contains the terms, and `reaches` the correlation length of each channel in samples.
     """
     independent = float(moves @ moves)
     correlated = independent
@@ -289,7 +298,10 @@ def _correlated_variance(moves: FloatArray, channels: Sequence[slice], reaches: 
 
 
 def estimates(free: Sequence[FreeParameter], optimum: Optimum, spread: ErrorModel) -> dict[str, Estimate]:
-    """Return the estimate of each free parameter, with 95 % confidence interval and verdict."""
+    """Return the estimate of each free parameter.
+
+    An estimate contains the 95 % confidence interval and the verdict. `spread` is the error model.
+    """
     quantile, result = _quantile(optimum), {}
     for f, x, pull, active in zip(free, optimum.x, spread.influences, optimum.active, strict=True):
         value, error = float(x), spread.deviation(pull)
@@ -305,10 +317,10 @@ def _quantile(optimum: Optimum) -> float:
 
 
 def verdict(f: FreeParameter, value: float, half: float) -> Verdict:
-    """Return the verdict on the confidence interval of a parameter.
+    """Return the verdict on the estimate of a parameter, such as `determined`.
 
-    For offsets and dimensionless parameters with finite bounds, the half width `half` is compared with the range
-    between the bounds. For other parameters it is compared with the value.
+    `half` is half the width of the interval. For offsets and dimensionless parameters with finite bounds, it is
+    compared with the range between the bounds. For other parameters it is compared with the value.
     """
     span = f.high - f.low
     is_ratio = (f.unit == "1" or f.role == "offset") and np.isfinite(span)
@@ -316,7 +328,7 @@ def verdict(f: FreeParameter, value: float, half: float) -> Verdict:
 
 
 def covariance(optimum: Optimum) -> FloatArray:
-    """Return the covariance matrix of the parameters for white noise.
+    """Return the covariance matrix of the parameters, if the noise is white.
 
     For a parameter at a bound, the covariances with all other parameters are zero.
     """
@@ -332,7 +344,10 @@ def covariance(optimum: Optimum) -> FloatArray:
 
 
 def correlation(free: Sequence[FreeParameter], optimum: Optimum) -> dict[str, dict[str, float]]:
-    """Return the correlations of the estimates that are within their bounds."""
+    """Return the correlation of each pair of estimates.
+
+    Parameters at a bound are omitted.
+    """
     matrix = covariance(optimum)
     sd = np.sqrt(np.diag(matrix))
     indices = [k for k in range(len(free)) if np.isfinite(sd[k]) and sd[k] > 0.0 and not optimum.active[k]]
@@ -340,14 +355,17 @@ def correlation(free: Sequence[FreeParameter], optimum: Optimum) -> dict[str, di
 
 
 class ConfidenceBand(NamedTuple):
-    """Half widths of the 95 % bands of a channel: of the model, and of single samples."""
+    """Half widths of the 95 % bands of a channel.
+
+    One band is that of the model, the other that of single samples.
+    """
 
     model: FloatArray
     samples: FloatArray
 
 
 def confidence_bands(optimum: Optimum, spread: ErrorModel) -> list[ConfidenceBand]:
-    """Return the 95 % bands of each fitted channel."""
+    """Return the 95 % confidence bands of each fitted channel."""
     quantile, result = _quantile(optimum), []
     model = spread.model_deviation()
     for rows, sigma in zip(spread.rows, optimum.sigmas, strict=True):
@@ -358,7 +376,7 @@ def confidence_bands(optimum: Optimum, spread: ErrorModel) -> list[ConfidenceBan
 
 
 class ChannelFit(NamedTuple):
-    """Measured channel and modelled channel at the same times."""
+    """Measured and simulated values of one channel at the same times."""
 
     name: str
     channel: Channel
@@ -370,7 +388,7 @@ class ChannelFit(NamedTuple):
 
 
 def channel_fits(experiments: Sequence[Experiment], values: Mapping[str, float]) -> list[ChannelFit]:
-    """Return each channel with its model at given parameter values."""
+    """Return the measured and simulated channels for given parameter values."""
     return [
         ChannelFit(f"{e.name}.{channel.address}", channel, model)
         for e in experiments
@@ -379,9 +397,10 @@ def channel_fits(experiments: Sequence[Experiment], values: Mapping[str, float])
 
 
 def aicc(pieces: Sequence[FloatArray], n_free: int) -> float:
-    """Return the corrected Akaike information criterion (AICc) of residuals in groups.
+    """Return the information criterion AICc of several groups of residuals.
 
-    Each group in `pieces` has its own variance, which is estimated from the group.
+    Each group in `pieces` has its own variance, which is estimated from the group. `n_free` is the number of free
+    parameters.
     """
     # -2 ln L at the variance that makes it largest: the mean square of the residuals.
     squares = ((p.size, max(float(np.mean(p**2)), 1e-300)) for p in pieces)

@@ -47,9 +47,10 @@ def findings(
     choked: bool,
     alternative: tuple[str, FlowFit] | None = None,
 ) -> Iterator[Note]:
-    """Yield the findings that limit the use of the result, the most important first.
+    """Yield findings that limit the use of the result, the most important first.
 
-    `alternative` is a better law. Outliers are then residuals of this law.
+    `influence` contains the influence of each point. `choked` is True if all points may be choked. `alternative` is a
+    better law; outliers are then residuals of this law.
     """
     points = fit.model.points
     yield from _choking_notes(fit, estimates, choked)
@@ -84,8 +85,14 @@ def findings(
             yield Note("flow.error_needed", size=size, source=effect.source)
     yield from _point_notes(*_fit_of_points(fit, influence, alternative))
     lowest = float(np.min(points.pressure_2))
-    if lowest < BELOW_ATMOSPHERE and not points.is_absolute and not _excludes_gauge(fit):
-        yield Note("flow.below_atmosphere", "pressure_2", lowest_kpa=lowest / 1e3)
+    is_suspicious = lowest < BELOW_ATMOSPHERE and not points.is_absolute
+    shifted_fit = _fit_shifted(fit, ATMOSPHERE) if is_suspicious else None
+    if shifted_fit is not None:
+        # A clearly worse fit excludes that gauge pressures were read as absolute.
+        worse = _chi_square(shifted_fit, fit.sigma) / max(fit.chi_square, 1e-300)
+        gain = fit.chi_square * (worse - 1.0) if fit.scatter_is_known else len(points) * math.log(worse)
+        if not gain > 2.0 * BETTER:
+            yield Note("flow.below_atmosphere", "pressure_2", lowest_kpa=lowest / 1e3)
     temperature = points.temperature_1
     if not USUAL_TEMPERATURES[0] <= float(np.mean(temperature)) <= USUAL_TEMPERATURES[1]:
         facts = {"low": float(np.min(temperature)), "high": float(np.max(temperature))}
@@ -93,7 +100,10 @@ def findings(
 
 
 def uncalibrated(points: FlowPoints, names: Iterable[str]) -> tuple[list[str], list[str]]:
-    """Return the channels without stated common errors, and the parameters that these errors shift."""
+    """Return the channels for which no calibration error or offset is stated.
+
+    The second item contains the parameters that such errors would change.
+    """
     missing = {channel for channel in CHANNELS if not points.instrument(channel).is_calibrated}
     if points.u_ambient_pressure:
         missing -= {"pressure_1", "pressure_2"}
@@ -103,7 +113,10 @@ def uncalibrated(points: FlowPoints, names: Iterable[str]) -> tuple[list[str], l
 
 
 def weakened(estimates: Mapping[str, Estimate], remarks: Iterable[Note]) -> dict[str, Estimate]:
-    """Return estimates whose verdicts agree with the findings, which can limit them to `weak`."""
+    """Return estimates whose verdicts take account of the findings.
+
+    Some findings limit a verdict to `weak`.
+    """
     limited: set[str] = set()
     for note in remarks:
         limited |= set(note.facts["names"] if note.code == "flow.scatter_only" else ())
@@ -121,7 +134,10 @@ LIMITING = ("flow.residuals_too_large", "flow.below_atmosphere", "flow.unusual_t
 def suspicions(
     fit: FlowFit, estimates: Mapping[str, Estimate], tests: Mapping[str, Any], alternative: tuple[str, FlowFit] | None
 ) -> Iterator[Note]:
-    """Yield the findings that cast doubt on all estimates: wrong units or an unsuitable flow law."""
+    """Yield findings that cast doubt on all estimates.
+
+    They concern wrong units, or an unsuitable flow law.
+    """
     too_large, runs = tests["chi_square_probability"] < DOUBT, tests["runs_probability"]
     ratio = estimates["critical_ratio"]
     is_doubtful = too_large or runs < DOUBT or ratio.verdict == "at bound"
@@ -171,7 +187,7 @@ def most_informative_ratio(critical_ratio: float, u_pressure_ratio: float = 1e-3
 
 
 def _choking_notes(fit: FlowFit, estimates: Mapping[str, Estimate], choked: bool) -> Iterator[Note]:
-    """Yield findings on points that are all choked, or of which none is choked."""
+    """Yield findings on a flow that is choked at all points, or at none."""
     ratio, b, conductance = fit.model.points.pressure_ratio, estimates["critical_ratio"], estimates["sonic_conductance"]
     lowest = float(np.min(ratio))
     if choked:
@@ -193,9 +209,9 @@ def _choking_notes(fit: FlowFit, estimates: Mapping[str, Estimate], choked: bool
 
 
 def _fit_shifted(fit: FlowFit, shift: float) -> FlowFit | None:
-    """Return the fit to pressures that are shifted by `shift`.
+    """Return the fit to the same points with other pressures.
 
-    The result is None if the shifted pressures are invalid.
+    All pressures are increased by `shift`. The result is None if the shifted pressures are invalid.
     """
     points = fit.model.points
     if min(float(np.min(points.pressure_1)), float(np.min(points.pressure_2))) + shift < 0.0:
@@ -211,18 +227,8 @@ def _fit_shifted(fit: FlowFit, shift: float) -> FlowFit | None:
     return fit_flow(FlowModel(shifted_points, fit.model.fixed))
 
 
-def _excludes_gauge(fit: FlowFit) -> bool:
-    """Return True if the points cannot be gauge pressures that were read as absolute."""
-    shifted_fit = _fit_shifted(fit, ATMOSPHERE)
-    if shifted_fit is None:
-        return True
-    worse = _chi_square(shifted_fit, fit.sigma) / max(fit.chi_square, 1e-300)
-    gain = fit.chi_square * (worse - 1.0) if fit.scatter_is_known else len(fit.model.points) * math.log(worse)
-    return gain > 2.0 * BETTER
-
-
 def _chi_square(fit: FlowFit, sigma: FloatArray) -> float:
-    """Return chi-square of a fit for the standard deviations of another fit."""
+    """Return chi-square of a fit with other standard deviations, `sigma`."""
     residuals = fit.model.residuals(fit.x, sigma)
     return float(residuals @ residuals)
 
@@ -230,7 +236,7 @@ def _chi_square(fit: FlowFit, sigma: FloatArray) -> float:
 def _fit_of_points(
     fit: FlowFit, influence: Mapping[str, list[float]], alternative: tuple[str, FlowFit] | None
 ) -> tuple[FlowFit, Mapping[str, list[float]]]:
-    """Return the fit with which single points are tested, and the influence of each point.
+    """Return the fit for tests of single points, and the influence of each point.
 
     It is the fit of the better law, unless an error of one single point explains the residuals better than this law.
     """
@@ -245,7 +251,10 @@ def _fit_of_points(
 
 
 def influence_of(fit: FlowFit) -> dict[str, list[float]]:
-    """Return the shift of each parameter if one point is omitted, for each point, in standard errors."""
+    """Return the change of each parameter if one point is omitted.
+
+    The change is given for each point, in standard errors.
+    """
     shifts = leave_one_out(fit.jacobian, fit.residuals, fit.gain[0])[:, : len(fit.model.points)]
     shifts /= np.maximum(np.linalg.norm(fit.gain[0], axis=1), 1e-300)[:, None]
     # Common errors follow the free parameters and are omitted here.
@@ -253,7 +262,7 @@ def influence_of(fit: FlowFit) -> dict[str, list[float]]:
 
 
 def _point_notes(fit: FlowFit, influence: Mapping[str, list[float]]) -> Iterator[Note]:
-    """Yield findings on an outlier and on points that alone determine a parameter."""
+    """Yield findings on an outlier, and on single points that determine a parameter."""
     from scipy.special import stdtr
 
     points, freedom = fit.model.points, fit.degrees_of_freedom
@@ -286,6 +295,9 @@ def _point_notes(fit: FlowFit, influence: Mapping[str, list[float]]) -> Iterator
 
 
 def _point_facts(indices: Any, points: FlowPoints) -> dict[str, Any]:
-    """Return the first of the given points with their p2/p1, and the number of further points."""
+    """Return the facts of a message that names some points.
+
+    They contain the first points with their p2/p1, and the number of further points.
+    """
     texts = [f"{k} at {points.pressure_ratio[k]:.4g}" for k in indices[:4]]
     return {"points": texts, "more": max(len(indices) - 4, 0) or None}

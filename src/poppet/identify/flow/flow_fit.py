@@ -43,6 +43,9 @@ LEAST_READING = 0.02
 DOUBT = 0.01
 """Probability below which the residuals are too large for the stated uncertainties."""
 
+SCATTERED = 0.1
+"""Probability below which the residuals widen the intervals, because the stated scatter can be too small."""
+
 BETTER = 6.0
 """Reduction of AICc by one more free parameter above which the simpler law is rejected."""
 
@@ -61,17 +64,23 @@ class FlowModel:
 
     @cached_property
     def free(self) -> tuple[str, ...]:
-        """Names of the free parameters of the law, in the order of `UNITS`."""
+        """Names of the free parameters of the flow law, in the order of `UNITS`."""
         return tuple(name for name in UNITS if name not in self.fixed)
 
     @cached_property
     def effects(self) -> tuple[Effect, ...]:
-        """Errors that all points share, of one standard deviation each."""
+        """Changes of the readings by each error that all points share.
+
+        Each error has the size of one standard deviation.
+        """
         return tuple(self.points.effects())
 
     @cached_property
     def scales(self) -> FloatArray:
-        """Typical size of each free parameter and common error; parameters are divided by it."""
+        """Typical size of each free parameter and of each common error.
+
+        The argument `x` of the methods is in these units.
+        """
         sizes = {
             "sonic_conductance": float(np.max(self.points.effective_conductance)),
             "cracking_pressure": float(np.mean(self.points.pressure_1)),
@@ -95,16 +104,22 @@ class FlowModel:
         return np.array([low for low, _ in pairs]), np.array([high for _, high in pairs])
 
     def numbers(self, x: FloatArray) -> dict[str, Any]:
-        """Return all parameters of the law at `x`, by name, in SI units."""
-        values = _columns((x * self.scales)[..., : len(self.free)])
+        """Return all parameters of the law by name, in SI units.
+
+        `x` contains the scaled free parameters.
+        """
+        values = _elements_or_columns((x * self.scales)[..., : len(self.free)])
         return dict(self.fixed) | dict(zip(self.free, values, strict=True))
 
     def common_errors(self, x: FloatArray) -> list[tuple[Any, Effect]]:
-        """Return pairs of the size of each common error at `x`, in standard deviations, and its effect."""
-        return list(zip(_columns(x[..., len(self.free) :]), self.effects, strict=True))
+        """Return the fitted common errors, each with its effect on the readings.
+
+        The size of an error is in standard deviations. `x` contains the scaled parameters.
+        """
+        return list(zip(_elements_or_columns(x[..., len(self.free) :]), self.effects, strict=True))
 
     def readings(self, x: FloatArray) -> dict[str, FloatArray]:
-        """Return the pressures and temperatures at `x`, corrected for the common errors."""
+        """Return pressures and temperatures, corrected for the common errors in `x`."""
         shifted = {name: getattr(self.points, name) for name in CHANNELS if name != "mass_flow_rate"}
         for size, effect in self.common_errors(x):
             for channel in shifted.keys() & effect.channels:
@@ -113,9 +128,9 @@ class FlowModel:
         return shifted
 
     def flow(self, x: FloatArray, **shifts: FloatArray) -> FloatArray:
-        """Return the flow that the model predicts as reading of the flow meter [kg/s].
+        """Return the flow that the flow meter should read according to the model [kg/s].
 
-        `shifts` adds a value to the readings of a channel.
+        `x` contains the scaled parameters. `shifts` adds a value to the readings of a channel.
         """
         readings = self.readings(x)
         for channel, shift in shifts.items():
@@ -134,7 +149,7 @@ class FlowModel:
         return np.asarray(reading)
 
     def variances(self, x: FloatArray, extra: float = 0.0, inflation: float = 1.0) -> dict[str, FloatArray]:
-        """Return the variance of the flow residual of each point that each instrument causes [kg^2/s^2].
+        """Return the variance of the flow at each point that each instrument causes [kg^2/s^2].
 
         `extra` is a variance that is added to each point, and `inflation` a factor on the stated standard deviations.
         """
@@ -155,15 +170,18 @@ class FlowModel:
         return variances
 
     def residuals(self, x: FloatArray, sigma: FloatArray) -> FloatArray:
-        """Return the weighted residuals at `x`: those of the points, then those of the common errors.
+        """Return the weighted residuals for the scaled parameters `x`.
 
-        The residual of a point is model minus measurement, divided by `sigma`.
+        The residual of a point is model minus measurement, divided by `sigma`. Residuals of the common errors follow.
         """
         misfit = (self.flow(x) - self.points.mass_flow_rate) / sigma
         return np.concatenate((misfit, x[..., len(self.free) :]), axis=-1)
 
     def jacobian(self, x: FloatArray, sigma: FloatArray) -> FloatArray:
-        """Return the derivatives of the residuals by `x`, from central differences within the bounds."""
+        """Return the derivatives of the weighted residuals by the scaled parameters `x`.
+
+        They are central differences within the bounds.
+        """
         step, (low, high) = 1e-6 * np.eye(x.size), self.bounds
         up, down = np.minimum(x + step, high), np.maximum(x - step, low)
         # All columns in one call: the law spends more time on checking arguments than on a dozen points.
@@ -171,8 +189,11 @@ class FlowModel:
         return np.ascontiguousarray(((upper - lower) / np.diag(up - down)[:, None]).T)
 
 
-def _columns(x: FloatArray) -> list[Any]:
-    """Return the items of one point, or columns if `x` contains several points."""
+def _elements_or_columns(x: FloatArray) -> list[Any]:
+    """Return the elements of a vector, or the columns of a matrix.
+
+    A matrix `x` contains several sets of parameters, one in each row.
+    """
     return x.tolist() if x.ndim == 1 else list(x.T[:, :, None])
 
 
@@ -190,27 +211,30 @@ class FlowFit:
 
     @cached_property
     def values(self) -> dict[str, float]:
-        """All parameters of the law by name, including the fixed parameters."""
+        """All parameters of the law by name, with those that are fixed."""
         return self.model.numbers(self.x)
 
     @cached_property
     def modelled(self) -> FloatArray:
-        """Modelled flow, with the fitted common errors [kg/s]."""
+        """Flow according to the model with the fitted common errors [kg/s]."""
         return self.model.flow(self.x)
 
     @cached_property
     def misfit(self) -> float:
-        """Norm of the residuals, modelled minus measured flow [kg/s]."""
+        """Norm of the differences between modelled and measured flow [kg/s]."""
         return float(np.linalg.norm(self.modelled - self.model.points.mass_flow_rate))
 
     @cached_property
     def residuals(self) -> FloatArray:
-        """Weighted residuals: model minus measurement over `sigma`, then those of the common errors."""
+        """Weighted residuals of the points, followed by those of the common errors.
+
+        The residual of a point is model minus measurement, divided by `sigma`.
+        """
         return self.model.residuals(self.x, self.sigma)
 
     @cached_property
     def chi_square(self) -> float:
-        """Chi-square: sum of the squares of all weighted residuals."""
+        """Sum of the squares of all weighted residuals (chi-square)."""
         return float(self.residuals @ self.residuals)
 
     @property
@@ -222,13 +246,23 @@ class FlowFit:
         return len(self.model.points) - len(self.model.free)
 
     @property
+    def scatter_factor(self) -> float:
+        """Factor on the standard errors by scatter: Birge's ratio if the residuals are large for a stated scatter."""
+        is_large = self.scatter_is_known and self.stated < SCATTERED
+        return math.sqrt(max(1.0, self.chi_square / self.degrees_of_freedom)) if is_large else 1.0
+
+    @property
     def scatter_freedom(self) -> float:
-        """Degrees of freedom of the standard deviations `sigma`."""
-        return math.inf if self.scatter_is_known else float(max(self.degrees_of_freedom, 1))
+        """Degrees of freedom with which the scatter is known."""
+        is_known = self.scatter_is_known and self.scatter_factor == 1.0
+        return math.inf if is_known else float(max(self.degrees_of_freedom, 1))
 
     @cached_property
     def aicc(self) -> float:
-        """Corrected Akaike information criterion; an estimated scatter counts as one parameter."""
+        """Information criterion AICc of the fit.
+
+        If the scatter is estimated, it counts as one parameter.
+        """
         likelihood = self.chi_square + float(np.sum(np.log(2.0 * math.pi * self.sigma**2)))  # -2 ln of it
         return likelihood + corrected_penalty(
             len(self.model.free) + (not self.scatter_is_known), len(self.model.points)
@@ -241,33 +275,29 @@ class FlowFit:
 
     @cached_property
     def gain(self) -> tuple[FloatArray, Any]:
-        """Derivatives of the estimates by the residuals, and mask of determined parameters.
-
-        `poppet.identify.gum.gain` computes them.
-        """
+        """Derivatives of the estimates with respect to the residuals, and a mask: True for determined parameters."""
         return gain(self.jacobian)
-
-    def _robust_error(self, row: FloatArray) -> float:
-        """Return the standard error by scatter if its size differs between the points (HC3).
-
-        `row` contains the derivatives of an estimate by the residuals. An estimated scatter has the same size at all
-        points, but that of many flow meters is proportional to the flow.
-        """
-        n = len(self.model.points)
-        left = 1.0 - np.einsum("ij,ji->i", self.jacobian, self.gain[0])[:n]
-        return float(np.linalg.norm(row[:n] * self.residuals[:n] / np.maximum(left, 0.1)))
 
     @cached_property
     def budgets(self) -> dict[str, dict[str, Any]]:
-        """Uncertainty budget of each free parameter by name: scatter is type A, common errors are type B."""
+        """Uncertainty budget of each free parameter by name.
+
+        Scatter is of type A, and common errors are of type B.
+        """
         n, budgets = len(self.model.points), {}
+        # An estimated scatter has the same size at all points, but that of many flow meters is proportional to the
+        # flow. The standard error HC3 is also valid then.
+        left = 1.0 - np.einsum("ij,ji->i", self.jacobian, self.gain[0])[:n]
+        robust_residuals = self.residuals[:n] / np.maximum(left, 0.1)
         for name, row, scale in zip(self.model.free, self.gain[0], self.model.scales.tolist(), strict=False):
             parts = {f"scatter of {source}": part / self.sigma**2 for source, part in self.scatter.items()}
-            scatter = {source: scale * math.sqrt(float(np.sum(row[:n] ** 2 * part))) for source, part in parts.items()}
+            size = scale * self.scatter_factor
+            scatter = {source: size * math.sqrt(float(np.sum(row[:n] ** 2 * part))) for source, part in parts.items()}
             effects = zip(self.model.effects, row[n:].tolist(), strict=True)
             common = {effect.source: scale * abs(u) for effect, u in effects}
             type_a, type_b = math.hypot(*scatter.values()), math.hypot(*common.values())
-            if not self.scatter_is_known and 0.0 < type_a < (robust := scale * self._robust_error(row)):
+            robust = scale * float(np.linalg.norm(row[:n] * robust_residuals))
+            if not self.scatter_is_known and 0.0 < type_a < robust:
                 scatter = {source: u * robust / type_a for source, u in scatter.items()}
                 type_a = robust
             freedom = effective_degrees_of_freedom([(type_a, self.scatter_freedom), (type_b, math.inf)])
@@ -282,7 +312,9 @@ class FlowFit:
 
 
 def fit_flow(model: FlowModel) -> FlowFit:
-    """Fit the flow law to the points, with the weights adapted to the fit.
+    """Fit the flow law to the points.
+
+    The weights of the points are adapted to the fit.
 
     Notes
     -----
@@ -305,7 +337,7 @@ def fit_flow(model: FlowModel) -> FlowFit:
 def _iterate_weights(
     model: FlowModel, x: FloatArray, *, adapt: str = "", extra: float = 0.0, inflation: float = 1.0
 ) -> FlowFit:
-    """Return the fit after alternating updates of weights and parameters until both converge.
+    """Return the fit after alternating updates of weights and parameters.
 
     `adapt` names the argument of `FlowModel.variances` that is adapted until chi-square equals its degrees of freedom.
     If it is empty, the variances stay as stated.
@@ -345,7 +377,7 @@ def _iterate_weights(
 
 
 def start_point(model: FlowModel) -> FloatArray:
-    """Return start values of the search: the best point of a coarse grid.
+    """Return start values of the search, the best point of a coarse grid.
 
     The flow is proportional to C. Each point of the grid therefore uses its best C.
     """
@@ -379,7 +411,7 @@ def start_point(model: FlowModel) -> FloatArray:
 
 
 def _unit_flow(points: FlowPoints, **law: Any) -> FloatArray:
-    """Return the modelled flow at all points for C = 1.
+    """Return the flow at all points for a sonic conductance C of 1.
 
     If the parameters of the law are columns, the result has one row for each set of parameters.
     """
@@ -388,7 +420,7 @@ def _unit_flow(points: FlowPoints, **law: Any) -> FloatArray:
 
 
 def fit_all_choked(fit: FlowFit) -> FlowFit | None:
-    """Return a fit in which all points are choked.
+    """Return a fit under the assumption that the flow is choked at all points.
 
     The result is None if the data reject this assumption.
     """
@@ -404,7 +436,7 @@ def fit_all_choked(fit: FlowFit) -> FlowFit | None:
 
 
 def law_estimates(fit: FlowFit) -> dict[str, Estimate]:
-    """Return the estimates of the free parameters with 95 % intervals."""
+    """Return the estimates of the free parameters, with 95 % confidence intervals."""
     low, high = fit.model.bounds
     start_values = start_point(fit.model) * fit.model.scales
     estimates = {}
@@ -422,16 +454,17 @@ def law_estimates(fit: FlowFit) -> dict[str, Estimate]:
             error,
             max(value - half, bounds[0]),
             min(value + half, bounds[1] if name != "critical_ratio" else 1.0),
-            _verdict(name, value, half, at_bound, scale),
+            _verdict_on_interval(name, value, half, at_bound, scale),
             float(start_values[k]),
         )
     return estimates
 
 
-def _verdict(name: str, value: float, half: float, at_bound: bool, scale: float) -> Verdict:
-    """Return the verdict on an interval of half width `half`.
+def _verdict_on_interval(name: str, value: float, half: float, at_bound: bool, scale: float) -> Verdict:
+    """Return the verdict on an estimate, such as `determined`.
 
-    The half width is compared with C itself, with 1 for b and m, and with at least p1/10 for the cracking pressure.
+    `half` is half the width of the interval. It is compared with C itself, with 1 for b and m, and with at least p1/10
+    for the cracking pressure.
     """
     if at_bound:
         return "at bound"
@@ -440,7 +473,7 @@ def _verdict(name: str, value: float, half: float, at_bound: bool, scale: float)
 
 
 def choked_estimates(fit: FlowFit, choked: FlowFit) -> dict[str, Estimate]:
-    """Return the estimates for data that agree with choked flow at all points.
+    """Return the estimates if the flow may be choked at all points.
 
     C then has a range, and b only a lower limit.
     """
@@ -457,7 +490,7 @@ def choked_estimates(fit: FlowFit, choked: FlowFit) -> dict[str, Estimate]:
     low = min(float(np.min(conductance[possible])), narrow.value) - half
     high = max(float(np.max(conductance[possible])), narrow.value) + half
     widest = max(high - narrow.value, narrow.value - low)
-    verdict = _verdict("sonic_conductance", narrow.value, widest, False, 1.0)
+    verdict = _verdict_on_interval("sonic_conductance", narrow.value, widest, False, 1.0)
     estimates = {"sonic_conductance": replace(narrow, low=low, high=high, verdict=verdict)}
     lowest = {"critical_ratio": float(np.min(ratios[possible]))}
     highest = {"critical_ratio": 1.0, "subsonic_index": 3.0, "cracking_pressure": float(np.max(points.pressure_1))}
@@ -469,9 +502,10 @@ def choked_estimates(fit: FlowFit, choked: FlowFit) -> dict[str, Estimate]:
 
 
 def find_other_law(fit: FlowFit) -> tuple[str, FlowFit] | None:
-    """Return the fixed parameter that should be free, and the fit in which it is free.
+    """Return a fixed parameter that should be free, and the better fit.
 
-    The result is None if no fixed parameter improves the fit clearly when it is free.
+    In this fit, the parameter is free. The result is None if no fixed parameter improves the fit clearly when it is
+    free.
     """
     alternatives = []
     for name in ("subsonic_index", "cracking_pressure"):
@@ -493,10 +527,13 @@ def find_other_law(fit: FlowFit) -> tuple[str, FlowFit] | None:
 
 
 def widen_estimates(estimates: Mapping[str, Estimate], other_estimates: Mapping[str, Estimate]) -> dict[str, Estimate]:
-    """Return estimates whose intervals include those of the fit of another law."""
+    """Return estimates whose intervals also cover the fit of another law.
+
+    `other_estimates` are those of the other law.
+    """
     widened = {}
     for name, e in estimates.items():
         low, high = min(e.low, other_estimates[name].low), max(e.high, other_estimates[name].high)
-        verdict = _verdict(name, e.value, max(high - e.value, e.value - low), e.verdict == "at bound", 1.0)
+        verdict = _verdict_on_interval(name, e.value, max(high - e.value, e.value - low), e.verdict == "at bound", 1.0)
         widened[name] = replace(e, low=low, high=high, verdict=max(verdict, e.verdict, key=VERDICTS.index))
     return widened

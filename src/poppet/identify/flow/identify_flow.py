@@ -125,7 +125,7 @@ def identify_flow(
     choked = fit_all_choked(fit)
     estimates = choked_estimates(fit, choked) if choked else law_estimates(fit)
     accepted = choked or fit
-    tests, influence = _tests(accepted), influence_of(accepted)
+    tests, influence = _statistical_tests(accepted), influence_of(accepted)
     alternative = None if choked else find_other_law(fit)
     if alternative:
         name, better = alternative
@@ -164,12 +164,15 @@ def identify_flow(
         },
         remarks=remarks + notes_of(notes),
         conditions=_conditions(accepted, fixed),
-        series=_series(accepted),
+        series=_conductance_series(accepted),
     )
 
 
-def _tests(fit: FlowFit) -> dict[str, Any]:
-    """Return chi-square, the runs test and the information criterion (AICc) of a fit."""
+def _statistical_tests(fit: FlowFit) -> dict[str, Any]:
+    """Return the results of statistical tests of a fit.
+
+    They are chi-square, the runs test and the information criterion AICc.
+    """
     n = len(fit.model.points)
     order = np.argsort(fit.model.points.pressure_ratio, kind="stable")
     return {
@@ -178,7 +181,7 @@ def _tests(fit: FlowFit) -> dict[str, Any]:
         "chi_square_probability": (
             chi_square_probability(fit.chi_square, fit.degrees_of_freedom) if fit.scatter_is_known else fit.stated
         ),
-        "scatter_factor": fit.inflation,
+        "scatter_factor": fit.inflation * fit.scatter_factor,
         "scatter_from_residuals": not fit.scatter_is_known,
         "runs_probability": few_runs_probability(fit.residuals[:n][order]),
         "aicc": fit.aicc,
@@ -199,8 +202,8 @@ def _conditions(fit: FlowFit, fixed: Mapping[str, float]) -> dict[str, Any]:
     }
 
 
-def _series(fit: FlowFit) -> dict[str, Any]:
-    """Return measured and modelled effective conductance versus the pressure ratio p2/p1."""
+def _conductance_series(fit: FlowFit) -> dict[str, Any]:
+    """Return measured and fitted effective conductance over the pressure ratio p2/p1."""
     points = fit.model.points
     order = np.argsort(points.pressure_ratio, kind="stable")
     modelled = conductance_of(fit.modelled, points.pressure_1, points.temperature_1)

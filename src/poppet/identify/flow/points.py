@@ -75,9 +75,9 @@ class Instrument:
         return self.offset > 0.0 or self.calibration > 0.0
 
     def of_one_reading(self) -> Instrument:
-        """Return the instrument for a single reading that all points share.
+        """Return the instrument for one reading that is used for all points.
 
-        All its errors are common to the points.
+        All its errors are then common to the points.
         """
         return Instrument(
             offset=math.hypot(self.absolute, self.offset), calibration=math.hypot(self.relative, self.calibration)
@@ -86,7 +86,10 @@ class Instrument:
 
 @dataclass(frozen=True)
 class Effect:
-    """Change in all points that one shared (systematic) error of one standard deviation causes."""
+    """Change in the readings of all points by one shared (systematic) error.
+
+    The error has the size of one standard deviation.
+    """
 
     source: str  # name of the error in the uncertainty budget
     channels: tuple[str, ...]  # readings that the error shifts
@@ -94,7 +97,10 @@ class Effect:
     calibration: float  # shift as a fraction of the reading
 
     def shift(self, reading: FloatArray) -> FloatArray:
-        """Return the shift of the readings of a channel."""
+        """Return by how much the error changes the readings of a channel.
+
+        `reading` contains these readings.
+        """
         return self.offset + self.calibration * reading
 
 
@@ -194,7 +200,10 @@ class FlowPoints:
     def _add_error(
         self, errors: ErrorCollector, code: str, name: str, is_invalid: NDArray[np.bool_], **facts: Any
     ) -> None:
-        """Add an error for the first invalid point, with the number of all invalid points."""
+        """Add an error for the first invalid point.
+
+        `is_invalid` is the mask of invalid points, whose number is in the message. `name` is the channel.
+        """
         if is_invalid.any():
             k, count = int(np.argmax(is_invalid)), int(np.sum(is_invalid))
             facts |= {"value": float(getattr(self, name)[k]), "unit": CHANNELS[name], "place": k}
@@ -250,7 +259,7 @@ class FlowPoints:
 
     @property
     def effective_conductance(self) -> FloatArray:
-        """Effective conductance: sonic conductance that gives the flow if the point is choked [m^3/(s Pa)].
+        """Sonic conductance at which each measured flow would be choked [m^3/(s Pa)].
 
         The shape is (n,).
         """
@@ -272,7 +281,10 @@ class FlowPoints:
         return instrument
 
     def effects(self) -> Iterator[Effect]:
-        """Yield the errors that all points share: calibration and offset of each instrument, ambient pressure."""
+        """Yield the errors that all points share, with their effect on the readings.
+
+        They are calibration and offset of each instrument, and the ambient pressure.
+        """
         for channel in CHANNELS:
             instrument = self.instrument(channel)
             if instrument.calibration:
@@ -284,7 +296,7 @@ class FlowPoints:
 
 
 def conductance_of(flow: FloatArray, pressure_1: FloatArray, temperature_1: FloatArray) -> FloatArray:
-    """Return the effective conductance of measured points.
+    """Return the sonic conductance at which measured flows would be choked.
 
     A flow slightly below zero is permitted.
     """

@@ -69,7 +69,7 @@ def critical_ratio_uncertainty(
 
 @dataclass(frozen=True)
 class StandardEvaluation:
-    """Results of the formulas of ISO 6358-1."""
+    """Parameters of a flow path from the formulas of ISO 6358-1."""
 
     sonic_conductance: float  # mean over the saturated points [m^3/(s Pa)]
     critical_ratio: float  # weighted mean over the subsonic points; NaN without these
@@ -128,7 +128,7 @@ def evaluate_by_standard(
     )
     subsonic = np.flatnonzero(is_subsonic & (points.pressure_ratio < 1.0))
     sets = tuple(saturated.tolist()), tuple(subsonic.tolist())
-    return _evaluate(points, {}, *sets, subsonic_index, cracking_pressure)
+    return _evaluate_readings(points, {}, *sets, subsonic_index, cracking_pressure)
 
 
 def standard_uncertainties(
@@ -164,12 +164,12 @@ def standard_uncertainties(
     common = ({c: effect.shift(getattr(points, c)) for c in effect.channels} for effect in points.effects())
     total = np.zeros(4)
     for shifts in chain(errors, common):
-        shifted = _evaluate(points, shifts, *sets, subsonic_index, cracking_pressure, warm)
+        shifted = _evaluate_readings(points, shifts, *sets, subsonic_index, cracking_pressure, warm)
         total += (shifted.numbers - evaluation.numbers) ** 2
     return np.sqrt(total)
 
 
-def _evaluate(
+def _evaluate_readings(
     points: FlowPoints,
     shifts: Mapping[str, FloatArray],
     saturated: tuple[int, ...],
@@ -178,9 +178,10 @@ def _evaluate(
     cracking_pressure: float | Free,
     warm: tuple[float, float, float] = (0.3, 0.5, 0.0),
 ) -> StandardEvaluation:
-    """Return the results for readings that are shifted by `shifts`.
+    """Return the results of the standard formulas for slightly changed readings.
 
-    The readings are not checked, because a shift can make them slightly invalid.
+    `shifts` contains the changes. The readings are not checked, because a change can make them slightly invalid.
+    `saturated` and `subsonic` are masks of the choked and subsonic points.
     """
     flow, p_1, p_2, temperature = (getattr(points, channel) + shifts.get(channel, 0.0) for channel in CHANNELS)
     effective, indices = conductance_of(flow, p_1, temperature), list(subsonic)
@@ -212,7 +213,10 @@ def _fit_ratio(
     warm: tuple[float, float, float],
     is_free: list[bool],
 ) -> tuple[float, float, float]:
-    """Fit b, and m or the cracking pressure or both, to the flow ratios of the subsonic points."""
+    """Fit b and other parameters to the flow ratios of the subsonic points.
+
+    The others are m or the cracking pressure, or both. `is_free` states which of them are free.
+    """
     from scipy.optimize import least_squares
 
     size = float(np.mean(pressure))

@@ -38,7 +38,7 @@ SMEARED = 0.5
 
 @dataclass(frozen=True)
 class Bristles:
-    """Estimates of bristle stiffness and damping (LuGre model) from reversals of the motion."""
+    """Estimates of stiffness and damping of the bristles in the LuGre friction model."""
 
     stiffness: float  # [N/m]
     low: float
@@ -58,30 +58,33 @@ class Bristles:
     bending: float  # bending time [s]
 
     @property
-    def is_seen(self) -> bool:
-        """True if the resolution of the position is fine enough to measure the bending distance."""
+    def is_resolved(self) -> bool:
+        """True if the deflection of the bristles is larger than the position resolution."""
         return self.way > FINE * self.resolution and math.isfinite(self.high)
 
     @property
     def is_coarse(self) -> bool:
-        """True if the sample time or the velocity window is too large for an estimate of the damping."""
+        """True if the sampling is too coarse for an estimate of the damping.
+
+        The sample time or the velocity window is then too large.
+        """
         return self.window > SMEARED * self.bending or self.late > WEAK * abs(self.damping_high)
 
     @property
     def is_late(self) -> bool:
-        """True if the force signal is delayed, which a damping of the bristles cannot explain."""
+        """True if the force signal is delayed, which damping cannot explain."""
         return self.damping_high < 0.0
 
     @property
     def is_damped(self) -> bool:
         """True if the damping of the bristles is significantly above zero."""
-        return self.is_seen and not self.is_coarse and self.damping_low > 0.0
+        return self.is_resolved and not self.is_coarse and self.damping_low > 0.0
 
 
 def fit_bristles(
     motions: Sequence[RecordedMotion], values: Mapping[str, float], offsets: Mapping[int, float], distance: float
 ) -> Bristles | None:
-    """Fit stiffness and damping of the LuGre model to the friction after reversals.
+    """Fit stiffness and damping of the bristles to the friction after reversals.
 
     The fit uses the samples up to the distance `distance` after a reversal; beyond it the body slides. `values` and
     `offsets` are the parameters of steady sliding and the force offsets of the recordings. The result is None if there
@@ -143,9 +146,10 @@ def fit_bristles(
 def usable_reversals(
     motions: Sequence[RecordedMotion], values: Mapping[str, float], offsets: Mapping[int, float], distance: float
 ) -> list[ReversalData]:
-    """Return the reversals at which the deflection of the bristles is resolved and known.
+    """Return the reversals after which the deflection of the bristles is known.
 
     The deflection is known after a long stroke. It is also known after a short stroke that follows a usable reversal.
+    Its change must be resolved by the samples.
     """
     decay = distance / (WAYS * -math.log(0.5 * (1.0 - BENT)))
     turns: list[ReversalData] = []
@@ -163,7 +167,10 @@ def usable_reversals(
 
 @dataclass(frozen=True, eq=False)
 class ReversalData:
-    """Samples after one reversal for the fit of the bristle model, arrays of shape (n,)."""
+    """Samples after one reversal of the motion, for the fit of bristles.
+
+    The arrays have the shape (n,).
+    """
 
     reversal: Reversal
     distance: FloatArray  # [m]
@@ -185,9 +192,10 @@ class ReversalData:
         *,
         is_chained: bool,
     ) -> ReversalData:
-        """Return the data of a reversal up to a distance, for a given law of sliding friction.
+        """Return the samples up to a distance after a reversal.
 
-        `is_chained` is True if the bristles start at the deflection at which the previous stroke ended.
+        `turn` is the reversal. `values` and `offsets` describe sliding friction and force offsets. `is_chained` is True
+        if the bristles start at the deflection at which the previous stroke ended.
         """
         is_within, last = turn.distance <= distance, turn.last
         assert last is not None
@@ -211,10 +219,9 @@ class ReversalData:
     def squares(self, stiffness: FloatArray, shifts: FloatArray, force: FloatArray) -> tuple[FloatArray, FloatArray]:
         """Return sums for the least-squares fit of the damping, (3, n_shifts, n_stiffnesses).
 
-        The sums are those of the squared error, of error times rate, and of the squared rate of deflection.
-
-        The error is measured minus modelled bristle force. `force` is the bristle force at the end of the previous
-        reversal. The force at the end of this reversal is also returned.
+        The sums are those of the squared error, of error times rate, and of the squared rate of deflection. The error
+        is measured minus modelled bristle force. `force` is the bristle force at the end of the previous reversal. The
+        force at the end of this reversal is also returned.
         """
         if not self.is_chained:
             force = np.full(force.shape, (self.lead_level if self.lead_level.size else self.level)[0])
@@ -231,7 +238,10 @@ class ReversalData:
 
 
 def _dry_friction(turn: Reversal, selected: Any, values: Mapping[str, float]) -> FloatArray:
-    """Return the dry friction [N] at the speeds of the samples selected after one reversal."""
+    """Return the dry friction at the speeds of some samples after a reversal [N].
+
+    `selected` is the mask of these samples.
+    """
     pressure, static = turn.pressure[selected], values.get(STATIC, values[COULOMB])
     coulomb = values[COULOMB] + values.get(SEAL, 0.0) * pressure
     static = static + (values.get(SEAL, 0.0) + values.get(SEAL_EXCESS, 0.0)) * pressure
@@ -240,9 +250,10 @@ def _dry_friction(turn: Reversal, selected: Any, values: Mapping[str, float]) ->
 
 
 def _find_minimum(grid: FloatArray, sums: FloatArray) -> tuple[float, float, float]:
-    """Return the logarithm of the stiffness, the damping and the cost at the least cost.
+    """Return the stiffness and the damping with the least cost, and this cost.
 
-    `grid` contains logarithms of stiffnesses. The minimum is taken over these and over the shifts of the distance.
+    The stiffness is returned as its logarithm. `grid` contains logarithms of stiffnesses. The minimum is taken over
+    these and over the shifts of the distance.
     """
     square, product, rates = sums.sum(axis=2)
     damping = product / np.maximum(rates, 1e-300)  # negative if the force is delayed

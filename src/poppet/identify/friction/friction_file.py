@@ -148,7 +148,7 @@ def read_friction_file(path: str | Path) -> tuple[list[FrictionRecord], dict[str
 def _read_channel(
     errors: ErrorCollector, channel: str, file_fields: Mapping[str, Any], coordinate: Coordinate
 ) -> dict[str, Any]:
-    """Return the table of a channel in SI units."""
+    """Return the table of one channel with values in SI units."""
     raw, n_files = file_fields[channel], len(file_fields["file"])
     declared = {"column": Field(is_required=True, example=f'{channel} = {{ column = "..." }}'), "unit": Field()}
     if channel in PRESSURES:
@@ -172,7 +172,10 @@ def _read_channel(
 
 
 def _has_valid_unit(errors: ErrorCollector, channel: str, unit: str, coordinate: Coordinate) -> bool:
-    """Return True if a unit fits the kind of body; otherwise add an error and return False."""
+    """Return True if a unit fits the kind of body.
+
+    Otherwise an error is added. The units of a rotation are those of torque and angle.
+    """
     opposite = coordinate.opposite
     with suppress(InputError):  # `read_column` reports an unknown unit
         if channel in ("position", "velocity", coordinate.effort) and opposite.is_of(
@@ -186,7 +189,10 @@ def _has_valid_unit(errors: ErrorCollector, channel: str, unit: str, coordinate:
 def _read_record(
     table: Table, index: int, fields: Mapping[str, Any], coordinate: Coordinate, name: str
 ) -> FrictionRecord:
-    """Return the friction record of a table in SI units, without the samples before `skip` and after `until`."""
+    """Read one table or recording of friction in SI units.
+
+    Samples before `skip` and after `until` are omitted. `index` is the index of the file.
+    """
     units = {"time": "s", "position": coordinate.length, "velocity": coordinate.speed}
     units |= {coordinate.effort: coordinate.effort_unit} | dict.fromkeys(PRESSURES, "Pa")
     columns, ambient_pressure = dict[str, Any](), fields["ambient_pressure"]

@@ -66,7 +66,7 @@ LEVELS_DIFFER, LEAST_PRESSURE = 0.1, 2e3
 
 @dataclass(frozen=True)
 class FrictionLaw:
-    """Friction law of a body and of its seals."""
+    """Friction law of a body, with the friction of the seals that act on it."""
 
     name: str
     is_falling: bool = False  # True if friction falls from the static to the Coulomb force as speed rises
@@ -76,7 +76,7 @@ class FrictionLaw:
 
     @property
     def names(self) -> list[str]:
-        """Names of the parameters in the order of the columns, the Stribeck velocity last."""
+        """Names of the parameters, the Stribeck velocity last."""
         flags = (True, self.is_falling, self.is_viscous, self.has_pressure, self.grows, self.is_falling)
         names = COULOMB, STATIC, VISCOUS, SEAL, SEAL_EXCESS, STRIBECK
         return [name for name, is_in in zip(names, flags, strict=True) if is_in]
@@ -104,7 +104,10 @@ GROWING_LAWS = {
 
 @dataclass(frozen=True, eq=False)
 class FrictionData:
-    """Rows of steady sliding for a fit, with free force offsets and groups for validation."""
+    """Samples of steady sliding for a fit.
+
+    The data also state which force offsets are fitted, and which samples are left out together in cross-validation.
+    """
 
     rows: SlidingRows
     free_offsets: tuple[int, ...]  # recordings with an unknown offset of the force
@@ -113,10 +116,10 @@ class FrictionData:
 
     @classmethod
     def of(cls, rows: SlidingRows, free_offsets: Sequence[int]) -> FrictionData:
-        """Return the data of a fit, with each row assigned to a group for validation.
+        """Return the data for a fit, with groups for validation.
 
-        The groups are recordings if there are at least three. Otherwise they are points of a table, strokes of a
-        recording, or blocks in time.
+        `free_offsets` are the recordings with a free force offset. The groups are recordings if there are at least
+        three. Otherwise they are points of a table, strokes of a recording, or blocks in time.
         """
         strokes, stroke = np.unique(rows.stroke, return_inverse=True)
         if np.unique(rows.record).size >= FEWEST_RECORDS:
@@ -135,15 +138,15 @@ class FrictionData:
 
     @property
     def groups(self) -> NDArray[np.int_]:
-        """Indices of the groups for validation."""
+        """Indices of the groups into which samples are divided for validation."""
         return np.unique(self.group)
 
 
-def _design(rows: SlidingRows, law: FrictionLaw, velocity: float, offsets: Sequence[int]) -> FloatArray:
-    """Return the design matrix of the linear parameters, (n_rows, n_parameters).
+def _design_matrix(rows: SlidingRows, law: FrictionLaw, velocity: float, offsets: Sequence[int]) -> FloatArray:
+    """Return the matrix that gives the friction from the linear parameters of a law.
 
-    The friction is this matrix times the linear parameters. `velocity` is the Stribeck velocity. The columns of the
-    force offsets are last.
+    The matrix has the shape (n_rows, n_parameters). `velocity` is the Stribeck velocity. The columns of the force
+    offsets are last.
     """
     sign = rows.sign
     columns = [sign]
@@ -160,7 +163,7 @@ def _design(rows: SlidingRows, law: FrictionLaw, velocity: float, offsets: Seque
 
 @dataclass(frozen=True, eq=False)
 class LawSolution:
-    """Parameters of a friction law that minimise the cost for a set of rows."""
+    """Parameters of a friction law that fit a set of samples best."""
 
     law: FrictionLaw
     values: Mapping[str, float]
@@ -168,22 +171,28 @@ class LawSolution:
     cost: float
 
     def design(self, rows: SlidingRows, offsets: Sequence[int] = ()) -> FloatArray:
-        """Return the design matrix of the linear parameters at the fitted Stribeck velocity."""
-        return _design(rows, self.law, self.values.get(STRIBECK, 1.0), offsets)
+        """Return the matrix that gives the friction from the linear parameters.
+
+        The matrix is that for the fitted Stribeck velocity.
+        """
+        return _design_matrix(rows, self.law, self.values.get(STRIBECK, 1.0), offsets)
 
     def friction(self, rows: SlidingRows) -> FloatArray:
-        """Return the modelled friction of each row, without force offsets [N]."""
+        """Return the friction of each sample according to the law [N].
+
+        Force offsets are not included.
+        """
         linear = np.array([self.values[name] for name in self.law.names if name != STRIBECK])
         if self.law.is_falling:
             linear[1] -= linear[0]  # excess of the static force
         return np.asarray(self.design(rows) @ linear)
 
     def zero(self, rows: SlidingRows) -> FloatArray:
-        """Return the offset of the force sensor for each row [N]."""
+        """Return the offset of the force sensor at each sample [N]."""
         return np.array([self.offsets.get(int(k), 0.0) for k in rows.record])
 
-    def missed(self, rows: SlidingRows, unknown: Sequence[int] = ()) -> FloatArray:
-        """Return the residuals of rows, modelled minus measured friction [N].
+    def residuals_for(self, rows: SlidingRows, unknown: Sequence[int] = ()) -> FloatArray:
+        """Return the differences between modelled and measured friction [N].
 
         `unknown` contains the indices of recordings with free offsets. If the solution has no offset for such a
         recording, its mean residual is subtracted.
@@ -197,12 +206,12 @@ class LawSolution:
 
 
 def _solve_linear(rows: SlidingRows, law: FrictionLaw, velocity: float, offsets: Sequence[int]) -> LawSolution | None:
-    """Fit the linear parameters for a given Stribeck velocity.
+    """Fit the linear parameters of a law for a given Stribeck velocity.
 
-    No parameter is negative, except the dependence of the Stribeck excess on the pressure.
-    The result is None if the rows do not determine the parameters.
+    No parameter is negative, except the dependence of the Stribeck excess on the pressure. The result is None if the
+    samples do not determine the parameters.
     """
-    matrix = _design(rows, law, velocity, offsets)
+    matrix = _design_matrix(rows, law, velocity, offsets)
     weighted = matrix * rows.weight[:, None]
     gram, right_side = matrix.T @ weighted, rows.friction @ weighted
     sizes = np.sqrt(np.maximum(np.diag(gram), 1e-300))
@@ -230,7 +239,10 @@ def _solve_linear(rows: SlidingRows, law: FrictionLaw, velocity: float, offsets:
 
 
 def find_minima(rows: SlidingRows, law: FrictionLaw, free_offsets: Sequence[int]) -> list[LawSolution]:
-    """Return the local minima of the cost over the Stribeck velocity, the best first."""
+    """Return the fits with locally minimal cost, the best first.
+
+    The cost is a function of the Stribeck velocity.
+    """
     from scipy.optimize import minimize_scalar
 
     offsets = [k for k in free_offsets if (rows.record == k).any()]
@@ -258,7 +270,7 @@ def find_minima(rows: SlidingRows, law: FrictionLaw, free_offsets: Sequence[int]
 
 
 def search_grid(rows: SlidingRows) -> FloatArray:
-    """Return the logarithms of the Stribeck velocities at which the search evaluates the cost."""
+    """Return the Stribeck velocities at which the search evaluates the cost, as logarithms."""
     speed = np.abs(rows.velocity[rows.velocity != 0.0])
     low, high = float(np.quantile(speed, 0.02)) / BEYOND, float(speed.max()) * BEYOND
     return np.linspace(math.log(low), math.log(high), _SEARCHED)
@@ -266,7 +278,10 @@ def search_grid(rows: SlidingRows) -> FloatArray:
 
 @dataclass(frozen=True, eq=False)
 class FrictionLawFit:
-    """Fit of a friction law to all rows, with the validation errors of refits that each omit one group."""
+    """Fit of a friction law to all samples, with validation errors.
+
+    For validation, the fit is repeated without one group of samples, for each group.
+    """
 
     data: FrictionData
     solution: LawSolution
@@ -281,12 +296,15 @@ class FrictionLawFit:
 
     @cached_property
     def errors(self) -> FloatArray:
-        """Residuals of all rows, modelled minus measured friction [N]."""
-        return self.solution.missed(self.data.rows)
+        """Residuals of all samples: modelled minus measured friction [N]."""
+        return self.solution.residuals_for(self.data.rows)
 
     @cached_property
     def spread(self) -> ClusterCovariance:
-        """Covariance and degrees of freedom of the parameters, from the scatter between groups."""
+        """Covariance and degrees of freedom of the parameters.
+
+        They follow from the scatter between groups.
+        """
         rows, values, law = self.data.rows, self.values, self.solution.law
         if law.name == "coulomb" and self.data.axis == "recording":
             # One mean level per recording; a line versus the pressure fits the levels.
@@ -302,7 +320,10 @@ class FrictionLawFit:
 
     @cached_property
     def jacobian(self) -> FloatArray:
-        """Derivatives of the modelled force of each row by the parameters of the law and by the force offsets."""
+        """Derivatives of the modelled force of each sample by all parameters.
+
+        The parameters are those of the law, and the force offsets.
+        """
         rows, values = self.data.rows, self.values
         columns = self.solution.design(rows, [*self.solution.offsets])
         if self.solution.law.is_falling:
@@ -316,9 +337,10 @@ class FrictionLawFit:
 
     @property
     def growth(self) -> float:
-        """Statistic of a dependence of the Stribeck excess on the pressure; beyond 1 it is significant at 99 %.
+        """Significance of a dependence of the Stribeck excess on the pressure.
 
-        A viscous coefficient that depends on the pressure is a nuisance parameter of this test.
+        Beyond 1 it is significant at 99 %. A viscous coefficient that depends on the pressure is a nuisance parameter
+        of this test.
         """
         if not self.solution.law.is_falling or not self.solution.law.has_pressure:
             return 0.0
@@ -326,7 +348,10 @@ class FrictionLawFit:
 
     @property
     def pressure_speed(self) -> float:
-        """Statistic of a viscous coefficient that depends on the pressure; beyond 1 it is significant at 99 %."""
+        """Significance of a viscous coefficient that depends on the pressure.
+
+        Beyond 1 it is significant at 99 %.
+        """
         nuisances = [self._falling] if self.solution.law.is_falling else []
         return self._pressure_statistic(self.data.rows.velocity, *nuisances)
 
@@ -336,21 +361,19 @@ class FrictionLawFit:
         return np.asarray(rows.sign * np.exp(-((rows.velocity / self.values[STRIBECK]) ** 2)))
 
     def _pressure_statistic(self, column: FloatArray, *nuisances: FloatArray) -> float:
-        rows = self.data.rows
-        columns = np.column_stack([self.jacobian, *(nuisance * rows.pressure for nuisance in nuisances)])
-        return term_statistic(rows, columns, column, self.data.group)
+        return term_statistic(self.data.rows, self.jacobian, column, nuisances, self.data.group)
 
     @cached_property
     def together(self) -> float:
-        """Correlation time of the residuals, in rows; 1 for a table."""
+        """Correlation time of the residuals in samples, which is 1 for a table."""
         return correlation_time(self.errors) if self.data.axis != "point" else 1.0
 
     @cached_property
     def allowed(self) -> list[LawSolution]:
-        """Equivalent fits at other Stribeck velocities.
+        """Fits at other Stribeck velocities that are not significantly worse.
 
-        A fit is equivalent if the increase of the cost is not significant. The effective number of rows is the
-        number of rows divided by the correlation time of the residuals.
+        The test of significance uses the effective number of samples: their number divided by the correlation time of
+        the residuals in samples.
         """
         rows, law = self.data.rows, self.solution.law
         if not law.is_falling:
@@ -362,7 +385,7 @@ class FrictionLawFit:
         return [solution for solution in solutions if solution and solution.cost <= limit]
 
     def interval(self, name: str) -> tuple[float, float, float]:
-        """Return the standard error of a parameter, then both ends of the 95 % interval."""
+        """Return the standard error of a parameter, and both ends of its 95 % interval."""
         index = list(self.values).index(name)
         error = float(np.sqrt(self.spread.covariance[index, index]))
         half = coverage_factor(float(self.spread.freedom[index])) * error if math.isfinite(error) else math.inf
@@ -378,18 +401,19 @@ class FrictionLawFit:
         return error, low if name == SEAL_EXCESS else max(low, 0.0), high
 
     def _is_open(self, end: int) -> bool:
-        """Return True if the Stribeck velocity has no limit at one end of the search range.
+        """Return True if the Stribeck velocity has no limit at one end.
 
-        The fit at this end is then equivalent to the best fit. `end` is 0 for the lower end and -1 for the upper end.
+        The ends are those of the search range. The fit at this end is then not significantly worse than the best fit.
+        `end` is 0 for the lower end and -1 for the upper end.
         """
         last = float(search_grid(self.data.rows)[end])
         return any(abs(math.log(solution.values[STRIBECK]) - last) < 1e-9 for solution in self.allowed)
 
 
 def count_speeds(rows: SlidingRows) -> int:
-    """Return the number of distinct speeds in the rows.
+    """Return the number of different speeds in the samples.
 
-    Speeds that are almost equal count as one. Speeds with few rows do not count. A law needs at least one distinct
+    Speeds that are almost equal count as one. Speeds with few samples do not count. A law needs at least one distinct
     speed for each parameter that depends on speed.
     """
     speed, count = np.sort(np.abs(rows.velocity)), 0
@@ -401,9 +425,9 @@ def count_speeds(rows: SlidingRows) -> int:
 
 
 def fit_friction_law(data: FrictionData, law: FrictionLaw) -> FrictionLawFit | None:
-    """Fit a law to all rows, and again with each group omitted.
+    """Fit a law to all samples, and again without each group of samples.
 
-    The result is None if the rows, or the rows without one group, do not determine its parameters.
+    The result is None if the samples, or those without one group, do not determine its parameters.
     """
     rows = data.rows
     if count_speeds(rows) < 1 + law.is_viscous + 2 * law.is_falling:
@@ -417,17 +441,17 @@ def fit_friction_law(data: FrictionData, law: FrictionLaw) -> FrictionLawFit | N
         if not refits:
             return None
         withheld = rows.of(data.group == k)
-        errors.append(refits[0].missed(withheld, data.free_offsets))
+        errors.append(refits[0].residuals_for(withheld, data.free_offsets))
         mean_squares.append(float(np.average(errors[-1] ** 2, weights=withheld.weight)))
     score = float(np.sqrt(np.mean(np.concatenate(errors) ** 2)))
     return FrictionLawFit(data, minima[0], tuple(minima[1:]), np.array(mean_squares), score)
 
 
 def is_better(fit: FrictionLawFit, reference: FrictionLawFit) -> bool:
-    """Return True if a fit has a significantly smaller validation error than the reference.
+    """Return True if a fit predicts withheld samples significantly better than another fit.
 
     If the groups are recordings, Student's t test at 95 % compares the mean square errors of the recordings. For all
-    other groups, an F test at 99 % compares the sums of squares, with the number of uncorrelated rows.
+    other groups, an F test at 99 % compares the sums of squares, with the number of uncorrelated samples.
     """
     if fit.held_out_rms >= reference.held_out_rms:
         return False
@@ -452,7 +476,7 @@ def is_better(fit: FrictionLawFit, reference: FrictionLawFit) -> bool:
 
 @dataclass(frozen=True, eq=False)
 class FrictionFits:
-    """Fits of all friction laws, with the data that findings, figures and the result need."""
+    """Fits of all friction laws, with the data that findings, figures and result need."""
 
     records: tuple[FrictionRecord, ...]
     motions: tuple[RecordedMotion, ...]
@@ -475,19 +499,22 @@ class FrictionFits:
 
     @cached_property
     def ranked(self) -> list[str]:
-        """Names of the laws, in the order of their validation errors."""
+        """Names of the laws in the order of their validation errors, the best first."""
         return sorted(self.fits, key=lambda name: self.fits[name].held_out_rms)
 
     @cached_property
     def equivalent(self) -> list[str]:
-        """Names of the laws that the best law does not improve significantly, the simplest first."""
+        """Names of the laws that are not significantly worse than the best law.
+
+        The simplest law comes first.
+        """
         candidates = [name for name in self.ranked if (name in GROWING_LAWS) == self.grows]
         best = self.fits[candidates[0]]
         return [n for n, fit in self.fits.items() if n in candidates and (fit is best or not is_better(best, fit))]
 
     @property
     def supported(self) -> str:
-        """Name of the simplest law that no other law improves significantly."""
+        """Name of the simplest law to which no other law is significantly superior."""
         return self.equivalent[0]
 
     @property
@@ -502,7 +529,7 @@ class FrictionFits:
 
     @cached_property
     def speeds(self) -> tuple[float, float]:
-        """Speeds below which 2 % and 98 % of the rows are [m/s]."""
+        """Speeds below which 2 % and 98 % of the samples are [m/s]."""
         low, high = np.quantile(np.abs(self.data.rows.velocity), [0.02, 0.98]).tolist()
         return low, high
 
@@ -518,12 +545,15 @@ class FrictionFits:
 
     @cached_property
     def bristles(self) -> Bristles | None:
-        """Estimates of bristle stiffness and damping; None if there are too few reversals."""
+        """Estimates of stiffness and damping of the bristles.
+
+        The value is None if there are too few reversals.
+        """
         return fit_bristles(self.motions, self.fit.values, self.fit.solution.offsets, self.distance)
 
     @cached_property
     def misses_pressure_speed(self) -> bool:
-        """True if the residuals depend on the product of pressure and speed beyond chance."""
+        """True if the residuals depend significantly on pressure times speed."""
         return SEAL in self.fit.values and abs(self.fit.pressure_speed) > 1.0
 
     @property
@@ -540,7 +570,11 @@ def fit_records(
     within: tuple[float, float] | None,
     mass: float,
 ) -> FrictionFits:
-    """Select rows of steady sliding from records and fit all friction laws to them."""
+    """Fit all friction laws to the samples of steady sliding in records.
+
+    `offset` is the known force offset, `smoothing` the window of the velocities, and `within` the range of positions.
+    `mass` is the mass of the body.
+    """
     records = tuple(records)
     if isinstance(offset, float | int) and offset != 0.0:
         records = tuple(replace(record, force=record.force - float(offset)) for record in records)
@@ -598,9 +632,10 @@ def fit_records(
 
 
 def _with_growing_laws(analysis: FrictionFits, has_pressure: bool) -> FrictionFits:
-    """Add fits of the laws whose Stribeck excess depends on the pressure, if the residuals show it.
+    """Add fits of laws whose Stribeck excess depends on the pressure.
 
-    The test uses the richest fitted law. A law of this kind that the caller requests is fitted in any case.
+    They are added if the residuals show this dependence, according to the richest fitted law, or if the caller requests
+    such a law.
     """
     falling = [fit for fit in analysis.fits.values() if fit.solution.law.is_falling]
     grows = bool(falling) and abs(falling[-1].growth) > 1.0
@@ -611,7 +646,7 @@ def _with_growing_laws(analysis: FrictionFits, has_pressure: bool) -> FrictionFi
 
 
 def levels_of(analysis: FrictionFits) -> list[dict[str, Any]]:
-    """Return one table for each record, with measured and modelled mean friction."""
+    """Return measured and modelled mean friction for each record, as one table each."""
     solution, levels = analysis.fit.solution, []
     for k, record in enumerate(analysis.records):
         rows = analysis.data.rows.of(analysis.data.rows.record == k)
@@ -621,7 +656,7 @@ def levels_of(analysis: FrictionFits) -> list[dict[str, Any]]:
             "name": record.name,
             "pressure": float(np.mean(rows.pressure)),
             "rows": len(rows),
-            "level": line - float(np.mean(rows.sign * solution.missed(rows))),
+            "level": line - float(np.mean(rows.sign * solution.residuals_for(rows))),
             "line": line,
             "offset": solution.offsets.get(k, 0.0),
             "speeds": [float(np.mean(np.abs(one_way.velocity))) for one_way in directions],

@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from poppet.core.codes import Note, notes_of
 from poppet.core.errors import ErrorCollector, InputError
@@ -125,7 +126,7 @@ def identify_friction(
         if pulley_radius is None and coordinate is TURNING and has_pressure:
             errors.add("friction.no_radius", "pulley_radius")
     analysis = fit_records(record_list, law, offset, smoothing, within, mass or inertia)
-    is_seen = analysis.bristles is not None and analysis.bristles.is_seen
+    is_seen = analysis.bristles is not None and analysis.bristles.is_resolved
     if law == LUGRE and not is_seen:
         raise InputError("friction.no_bristles", "law", reversals=analysis.reversals)
 
@@ -154,7 +155,7 @@ def identify_friction(
         | ({"seal_excess": vars(seal_excess).copy()} if seal_excess else {}),
         remarks=(*findings(analysis), *notes_of(notes)),
         conditions=_conditions(analysis, mass or inertia),
-        series=_curves(analysis),
+        series=_report_curves(analysis),
     )
 
 
@@ -182,7 +183,7 @@ def _estimates(analysis: FrictionFits, radius: float) -> dict[str, Estimate]:
         sizes = value / lever, analysis.coordinate.unit(name), error / lever, low / lever, high / lever
         estimates[name] = Estimate(*sizes, verdict)
     bristles = analysis.bristles
-    if bristles is not None and bristles.is_seen:
+    if bristles is not None and bristles.is_resolved:
         # The interval is logarithmic.
         verdict = judged((bristles.high / bristles.low) ** 0.5 - 1.0, 1.0)
         unit, ends = analysis.coordinate.unit(BRISTLES), (bristles.low, bristles.high)
@@ -248,8 +249,8 @@ def _conditions(analysis: FrictionFits, inertia: float) -> dict[str, Any]:
     }
 
 
-def _curves(analysis: FrictionFits) -> dict[str, Any]:
-    """Return the curves that the report shows, by name."""
+def _report_curves(analysis: FrictionFits) -> dict[str, Any]:
+    """Return the curves for the report by name."""
     rows, solution, parameters = analysis.data.rows, analysis.fit.solution, analysis.fit.values
     bristles, unit = analysis.bristles, analysis.coordinate.effort_unit
     measured, model, curves = rows.friction - solution.zero(rows), solution.friction(rows), {}
@@ -291,10 +292,10 @@ def _curves(analysis: FrictionFits) -> dict[str, Any]:
 
 
 def _pressure_curve(analysis: FrictionFits, residual: FloatArray) -> dict[str, Any]:
-    """Return friction versus pressure.
+    """Return friction over pressure for the report.
 
-    The curve has one point for each recording, or all rows if there is only one recording. `residual` is measured minus
-    modelled friction along the motion.
+    The curve has one point for each recording, or all samples if there is only one recording. `residual` is measured
+    minus modelled friction along the motion.
     """
     rows, parameters, spread = analysis.data.rows, analysis.fit.values, analysis.fit.spread
     groups = [np.flatnonzero(rows.record == k) for k in np.unique(rows.record)]
@@ -317,5 +318,5 @@ def _pressure_curve(analysis: FrictionFits, residual: FloatArray) -> dict[str, A
     }
 
 
-def _select_points(count: int) -> Any:
+def _select_points(count: int) -> NDArray[np.int_]:
     return np.unique(np.linspace(0, count - 1, min(count, MOST)).round().astype(int))

@@ -48,9 +48,9 @@ ROUNDED = 12.0 / 35.0
 
 @dataclass(frozen=True, eq=False)
 class SlidingRows:
-    """Rows for the fit of a friction law: points of a table or blocks of recordings.
+    """Samples for the fit of a friction law.
 
-    All arrays have the shape (n,).
+    They are points of a table, or blocks of a recording. All arrays have the shape (n,).
     """
 
     velocity: FloatArray  # [m/s]
@@ -68,18 +68,24 @@ class SlidingRows:
         return int(self.velocity.size)
 
     def of(self, selected: NDArray[np.bool_]) -> SlidingRows:
-        """Return the rows for which the mask `selected` is True."""
+        """Return the samples that a mask selects."""
         return SlidingRows(*(getattr(self, field.name)[selected] for field in fields(self)))
 
     @property
     def sign(self) -> FloatArray:
-        """Sign of the velocity of each row, or of the friction if the velocity is zero."""
+        """Direction of the friction at each sample: the sign of the velocity.
+
+        If the velocity is zero, it is the sign of the friction.
+        """
         return np.where(self.velocity != 0.0, np.sign(self.velocity), np.sign(self.friction))
 
 
 @dataclass(frozen=True, eq=False)
 class Reversal:
-    """Samples of a stroke; after a reversal, bristles deflect. Arrays have the shape (n,)."""
+    """Samples of one stroke after a reversal of the motion.
+
+    After a reversal, the bristles of the friction model deflect. Arrays have the shape (n,).
+    """
 
     distance: FloatArray  # from the start of the stroke [m]
     friction: FloatArray  # [N]
@@ -124,7 +130,7 @@ class Reversal:
 
 @dataclass(frozen=True, eq=False)
 class RecordedMotion:
-    """Smoothed recording, divided into strokes, with rows and reversals."""
+    """Smoothed recording of a moving body, divided into strokes."""
 
     rows: SlidingRows
     reversals: tuple[Reversal, ...]
@@ -136,7 +142,10 @@ class RecordedMotion:
 
 
 def rows_of_table(record: FrictionRecord, index: int) -> RecordedMotion:
-    """Return the points of a table as rows for the fit of a friction law."""
+    """Return the points of a friction table as samples for a fit.
+
+    `index` is the index of the table.
+    """
     assert record.velocity is not None
     n, unknown = len(record), np.full(len(record), math.nan)
     weight = np.ones(n) if record.uncertainty is None else record.uncertainty**-2.0
@@ -151,8 +160,8 @@ def rows_of_recording(
 ) -> RecordedMotion:
     """Divide a recording into strokes, and each stroke into blocks.
 
-    The result contains rows of steady motion and reversals. If `window` is None, the window of each stroke depends on
-    the speed of the stroke.
+    The result contains samples of steady motion and reversals. If `window` is None, the window of each stroke depends
+    on the speed of the stroke. `first_stroke` is the index of the first stroke.
     """
     time, position = record.time, record.position
     assert time is not None
@@ -208,7 +217,7 @@ def rows_of_recording(
 
 
 def stack_rows(rows: Sequence[SlidingRows]) -> SlidingRows:
-    """Return the rows of several recordings as one set of rows."""
+    """Join the samples of several recordings."""
     return SlidingRows(
         *(
             np.concatenate([getattr(part, field.name) for part in rows] or [np.zeros(0)])
@@ -226,9 +235,9 @@ def _pressure(record: FrictionRecord) -> FloatArray:
 
 
 def _fit_lines(time: FloatArray, position: FloatArray, half: float) -> tuple[FloatArray, FloatArray, float]:
-    """Fit a line to the samples within `half` of each time.
+    """Return values and slopes of straight lines that are fitted near each time.
 
-    The result contains the values and slopes of the lines at these times, and the rms residual.
+    A line is fitted to the samples within `half` of the time. The third item is the rms residual.
     """
     first = np.searchsorted(time, time - half * (1.0 + 1e-9))
     end = np.searchsorted(time, time + half * (1.0 + 1e-9), side="right")
@@ -250,10 +259,10 @@ def _fit_lines(time: FloatArray, position: FloatArray, half: float) -> tuple[Flo
 
 
 def _split_strokes(smooth: FloatArray, back: float) -> tuple[list[tuple[slice, float, float]], int]:
-    """Return the strokes between significant reversals, and the number of omitted short strokes.
+    """Divide a recording into strokes between reversals.
 
-    A reversal is significant if the travel after it exceeds `back`. A stroke is its samples, its direction, and the
-    length of the previous stroke, which is 0 if there is none [m].
+    A reversal counts if the travel after it exceeds `back`. A stroke is its samples, its direction, and the length of
+    the previous stroke, which is 0 if there is none [m]. The second item is the number of strokes that are too short.
     """
     turns, sign = [0], 0.0
     lowest = highest = 0
@@ -280,9 +289,10 @@ def _split_strokes(smooth: FloatArray, back: float) -> tuple[list[tuple[slice, f
 
 
 def bending_distances(motions: Sequence[RecordedMotion]) -> dict[int, float]:
-    """Return the distance from each reversal to steady sliding, by index of the stroke [m].
+    """Return the distance after each reversal from which the body slides [m].
 
-    The distance of a stroke is at least the median over all strokes for which it can be measured.
+    Keys are indices of strokes. The distance of a stroke is at least the median over all strokes for which it can be
+    measured.
     """
     distances = {}
     # On strokes that are much shorter than the others, bristles deflect without sliding.
@@ -309,9 +319,10 @@ def bending_distances(motions: Sequence[RecordedMotion]) -> dict[int, float]:
 
 
 def is_steady(rows: SlidingRows, distance_of_row: FloatArray) -> NDArray[np.bool_]:
-    """Return a mask of the rows with steady sliding.
+    """Return a mask of the samples with steady sliding.
 
-    In other rows, the speed changed too much within the distance that the bristles need to deflect.
+    `distance_of_row` is the distance that the bristles need to deflect. In other samples, the speed changed too much
+    within this distance.
     """
     result, speed = np.ones(len(rows), dtype=bool), np.abs(rows.velocity)
     for k in np.unique(rows.stroke[rows.stroke >= 0]):

@@ -20,7 +20,10 @@ BRISTLES, DAMPING = "friction.bristle_stiffness", "friction.bristle_damping"
 
 @dataclass(frozen=True)
 class Coordinate:
-    """Kind of motion of a body, with units and names; a rotation has torques and angles."""
+    """Kind of motion of a body, translation or rotation, with units and names.
+
+    A rotation has torques and angles.
+    """
 
     body: str  # kind of the part
     length: str  # SI unit of a position
@@ -36,25 +39,28 @@ class Coordinate:
 
     @property
     def opposite(self) -> Coordinate:
-        """Kind of motion of the other body: rotation for a mass, translation for a joint."""
+        """The other kind of motion: rotation for a mass, translation for a joint."""
         return ON_LINE if self is TURNING else TURNING
 
     def name(self, number: str) -> str:
-        """Return the name of a friction parameter for this kind of body.
+        """Return the name of a friction parameter for this kind of motion.
 
-        `number` is the name for a translation.
+        `number` is its name for a translation.
         """
         return number.replace("_force", f"_{self.effort}")
 
     def unit(self, number: str) -> str:
-        """Return the SI unit of a friction parameter for this kind of body."""
+        """Return the SI unit of a friction parameter for this kind of motion.
+
+        `number` is the name of the parameter.
+        """
         effort, length = self.effort_unit, self.length
         units = {STRIBECK: self.speed, SEAL: "N/Pa", SEAL_EXCESS: "N/Pa", BRISTLES: f"{effort}/{length}"}
         units |= dict.fromkeys((VISCOUS, DAMPING), f"{effort} s/{length}")
         return units.get(number, effort)
 
     def is_of(self, unit: str, quantity: str) -> bool:
-        """Return True if a unit is valid for a quantity of this kind of body.
+        """Return True if a unit is valid for a quantity of this kind of motion.
 
         The quantity is `position`, `velocity`, or the name of the force or torque.
         """
@@ -159,5 +165,5 @@ class FrictionRecord:
 
     @property
     def is_motion(self) -> bool:
-        """True for a recording, whose samples are in order of time."""
+        """True for a recording over time, and False for a table of steady sliding."""
         return self.time is not None

@@ -112,12 +112,12 @@ def identify_muscle(
         comparison={"law": selected, "held_out_by": [*fit.held_out], "forces": _table(fits, ranked, points)},
         remarks=(*doubts, *_findings(points, fits, ranked, selected), *notes_of(notes)),
         conditions=_conditions(points, fit),
-        series=_series(points, fit),
+        series=_report_curves(points, fit),
     )
 
 
 def _doubts(points: MusclePoints, fit: ForceLawFit) -> Iterator[Note]:
-    """Yield findings that cast doubt on all estimates."""
+    """Yield findings that cast doubt on all estimates, for example wrong units."""
     taut = points.taut
     pressure, force = points.pressure[taut], points.force[taut]
     maximum = float(np.max(force))
@@ -171,7 +171,10 @@ def _table(fits: Mapping[str, ForceLawFit], ranked: Sequence[str], points: Muscl
 def _findings(
     points: MusclePoints, fits: Mapping[str, ForceLawFit], ranked: Sequence[str], selected: str
 ) -> Iterator[Note]:
-    """Yield findings on the ranking of the laws and on the points."""
+    """Yield findings on the comparison of the laws, and on the points.
+
+    `ranked` contains the names of the laws, the best first.
+    """
     largest, best = float(np.max(points.force)), fits[ranked[0]]
     errors = {name: fits[name].score for name in ranked}
     facts = {"law": ranked[0], "error": best.score, "part": 100.0 * best.score / largest, "errors": errors}
@@ -225,10 +228,10 @@ def _conditions(points: MusclePoints, fit: ForceLawFit) -> dict[str, Any]:
     }
 
 
-def _series(points: MusclePoints, fit: ForceLawFit) -> dict[str, Any]:
-    """Return the curves of the report, with the measured points at some levels.
+def _report_curves(points: MusclePoints, fit: ForceLawFit) -> dict[str, Any]:
+    """Return the curves for the report, with measured points at some levels.
 
-    Without levels, the result contains all points.
+    A level is a nearly constant pressure or contraction. Without levels, the result contains all points.
     """
     axis, taut = points.groups[0], points.taut
     if axis not in ("pressure", "contraction"):

@@ -105,19 +105,20 @@ class MusclePoints:
 
     @cached_property
     def slack_force(self) -> float:
-        """Force up to which a point counts as slack [N]."""
+        """Force up to which the muscle counts as slack at a point [N]."""
         return SLACK * float(np.max(self.force)) if self.slack_below is None else self.slack_below
 
     @cached_property
     def taut(self) -> NDArray[np.bool_]:
-        """Mask of the taut points, at which the muscle pulls, shape (n,)."""
+        """Mask of the points at which the muscle pulls (is taut), shape (n,)."""
         return np.asarray(self.force > self.slack_force)
 
     @cached_property
     def direction(self) -> FloatArray | None:
-        """Direction of the motion at each point: 1 for contraction, -1 for extension, 0 at rest.
+        """Direction of the motion at each point.
 
-        The result is None if the points have no time, or if no taut point moves.
+        It is 1 for contraction, -1 for extension, and 0 at rest. The result is None if the points have no time, or if
+        the muscle does not move while it pulls.
         """
         if self.time is None:
             return None
@@ -136,10 +137,10 @@ class MusclePoints:
 
     @cached_property
     def groups(self) -> tuple[str, NDArray[np.int_]]:
-        """Kind of the groups for validation, and index of the group of each point, shape (n,).
+        """Groups of points for validation: their kind, and the group index of each point.
 
-        The groups are recordings if there are enough of them. Otherwise they are levels of pressure or contraction, or
-        blocks in time.
+        The index has the shape (n,). The groups are recordings if there are enough of them. Otherwise they are levels
+        of pressure or contraction, or blocks in time.
         """
         if self._is_sufficient(self._recordings):
             return "recording", self._recordings
@@ -155,11 +156,12 @@ class MusclePoints:
 
     @cached_property
     def crossed(self) -> tuple[str, NDArray[np.int_]] | None:
-        """Second axis of a force map, and index of the group of each point, shape (n,).
+        """Second kind of groups for validation of a force map, or None.
 
-        The inner levels along this axis are also withheld once, because a law interpolates between levels. Points at
-        the outer levels have the group -1. They are never withheld along this axis, because a law would have to
-        extrapolate to them. The result is None if there is no second axis with enough levels.
+        The result contains the name of the second axis, and the group index of each point, shape (n,). Inner levels
+        along this axis are also withheld once, because a law interpolates between levels. Points at the outer levels
+        have the group -1. They are never withheld along this axis, because a law would have to extrapolate to them. The
+        result is None if there is no second axis with enough levels.
         """
         name = {"pressure": "contraction", "contraction": "pressure"}.get(self.groups[0])
         if name is None:
@@ -177,7 +179,7 @@ class MusclePoints:
 def levels(values: FloatArray) -> NDArray[np.int_]:
     """Return the index of the level to which each value belongs.
 
-    A level consists of values that are almost equal. The levels are in ascending order.
+    A level is a group of values that are almost equal. The levels are in ascending order.
     """
     order = np.argsort(values, kind="stable")
     steps = np.diff(values[order], prepend=values[order][:1]) > SAME * float(np.ptp(values))
@@ -187,7 +189,7 @@ def levels(values: FloatArray) -> NDArray[np.int_]:
 
 
 def join_tables(tables: Sequence[MusclePoints]) -> MusclePoints:
-    """Return the points of several recordings of one muscle as one set of points."""
+    """Join the points of several recordings of one muscle."""
     with ErrorCollector() as errors:
         for (k, first_table), (n, second_table) in itertools.combinations(enumerate(tables), 2):
             if all(np.array_equal(getattr(first_table, name), getattr(second_table, name)) for name in CHANNELS):

@@ -28,7 +28,7 @@ _SEARCHED = 24
 
 
 class ForceLawCandidate(ABC):
-    """Force law of a muscle whose parameters can be fitted."""
+    """Base class of force laws of a muscle whose parameters can be fitted."""
 
     name: ClassVar[str]
     shapes: ClassVar[tuple[float, float] | None] = None
@@ -39,9 +39,10 @@ class ForceLawCandidate(ABC):
 
     @abstractmethod
     def columns(self, pressure: FloatArray, contraction: FloatArray, shape: float) -> tuple[Any, list[FloatArray]]:
-        """Return the fixed term of the force and the factors of the linear parameters.
+        """Return the terms of the force at each point.
 
-        The force is the fixed term plus the sum of factor times parameter. `shape` is the nonlinear parameter.
+        They are a fixed term, and the factors of the linear parameters. The force is the fixed term plus the sum of
+        factor times parameter. `shape` is the nonlinear parameter.
         """
 
     @abstractmethod
@@ -49,16 +50,22 @@ class ForceLawCandidate(ABC):
         """Return a mapping from the address of each parameter to its unit."""
 
     def numbers(self, linear: FloatArray, shape: float) -> list[float]:
-        """Return the parameters of the muscle in a circuit, in the order of `units`."""
+        """Return the parameters of a muscle part, in the order of `units`.
+
+        `linear` contains the linear parameters of the fit, and `shape` the nonlinear one.
+        """
         return [*linear.tolist(), *([] if self.shapes is None else [shape])]
 
     @abstractmethod
     def law(self, values: Mapping[str, float]) -> ForceLaw:
-        """Return the force law with the given parameter values by address."""
+        """Return the force law for given parameter values.
+
+        `values` maps addresses of parameters to values.
+        """
 
 
 class SarosiCandidate(ForceLawCandidate):
-    """Force law of Sarosi as a candidate for the fit."""
+    """Force law of Sarosi, as one of the laws that are fitted."""
 
     name = "sarosi"
     shapes = (-300.0, -5.0)
@@ -78,7 +85,10 @@ class SarosiCandidate(ForceLawCandidate):
 
 
 class BraidCandidate(ForceLawCandidate):
-    """Force law of Chou and Hannaford, which is linear in b = 1/sin^2 of the braid angle."""
+    """Candidate force law of Chou and Hannaford.
+
+    The force is linear in the parameter b = 1/sin(alpha)^2, where alpha is the braid angle at rest.
+    """
 
     name = "chou_hannaford"
 
@@ -100,7 +110,10 @@ class BraidCandidate(ForceLawCandidate):
 
 
 class TonduCandidate(BraidCandidate):
-    """Force law of Tondu and Lopez, which adds the end factor k to the braid law."""
+    """Force law of Tondu and Lopez.
+
+    It adds the end factor k to the braid law.
+    """
 
     name = "tondu_lopez"
     shapes = (0.2, 6.0)
@@ -113,7 +126,7 @@ class TonduCandidate(BraidCandidate):
 
 
 class TableCandidate(ForceLawCandidate):
-    """Table of the force at levels of contraction, with linear interpolation between levels.
+    """Force law as a table with linear interpolation between levels of contraction.
 
     At each level, the force is a linear function of the pressure.
     """
@@ -154,7 +167,10 @@ CANDIDATES: dict[str, type[ForceLawCandidate]] = {
 
 @dataclass(frozen=True, eq=False)
 class ForceLawFit:
-    """Fit of a force law to all taut points, and refits that each omit one group."""
+    """Fit of a force law to all points at which the muscle pulls.
+
+    It includes refits, each without one group of points.
+    """
 
     candidate: ForceLawCandidate
     points: MusclePoints
@@ -165,11 +181,14 @@ class ForceLawFit:
 
     @cached_property
     def law(self) -> ForceLaw:
-        """Fitted force law."""
+        """Force law with the fitted parameters."""
         return self.candidate.law(self.values)
 
     def is_at_bound(self, name: str) -> bool:
-        """Return True if a nonlinear parameter is at a bound, or if no braid angle fits."""
+        """Return True if the value of a nonlinear parameter is a bound.
+
+        The result is also True if no braid angle fits.
+        """
         value, shapes = self.values[name], self.candidate.shapes or ()
         at_end = name in ("sarosi.a3", "end_factor") and any(abs(value - end) < 1e-3 * abs(end) for end in shapes)
         return at_end or (name == "braid_angle" and value == 0.5 * math.pi)
@@ -181,19 +200,25 @@ class ForceLawFit:
 
     @cached_property
     def covariance(self) -> FloatArray:
-        """Covariance of the parameters, from a jackknife over the groups."""
+        """Covariance of the parameters, from refits without each group (jackknife)."""
         count = len(self.without)
         centred = self.without - self.without.mean(axis=0)
         return np.asarray((count - 1) / count * centred.T @ centred)
 
     @cached_property
     def errors(self) -> FloatArray:
-        """Residuals of the taut points, modelled minus measured force [N]."""
+        """Residuals of the points at which the muscle pulls [N].
+
+        A residual is modelled minus measured force.
+        """
         return np.asarray((self.modelled - self.points.force)[self.points.taut])
 
     @cached_property
     def score(self) -> float:
-        """Root mean square of all validation errors; the smallest value ranks first [N]."""
+        """Root mean square of all validation errors [N].
+
+        The law with the smallest value is the best.
+        """
         return rms(np.concatenate([*self.held_out.values()]))
 
 
@@ -203,9 +228,10 @@ def rms(errors: FloatArray) -> float:
 
 
 def fit_force_law(points: MusclePoints, name: str) -> ForceLawFit | None:
-    """Fit a force law to the taut points, and again with each group omitted.
+    """Fit a law to the points at which the muscle pulls.
 
-    The result is None if the points, or the points without one group, do not determine its parameters.
+    The fit is repeated without each group of points. The result is None if the points, or the points without one group,
+    do not determine its parameters.
     """
     candidate, taut = CANDIDATES[name](points), points.taut
     values = _fit_parameters(candidate, points, taut)
@@ -230,7 +256,10 @@ def fit_force_law(points: MusclePoints, name: str) -> ForceLawFit | None:
 
 
 def error_at(fit: ForceLawFit, shift: float) -> float:
-    """Return the rms error of a fit of the same law to pressures that are shifted by `shift` [N]."""
+    """Return the rms error of a fit to other pressures [N].
+
+    All pressures are increased by `shift`. The law is that of `fit`.
+    """
     shifted = replace(fit.points, pressure=fit.points.pressure + shift)
     values = _fit_parameters(fit.candidate, shifted, shifted.taut)
     assert values is not None  # the points determined the parameters before
@@ -248,9 +277,9 @@ def _force(candidate: ForceLawCandidate, points: MusclePoints, values: Mapping[s
 def _fit_parameters(
     candidate: ForceLawCandidate, points: MusclePoints, selected: NDArray[np.bool_]
 ) -> dict[str, float] | None:
-    """Return the parameters that fit the selected points.
+    """Return the parameters that fit some points.
 
-    The result is None if the points do not determine the parameters.
+    `selected` is the mask of these points. The result is None if the points do not determine the parameters.
     """
     pressure, contraction, force = (array[selected] for array in (points.pressure, points.contraction, points.force))
     hysteresis: list[FloatArray] = []

@@ -45,7 +45,10 @@ WARMS = 0.05
 
 @dataclass(frozen=True)
 class Alternative:
-    """Fit of a tank test in which one more field is free than in the original fit."""
+    """Fit of a tank test in which one more parameter is free.
+
+    In the original fit, this parameter is fixed.
+    """
 
     name: str  # name of the field that is free in this model only
     estimates: Mapping[str, Estimate]
@@ -54,12 +57,15 @@ class Alternative:
 
     @property
     def gain(self) -> float:
-        """Decrease of AICc relative to the original fit, per independent sample."""
+        """Decrease of AICc compared with the original fit, per independent sample."""
         return -self.difference / self.samples
 
 
 def misfit_channels(plan: FitPlan, result: Result) -> set[str]:
-    """Return the channels whose residuals are neither white noise nor rounding errors."""
+    """Return the channels that the model does not describe.
+
+    Their residuals are neither white noise nor rounding errors.
+    """
     channels = set()
     for fitted in channels_of(plan.experiments):
         series = result.series[fitted.name]
@@ -72,7 +78,7 @@ def misfit_channels(plan: FitPlan, result: Result) -> set[str]:
 def fit_alternatives(test: TankTest, runs: Sequence[TankRun], plan: FitPlan, result: Result) -> list[Alternative]:
     """Return the fits of all alternative models, the best first.
 
-    The list is empty if the recordings give no reason for another model.
+    In each of them, one more parameter is free. The list is empty if the recordings give no reason for another model.
     """
     plans = {
         name: alternative_plan
@@ -109,9 +115,9 @@ def fit_alternatives(test: TankTest, runs: Sequence[TankRun], plan: FitPlan, res
 def wall_temperature_notes(
     test: TankTest, runs: Sequence[TankRun], plan: FitPlan, result: Result, number: str
 ) -> list[Note]:
-    """Return a note if the tank wall probably warmed enough to change the main parameter.
+    """Return a note if a warmer wall would change the main parameter.
 
-    `number` is the address of this parameter.
+    The model assumes a constant wall temperature. `number` is the address of the main parameter.
     """
     if test.thermal != "energy" or test.wall_heat_capacity is not None:
         return []
@@ -163,9 +169,9 @@ def _row(estimate: Estimate) -> dict[str, Any]:
 
 
 def _alternative_plan(test: TankTest, runs: Sequence[TankRun], name: str) -> FitPlan | None:
-    """Return the plan in which one fixed parameter is free.
+    """Return the plan in which one more parameter is free.
 
-    The result is None if this model does not apply to the test.
+    `name` is the name of this parameter. The result is None if this model does not apply to the test.
     """
     if name == "supply_pressure":
         if not any(run.direction == "charge" and not is_free(run.supply_pressure) for run in runs):
@@ -196,9 +202,9 @@ def _added_parameters(plan: FitPlan, result: Result) -> list[FreeParameter]:
 
 
 def _largest_step(plan: FitPlan, result: Result) -> float:
-    """Return the largest predicted change of a fixed parameter if it were free, in sigmas.
+    """Return by how much a fixed parameter would change if it were free.
 
-    The prediction uses the gradient of the cost.
+    It is the largest predicted change of all fixed parameters, in sigmas. The prediction uses the gradient of the cost.
     """
     added, names = _added_parameters(plan, result), [f.name for f in plan.free]
     x = np.array([result.parameters[f.name].value if f not in added else _fixed_value(f) for f in plan.free])
@@ -223,7 +229,7 @@ def _largest_step(plan: FitPlan, result: Result) -> float:
 
 
 def _fixed_value(f: FreeParameter) -> float:
-    """Return the value that a parameter, free in an alternative, has in the original fit."""
+    """Return the value in the original fit of a parameter that an alternative adds."""
     if f.role in ("lag", "offset") or f.address == "leak.sonic_conductance":
         return 0.0
     return CONSTANT * f.start if f.address == "tank.wall_heat_capacity" else f.start
@@ -256,10 +262,10 @@ def _fit_plan(
     )
 
 
-def _evaluate(plan: FitPlan, optimum: Optimum) -> tuple[dict[str, Estimate], dict[str, FloatArray], float]:
-    """Return the estimates at an optimum, the residuals in SI units, and the AICc.
+def _evaluate_optimum(plan: FitPlan, optimum: Optimum) -> tuple[dict[str, Estimate], dict[str, FloatArray], float]:
+    """Return the estimates at an optimum, the residuals and the AICc.
 
-    The residuals are given by channel.
+    The residuals are in SI units, by channel.
     """
     channels = zip(channels_of(plan.experiments), optimum.sigmas, strict=True)
     residuals = {fitted.name: sigma * optimum.residual[fitted.rows] for fitted, sigma in channels}
@@ -268,7 +274,7 @@ def _evaluate(plan: FitPlan, optimum: Optimum) -> tuple[dict[str, Estimate], dic
 
 
 def _to_alternative(name: str, plan: FitPlan, optimum: Optimum, result: Result) -> Alternative:
-    parameters, residuals, criterion = _evaluate(plan, optimum)
+    parameters, residuals, criterion = _evaluate_optimum(plan, optimum)
     difference = criterion - float(result.comparison["aicc"])
     samples = max(1.0 if is_white(residual) else correlation_time(residual) for residual in residuals.values())
     return Alternative(name, parameters, difference, samples)
@@ -294,7 +300,7 @@ def compare_laws(test: TankTest, runs: Sequence[TankRun], plan: FitPlan, result:
         optimum = optimise(law_plan.experiments, law_plan.free, settings, sigmas=sigmas)
         if optimum.interrupted:
             return mark_interrupted(result, Note("finding.stopped.laws"))
-        parameters, residuals, criterion = _evaluate(law_plan, optimum)
+        parameters, residuals, criterion = _evaluate_optimum(law_plan, optimum)
         rms = {channel: float((piece @ piece / piece.size) ** 0.5) for channel, piece in residuals.items()}
         laws[name] = _law_row(criterion, parameters, rms)
     number, remarks = f"{test.part}.sonic_conductance", list[Note]()

@@ -1,4 +1,4 @@
-"""Uncertainty budget of a tank test: volume, supply pressure, and scale and zero of the pressure gauge."""
+"""Uncertainty budget of a tank test: volume, supply pressure, a small leak, and scale and zero of the gauge."""
 
 from __future__ import annotations
 
@@ -21,26 +21,29 @@ from poppet.identify.fit.statistics import influences, verdict
 from poppet.identify.free_parameter import by_name
 from poppet.identify.gum import coverage_factor
 from poppet.identify.result import VERDICTS, Estimate, Result
-from poppet.identify.tank.tank_plan import PRESSURE, SUPPLY, TankRun, is_free
+from poppet.identify.tank.tank_plan import COMMON_RATIO, PRESSURE, SUPPLY, TankRun, is_free, plan_tank_fit
 from poppet.identify.tank.test import TankTest
 from poppet.timeseries.checks import FloatArray
 
-VOLUME = "tank.volume"
-FIELDS = dict.fromkeys(("volume", "supply_pressure", "gauge_scale", "gauge_zero"), Field())
+VOLUME, LEAK, LEAK_RATIO = "tank.volume", "leak.sonic_conductance", "leak.critical_ratio"
+FIELDS = dict.fromkeys(("volume", "supply_pressure", "leak", "gauge_scale", "gauge_zero"), Field())
 """Keys of the table `uncertainties` of a tank test."""
-DEFAULTS = {"volume": 0.005, "supply_pressure": 0.003, "gauge_scale": 0.003}
+DEFAULTS = {"volume": 0.005, "supply_pressure": 0.003, "leak": 0.015, "gauge_scale": 0.003}
 r"""Relative standard uncertainties that are assumed if a tank test does not state them.
 
 | quantity | default | source |
 |---|---|---|
 | volume | 0.5 % | assumed: filling with water on a scale, lines and fittings included |
 | supply pressure (absolute) | 0.3 % | assumed: limits of ±0.5 %, rectangular distribution (GUM 4.3.7) |
+| leak (fraction of C) | 1.5 % | assumed: small leaks of fittings, 95 % of them below 3 % of C |
 | gauge scale (gauge pressure) | 0.3 % | assumed: limits of ±0.5 %, rectangular distribution (GUM 4.3.7) |
 """
 DEFAULT_ZERO = 0.0006
 """Default standard uncertainty of the gauge zero, as a fraction of the range of the recording.
 
 The value is assumed: limits of ±0.1 %, rectangular distribution (GUM 4.3.7)."""
+RATIO = 0.17
+"""Assumed standard uncertainty of the critical ratio of a leak: 0 to 0.6, rectangular distribution."""
 LARGEST = 0.5
 """Largest relative standard uncertainty that the linear propagation accepts."""
 LARGEST_STEP = 0.005
@@ -53,6 +56,8 @@ NOISE, AMBIENT = "noise and lack of fit", "ambient temperature"
 SOURCES = {
     "volume": "volume",
     "supply_pressure": "supply pressure",
+    "leak": "leak",
+    "leak_ratio": "leak",
     "gauge_scale": "gauge scale",
     "gauge_zero": "gauge zero",
 }
@@ -61,34 +66,44 @@ SOURCES = {
 
 @dataclass(frozen=True)
 class Uncertainties:
-    """Standard uncertainties of the stated quantities of a tank test; 0 for an exact quantity."""
+    """Standard uncertainties of the quantities that a tank test states.
+
+    The uncertainty of an exact quantity is 0.
+    """
 
     volume: float  # relative
     supply_pressure: float  # relative, of the absolute pressure
+    leak: float  # sonic conductance of the leak, as a fraction of C
     gauge_scale: float  # relative, of the gauge pressure
     gauge_zero: float  # [Pa]
     assumed: tuple[str, ...]  # quantities with a default
 
 
 def read_uncertainties(test: TankTest, plan: FitPlan) -> Uncertainties:
-    """Return the standard uncertainties of a tank test, with defaults for those that are not stated.
+    """Return the standard uncertainties of the quantities that a tank test states.
 
-    The volume and the supply pressure accept a fraction or an absolute value.
+    Uncertainties that are not stated have defaults. Those of volume and supply pressure can be fractions or absolute
+    values.
     """
     if isinstance(test.uncertainties, int | float) and test.uncertainties == 0:
-        return Uncertainties(0.0, 0.0, 0.0, 0.0, ())
+        return Uncertainties(0.0, 0.0, 0.0, 0.0, 0.0, ())
     parameters = [e.instance.parameters for e in plan.experiments]
     references = {
         "volume": ("m^3", min(values[VOLUME] for values in parameters)),
         "supply_pressure": ("Pa", min((values[SUPPLY] for values in parameters if SUPPLY in values), default=1.0)),
+        "leak": ("1", 1.0),
         "gauge_scale": ("1", 1.0),
     }
+    # A stated leak was measured.
+    defaults = DEFAULTS | ({"leak": 0.0} if test.leak_conductance not in (None, 0.0) else {})
     sizes: dict[str, float] = {}
     with ErrorCollector() as errors:
         stated = read_fields(errors, test.uncertainties or {}, FIELDS, "uncertainties", table="table of uncertainties")
         for name, (unit, reference) in references.items():
             with errors.collecting():
-                sizes[name] = _relative(stated[name], name, unit, reference) if name in stated else DEFAULTS[name]
+                sizes[name] = (
+                    _relative_uncertainty(stated[name], name, unit, reference) if name in stated else defaults[name]
+                )
         with errors.collecting():
             ranges = [float(np.ptp(c.channel.values)) for c in _gauges(plan)]
             zero = Field(unit="Pa", kind="pressure_difference", low=0.0, meaning="standard uncertainty")
@@ -99,8 +114,11 @@ def read_uncertainties(test: TankTest, plan: FitPlan) -> Uncertainties:
     return Uncertainties(**sizes, assumed=tuple(name for name in FIELDS if name not in stated))
 
 
-def _relative(argument: Any, name: str, unit: str, reference: float) -> float:
-    """Return a standard uncertainty as a fraction of a reference."""
+def _relative_uncertainty(argument: Any, name: str, unit: str, reference: float) -> float:
+    """Return a standard uncertainty as a fraction of a reference value.
+
+    `argument` is the fraction, or an absolute value with the unit `unit`. `name` is the name for messages.
+    """
     location, meaning = f"uncertainties.{name}", "standard uncertainty"
     fraction = Field(unit="1", low=0.0, high=LARGEST, meaning=meaning)
     try:
@@ -114,17 +132,22 @@ def _relative(argument: Any, name: str, unit: str, reference: float) -> float:
 
 
 def add_budget(
-    uncertainties: Uncertainties, runs: Sequence[TankRun], plan: FitPlan, result: Result, ambient: Result
+    test: TankTest,
+    uncertainties: Uncertainties,
+    runs: Sequence[TankRun],
+    plan: FitPlan,
+    result: Result,
+    ambient: Result,
 ) -> Result:
-    """Add the uncertainty of the stated quantities to the standard errors and intervals of a result.
+    """Add the uncertainties of stated quantities to a result.
 
-    `result` has the intervals of the fit, and `ambient` those that include the ambient temperature. The Jacobian of the
-    fit propagates the errors linearly.
+    They increase the standard errors and intervals. `result` has the intervals of the fit, and `ambient` those that
+    include the ambient temperature. The Jacobian of the fit propagates the errors linearly.
     """
-    changes = _residual_changes(runs, plan, result, uncertainties)
+    number = f"{test.part}.sonic_conductance"
+    changes = _residual_changes(test, runs, plan, result, uncertainties)
     if not changes:
         return ambient
-    number = next((f.name for f in plan.free if f.address.endswith("sonic_conductance")), "")
     errors = np.column_stack([*changes.values()])
     rows, moments = _local_model(plan, result, errors)
     budget: dict[str, dict[str, Any]] = {}
@@ -136,12 +159,14 @@ def add_budget(
         if not is_finite or fitted.verdict == "at bound" or f.role == "offset":
             continue
         sizes = _contributions(row @ errors, moments)
-        shares = {SOURCES[name]: float(size) for name, size in zip(changes, sizes, strict=True)}
+        shares = dict.fromkeys((SOURCES[name] for name in changes), 0.0)
+        for name, size in zip(changes, sizes, strict=True):
+            shares[SOURCES[name]] = math.hypot(shares[SOURCES[name]], size)
         sources = {NOISE: fitted.standard_error}
         if estimate.standard_error > fitted.standard_error:
             sources[AMBIENT] = math.sqrt(estimate.standard_error**2 - fitted.standard_error**2)
         budget[f.name] = {"sources": sources | shares}
-        wider = _widened(estimate, math.hypot(*shares.values()), f.low, f.high)
+        wider = _widened_estimate(estimate, math.hypot(*shares.values()), f.low, f.high)
         half = max(wider.high - wider.value, wider.value - wider.low)
         joint = max(verdict(f, wider.value, half), estimate.verdict, key=VERDICTS.index)
         parameters[f.name] = replace(wider, verdict=joint)
@@ -158,7 +183,10 @@ def _budget_note(
 ) -> Note:
     variance = sum(size**2 for size in sources.values())
     facts = {
-        "sizes": {SOURCES[name]: getattr(uncertainties, name) for name in DEFAULTS if name in changes},
+        "sizes": {
+            SOURCES[name]: getattr(uncertainties, name) for name in DEFAULTS if name in changes and name != "leak"
+        },
+        "leak": uncertainties.leak if "leak" in changes else 0.0,
         "zero": uncertainties.gauge_zero,
         "assumed": tuple(SOURCES[name] for name in uncertainties.assumed if name in changes),
         "shares": {name: size**2 / variance for name, size in sources.items()},
@@ -168,9 +196,9 @@ def _budget_note(
 
 
 def update_parameter_notes(plan: FitPlan, result: Result) -> Result:
-    """Return a result whose notes on single parameters agree with the final intervals and verdicts.
+    """Return a result whose notes agree with its final intervals and verdicts.
 
-    Limited verdicts have a finding of their own.
+    The notes are those on single parameters. Limited verdicts have a finding of their own.
     """
     capped = result.conditions.get("capped", {})
     free = [f for f in plan.free if f.name not in capped]
@@ -180,8 +208,11 @@ def update_parameter_notes(plan: FitPlan, result: Result) -> Result:
     return replace(result, remarks=tuple(remarks))
 
 
-def _widened(estimate: Estimate, error: float, low: float, high: float) -> Estimate:
-    """Return an estimate that includes a further standard uncertainty, within the bounds `low` and `high`."""
+def _widened_estimate(estimate: Estimate, error: float, low: float, high: float) -> Estimate:
+    """Return an estimate with an additional standard uncertainty, `error`.
+
+    The interval stays within the bounds `low` and `high`.
+    """
     value, half = estimate.value, coverage_factor(math.inf) * error
     return replace(
         estimate,
@@ -226,8 +257,9 @@ def _local_model(plan: FitPlan, result: Result, errors: FloatArray) -> tuple[Flo
 
 
 def _contributions(sensitivities: FloatArray, moments: FloatArray) -> FloatArray:
-    """Return the contribution of each error to the standard uncertainty of an estimate.
+    """Return the contribution of each error to the standard uncertainty.
 
+    `sensitivities` contains the change of an estimate by each error, and `moments` the second moments of the errors.
     The errors can be correlated: a negative contribution reduces the others.
     """
     products = sensitivities * (moments @ sensitivities)
@@ -237,11 +269,11 @@ def _contributions(sensitivities: FloatArray, moments: FloatArray) -> FloatArray
 
 
 def _residual_changes(
-    runs: Sequence[TankRun], plan: FitPlan, result: Result, uncertainties: Uncertainties
+    test: TankTest, runs: Sequence[TankRun], plan: FitPlan, result: Result, uncertainties: Uncertainties
 ) -> dict[str, FloatArray]:
-    """Return the change of the residuals by one standard uncertainty of each quantity.
+    """Return how the residuals change with each stated quantity.
 
-    Quantities that are exact, free or without effect are omitted.
+    A quantity changes by one standard uncertainty. Quantities that are exact, free or without effect are omitted.
     """
     fitted_runs = [run for run in runs if run.use == "fit"]
     is_fixed = {
@@ -260,7 +292,11 @@ def _residual_changes(
             step = min(size, LARGEST_STEP)
             above, below = (
                 np.concatenate(
-                    [series for e in plan.experiments for series in _scaled(e, plan, name, times).outputs(values)]
+                    [
+                        series
+                        for e in plan.experiments
+                        for series in _scaled_experiment(e, plan, name, times).outputs(values)
+                    ]
                 )
                 for times in (1.0 + step, 1.0 - step)
             )
@@ -274,11 +310,29 @@ def _residual_changes(
                     gauge = fitted.channel.values - float(e.measurement.ambient_pressure)
                     readings[fitted.rows] = size * (gauge if name == "gauge_scale" else 1.0)
             changes[name] = -readings / sigmas
-    return {name: np.append(change, np.zeros(n_priors)) for name, change in changes.items()}
+    changes = {name: np.append(change, np.zeros(n_priors)) for name, change in changes.items()}
+    if uncertainties.leak > 0.0 and not is_free(test.leak_conductance):
+        leaky = plan_tank_fit(replace(test, leak_conductance="free"), runs)
+        parameters, number = plan.experiments[0].instance.parameters, f"{test.part}.sonic_conductance"
+        size = uncertainties.leak * values.get(number, parameters[number])
+        x = np.array([values.get(f.name, parameters.get(LEAK, 0.0)) for f in leaky.free])
+        index = [f.address for f in leaky.free].index(LEAK)
+        for name, ratio in (("leak", COMMON_RATIO), ("leak_ratio", COMMON_RATIO + RATIO)):
+            experiments = [
+                Experiment(e.instance.with_values({LEAK_RATIO: ratio}), e.measurement, leaky.free)
+                for e in leaky.experiments
+            ]
+            objective = FitObjective(experiments, leaky.free, _sigmas(plan, result))
+            changes[name] = size * objective.residual_and_jacobian(x)[1][:, index]
+        changes["leak_ratio"] = changes["leak_ratio"] - changes["leak"]
+    return changes
 
 
-def _scaled(experiment: Experiment, plan: FitPlan, name: str, factor: float) -> Experiment:
-    """Return an experiment with a scaled volume or supply pressure; a recorded supply is scaled as well."""
+def _scaled_experiment(experiment: Experiment, plan: FitPlan, name: str, factor: float) -> Experiment:
+    """Return an experiment in which a volume or a supply pressure is scaled.
+
+    `name` is the quantity, and `factor` the factor. A recorded supply pressure is scaled as well.
+    """
     address = VOLUME if name == "volume" else SUPPLY
     parameters, measurement = experiment.instance.parameters, experiment.measurement
     instance = experiment.instance

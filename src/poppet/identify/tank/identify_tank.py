@@ -30,7 +30,7 @@ from poppet.identify.tank.alternatives import (
     misfit_channels,
     wall_temperature_notes,
 )
-from poppet.identify.tank.budget import add_budget, read_uncertainties, update_parameter_notes
+from poppet.identify.tank.budget import Uncertainties, add_budget, read_uncertainties, update_parameter_notes
 from poppet.identify.tank.tank_plan import AREA_FACTOR, TankRun, plan_tank_fit, read_runs
 from poppet.identify.tank.test import ROOM, TankTest, read_test
 from poppet.identify.tank.thermal_limits import fit_thermal_limits, thermal_limit_notes
@@ -141,15 +141,15 @@ def identify_tank(
             plan = plan_tank_fit(test, runs)
             uncertainties = read_uncertainties(test, plan)
     result = identify_fit(plan, profile=profile, repeats=repeats, contour=contour, progress=progress, stages=stages)
-    result = apply_caps(test, runs, plan, replace(result, method="tank"))
+    result = apply_caps(test, uncertainties, runs, plan, replace(result, method="tank"))
     if test.compare and not result.conditions["interrupted"]:
         result = compare_laws(test, runs, plan, result)
-    result = add_budget(uncertainties, runs, plan, result, widen_for_ambient(test, runs, result))
+    result = add_budget(test, uncertainties, runs, plan, result, widen_for_ambient(test, runs, result))
     return update_parameter_notes(plan, result)
 
 
 def widen_for_ambient(test: TankTest, runs: Sequence[TankRun], result: Result) -> Result:
-    """Widen the intervals of a result if the ambient temperature is unknown."""
+    """Widen the intervals of a result if the ambient temperature is not known."""
 
     # The temperature of the flowing gas is that of the supply or that in the tank.
     is_known = all(
@@ -173,8 +173,10 @@ def widen_for_ambient(test: TankTest, runs: Sequence[TankRun], result: Result) -
     return replace(result, parameters={**result.parameters, **wider}, remarks=(note, *result.remarks))
 
 
-def apply_caps(test: TankTest, runs: Sequence[TankRun], plan: FitPlan, result: Result) -> Result:
-    """Add alternative models and notes to a result, and limit the verdicts of its estimates."""
+def apply_caps(
+    test: TankTest, uncertainties: Uncertainties, runs: Sequence[TankRun], plan: FitPlan, result: Result
+) -> Result:
+    """Add alternative models and notes to a result, and limit its verdicts."""
     number = f"{test.part}.sonic_conductance"
     if result.conditions["interrupted"] or number not in result.parameters:
         return result
@@ -219,7 +221,7 @@ def apply_caps(test: TankTest, runs: Sequence[TankRun], plan: FitPlan, result: R
         for alternative in alternatives
         if _is_equivalent_model(alternative, result, number)
     ]
-    if limits := fit_thermal_limits(test, runs, plan, result, number):
+    if limits := fit_thermal_limits(test, uncertainties, runs, plan, result, number):
         remarks += thermal_limit_notes(limits, result, number)
         estimates_by_model += [{**result.parameters, **fit.estimates()} for fit in limits.equivalent]
     parameters = unite_estimates(plan, [result.parameters, *estimates_by_model])
@@ -229,7 +231,7 @@ def apply_caps(test: TankTest, runs: Sequence[TankRun], plan: FitPlan, result: R
 
 
 def _is_equivalent_model(alternative: Alternative, result: Result, number: str) -> bool:
-    """Return True if an alternative model is a plausible explanation of the recordings.
+    """Return True if an alternative model explains the recordings equally well.
 
     If C of the other model is close to that of the fit, the other model must not have more free parameters.
     """
@@ -240,7 +242,7 @@ def _is_equivalent_model(alternative: Alternative, result: Result, number: str) 
 
 
 def _alternative_notes(alternatives: Sequence[Alternative], result: Result, number: str) -> list[Note]:
-    """Return notes on the best alternative model and on C under each alternative model.
+    """Return notes on the best alternative model, and on C in each of them.
 
     `number` is the address of C.
     """
@@ -298,10 +300,10 @@ def time_unit_notes(runs: Sequence[TankRun]) -> list[Note]:
 
 
 def _cap_verdicts(result: Result, missed: Collection[str]) -> Result:
-    """Change the verdict `determined` to `weak` for parameters with evidence against the model.
+    """Change the verdict `determined` to `weak` if there is evidence against the model.
 
     The item `capped` of the conditions of the result contains the reasons. `missed` contains the channels that the
-    model does not explain.
+    model does not describe.
     """
     reasons: dict[str, list[str]] = {}
     for note in result.remarks:

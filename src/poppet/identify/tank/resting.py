@@ -25,11 +25,11 @@ LEAST_REST = 0.01
 
 
 def rest_before_opening(time: FloatArray, values: FloatArray, noise: float) -> float:
-    """Return the time for which the pressure is constant before it changes [s].
+    """Return how long the pressure is constant before it changes [s].
 
-    The result is 0 if a constant start is not evident. `time` starts at 0, and `noise` is the standard deviation of
-    the samples. A polynomial of degree 2 describes the pressure after the rest. A lag of the sensor, which also starts
-    with a zero slope, must describe the samples worse.
+    The result is 0 if a constant start is not evident. `time` starts at 0, and `noise` is the standard deviation of the
+    samples. A polynomial of degree 2 describes the pressure after the rest. A lag of the sensor, which also starts with
+    a zero slope, must describe the samples worse.
     """
     begin = float(np.median(values[: min(3, 1 + time.size // 50)]))
     change = np.abs(values - begin)
@@ -40,12 +40,12 @@ def rest_before_opening(time: FloatArray, values: FloatArray, noise: float) -> f
     t, y = time[samples] / time[end - 1], values[samples] / noise
     trials = np.linspace(0.0, 0.9, TIMES)[1:]
     least = _chi_square(t, t**2, y)
-    by_rest = _best(t, y, trials, _after_rest)
+    by_rest = _best_trial(t, y, trials, _after_rest)
     if least - by_rest[0] < EVIDENCE:
         return 0.0
     step = trials[1] - trials[0]
-    by_rest = _best(t, y, np.linspace(max(by_rest[1] - step, 0.0), by_rest[1] + step, TIMES), _after_rest)
-    by_lag = _best(t, y, np.geomspace(0.003, 1.0, TIMES), _with_lag)
+    by_rest = _best_trial(t, y, np.linspace(max(by_rest[1] - step, 0.0), by_rest[1] + step, TIMES), _after_rest)
+    by_lag = _best_trial(t, y, np.geomspace(0.003, 1.0, TIMES), _with_lag)
     rest, is_resting = by_rest[1], by_lag[0] - by_rest[0] > AGAINST_LAG
     if not is_resting or rest < LEAST_REST or np.sum(t < rest) < 3:
         return 0.0
@@ -53,29 +53,41 @@ def rest_before_opening(time: FloatArray, values: FloatArray, noise: float) -> f
     is_near = t <= NEAR * rest
     if np.sum(is_near) > LEAST_NEAR:
         trials = np.linspace(0.8 * rest, 1.2 * rest, TIMES)
-        rest = _best(t[is_near], y[is_near], trials, _after_rest)[1]
+        rest = _best_trial(t[is_near], y[is_near], trials, _after_rest)[1]
     return float(rest * time[end - 1])
 
 
 def _after_rest(t: FloatArray, rest: float) -> tuple[FloatArray, FloatArray]:
-    """Return the first and second power of the time since the end of a rest."""
+    """Return the time since the end of a rest, and its square.
+
+    `t` contains the times, and `rest` is the duration of the rest.
+    """
     after = np.maximum(t - rest, 0.0)
     return after, after**2
 
 
 def _with_lag(t: FloatArray, lag: float) -> tuple[FloatArray, FloatArray]:
-    """Return the responses of a first-order lag to the time and to its square."""
+    """Return how a first-order lag responds to the time and to its square.
+
+    `t` contains the times, and `lag` is the time constant.
+    """
     settled = lag * (1.0 - np.exp(-t / lag))
     return t - settled, t**2 - 2.0 * lag * (t - settled)
 
 
-def _best(t: FloatArray, y: FloatArray, trials: FloatArray, basis: Basis) -> tuple[float, float]:
-    """Return the least chi-square of the trial values, and its trial value."""
+def _best_trial(t: FloatArray, y: FloatArray, trials: FloatArray, basis: Basis) -> tuple[float, float]:
+    """Return the least chi-square of several trial values, and the best value.
+
+    `basis` is a function that returns two functions of time for a trial value.
+    """
     return min((_chi_square(*basis(t, trial), y), trial) for trial in trials.tolist())
 
 
 def _chi_square(first: FloatArray, second: FloatArray, y: FloatArray) -> float:
-    """Return the sum of squares that a constant and two functions do not explain."""
+    """Return the sum of squares that remains after a linear fit.
+
+    The fit uses a constant and the functions `first` and `second`.
+    """
     columns = np.linalg.qr(np.column_stack((np.ones_like(y), first, second)))[0]
     left = y - columns @ (columns.T @ y)
     return float(left @ left)

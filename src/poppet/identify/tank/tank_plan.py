@@ -84,7 +84,7 @@ USUAL_ZERO = 0.01
 
 @dataclass(frozen=True)
 class TankRun:
-    """Recording of a tank test with the conditions of this recording."""
+    """Recording of a tank test, with the conditions of this recording."""
 
     measurement: Measurement
     direction: str
@@ -97,12 +97,15 @@ class TankRun:
 
     @property
     def pressure(self) -> Channel:
-        """Channel with the recorded tank pressure."""
+        """Channel that contains the recorded tank pressure."""
         return next(channel for channel in self.measurement.channels if channel.address == PRESSURE)
 
     @property
     def supply(self) -> Any:
-        """Supply pressure; if it is free, its start value is the highest recorded tank pressure."""
+        """Supply pressure of the recording.
+
+        If it is free, its start value is the highest recorded tank pressure.
+        """
         return _start_value(self.supply_pressure, float(np.max(self.pressure.values)))
 
     @property
@@ -112,7 +115,7 @@ class TankRun:
 
     @property
     def place(self) -> str:
-        """Address of the recording in a tank test file."""
+        """Address of the recording in the input file, for messages."""
         return f"recordings.{self.measurement.name}"
 
 
@@ -132,7 +135,10 @@ def read_runs(test: TankTest) -> list[TankRun]:
 
 
 def plan_tank_fit(test: TankTest, runs: Sequence[TankRun]) -> FitPlan:
-    """Return the plan of the fit to a tank test, with circuits and free parameters."""
+    """Return the plan of the fit to a tank test.
+
+    The plan contains circuits, recordings and free parameters.
+    """
     ambient, complete_runs = _ambient(test), list[TankRun]()
     circuits = [_circuit(test, run, ambient) for run in runs]
     for run in runs:
@@ -208,7 +214,10 @@ def _read_run(test: TankTest, name: str, recording: Any, ambient_pressure: float
 
 
 def _read_channel(address: str, table: Mapping[str, Any], location: str) -> tuple[Channel, list[Note]]:
-    """Return a channel from arrays, and notes on samples that were omitted or merged."""
+    """Return a channel from arrays, with notes on omitted or merged samples.
+
+    `table` contains the arrays, and `location` is their address in messages.
+    """
     with ErrorCollector() as errors:
         argument = table[address]
         raw = argument if isinstance(argument, Mapping) else {"values": argument}
@@ -236,9 +245,9 @@ def _read_channel(address: str, table: Mapping[str, Any], location: str) -> tupl
 
 
 def _check_run(test: TankTest, run: TankRun, ambient_pressure: float) -> None:
-    """Raise an error if the recorded pressure is not that of a charge or a discharge.
+    """Raise an error if the recorded pressure does not fit the test.
 
-    An example is a pressure that is constant at first although the valve is open.
+    For example, it is constant at first although the valve is open.
     """
     channel, location = run.pressure, f"{run.place}.{PRESSURE}"
     values, noise = channel.values, max(noise_of(channel.values), 1e-9)
@@ -324,19 +333,25 @@ def plausible_wall(volume: float) -> float:
 
 
 def _start_value(argument: Any, common: Any) -> Any:
-    """Return the value of a parameter, or the start value if the parameter is free."""
+    """Return the value of a parameter, or its start value if it is free.
+
+    `common` is the value for all recordings.
+    """
     if isinstance(argument, Mapping):
         return argument.get("start", common)
     return common if argument == "free" else argument
 
 
 def is_free(argument: Any) -> bool:
-    """Return True if the argument of a tank test declares a free parameter."""
+    """Return True if an argument of a tank test declares a free parameter."""
     return isinstance(argument, Mapping) or argument == "free"
 
 
 def _initial_conductance(run: TankRun, volume: float, ambient: Ambient) -> float:
-    """Return a start value of C, calculated for choked flow and gas at constant temperature."""
+    """Return a start value of C for the search.
+
+    It is calculated for choked flow and gas at constant temperature.
+    """
     channel = run.pressure
     first, last = (_index_of_change(channel, share) for share in (ONSET, COURSE))
     first = min(first, max(0, last - 1))  # one sample can reach both fractions
@@ -352,9 +367,9 @@ def _initial_conductance(run: TankRun, volume: float, ambient: Ambient) -> float
 
 
 def _index_of_change(channel: Channel, share: float) -> int:
-    """Return the index of the first sample at which a fraction of the total change is reached.
+    """Return the index of the sample at which a fraction of the change is reached.
 
-    `share` is this fraction.
+    `share` is this fraction of the total change of the channel.
     """
     # With few samples use only the first one: at the third, a tank can be half empty.
     begin = np.median(channel.values[: min(3, 1 + channel.time.size // 50)])
@@ -425,9 +440,10 @@ def _free_by_recording(
     *,
     is_shared: bool = False,
 ) -> list[FreeParameter]:
-    """Return one free parameter for each recording whose argument is free, or one that all recordings share.
+    """Return the free parameters that an argument declares for some recordings.
 
-    If there is only one recording, the name of the parameter has no prefix.
+    There is one for each recording whose argument is free, or one that all recordings share. If there is only one
+    recording, the name of the parameter has no prefix.
     """
     if is_shared:
         return [_read_free(address, arguments[0], circuits[0])] if is_free(arguments[0]) else []

@@ -88,9 +88,10 @@ class TankTest:
         a standard deviation of 1 % of the range.
     uncertainties : mapping or 0
         Standard uncertainties of the stated quantities, which the intervals include: `volume` and `supply_pressure`
-        (a fraction such as "0.5 %", or a value), `gauge_scale` (fraction of the gauge pressure) and `gauge_zero` [Pa].
-        A value of 0 takes a quantity as exact. Defaults, all assumed: 0.5 %, 0.3 %, 0.3 %, and 0.06 % of the range of
-        the recorded pressure. With `uncertainties = 0`, the intervals include noise and lack of fit alone.
+        (a fraction such as "0.5 %", or a value), `leak` (fraction of C), `gauge_scale` (fraction of the gauge pressure)
+        and `gauge_zero` [Pa]. A value of 0 takes a quantity as exact; `leak = 0` is a tight tank. Defaults, all
+        assumed: 0.5 %, 0.3 %, 1.5 %, 0.3 %, and 0.06 % of the range of the recorded pressure. A stated leak has the
+        default 0. With `uncertainties = 0`, the intervals include noise and lack of fit alone.
     part : str
         Name of the component in the result; default `valve`.
     title : str
@@ -180,7 +181,10 @@ class TankTest:
 
     @property
     def room(self) -> Any:
-        """Ambient temperature; 20 degC if the test does not state it."""
+        """Ambient temperature of the test.
+
+        It is 20 degC if the test does not state it.
+        """
         return ROOM if self.ambient_temperature is None else self.ambient_temperature
 
 
@@ -234,7 +238,7 @@ def read_tank_file(path: str | Path) -> TankTest:
 
 
 def read_test(file: TomlFile) -> TankTest:
-    """Return the tank test that a parsed file describes."""
+    """Return the tank test that the content of a file describes."""
     with ErrorCollector() as errors:
         data = read_fields(errors, file.content, FILE_FIELDS, table="tank test file")
     title = str(data.get("title", Path(file.name).stem))

@@ -20,22 +20,26 @@ from poppet.identify.fit.search import Optimum, SearchSettings, optimise
 from poppet.identify.fit.statistics import estimates
 from poppet.identify.free_parameter import FreeParameter, NormalPrior, by_name
 from poppet.identify.result import DETERMINED, Estimate, Result
+from poppet.identify.tank.budget import Uncertainties
 from poppet.identify.tank.tank_plan import USUAL_ZERO, TankRun, is_free, plan_tank_fit
 from poppet.identify.tank.test import TankTest
 
-LEAK, SUPPLY = 0.015, 0.01
-"""Assumed standard uncertainties of the leak, as a fraction of C, and of the stated supply pressure, as a fraction."""
+SUPPLY = 0.01
+"""Relative standard uncertainty of a supply pressure whose uncertainty is not stated. A wrong choice of the limit
+changes C by up to 40 %, so that it is larger than in the budget."""
 LEAK_ADDRESS, SUPPLY_ADDRESS, WALL = "leak.sonic_conductance", "supply.pressure", "tank.wall_conductance"
-EQUIVALENT = 1.0
-"""Largest excess of the cost of an equivalent fit: a difference of AICc of 2, of models with as many parameters. With
-1.92, four of 177 clean charges and discharges lost the verdict on C; with 1, one of them."""
+EQUIVALENT = 1.92
+"""Largest excess of the cost of an equivalent fit: the limit of a 95 % interval (chi-square, one parameter)."""
 SMALL = 0.3
 """Start value of the leak, as a fraction of its standard uncertainty."""
 
 
 @dataclass(frozen=True)
 class UncertainFit:
-    """Optimum of a tank fit in which leak and supply pressure are free, with their normal priors."""
+    """Best fit of a tank test with uncertain leak and supply pressure.
+
+    Both are free and have normal priors.
+    """
 
     plan: FitPlan
     optimum: Optimum
@@ -52,19 +56,28 @@ class UncertainFit:
 
 @dataclass(frozen=True)
 class ThermalLimits:
-    """Fit with uncertain leak and supply, and the equivalent fits near the thermal limits."""
+    """Fits near the thermal limits that describe a charge equally well.
+
+    Leak and supply pressure are uncertain in these fits.
+    """
 
     local: UncertainFit  # from the optimum of the fit
     equivalent: tuple[UncertainFit, ...]  # optima that differ in C and that the data do not exclude
 
 
 def fit_thermal_limits(
-    test: TankTest, runs: Sequence[TankRun], plan: FitPlan, result: Result, number: str
+    test: TankTest,
+    uncertainties: Uncertainties,
+    runs: Sequence[TankRun],
+    plan: FitPlan,
+    result: Result,
+    number: str,
 ) -> ThermalLimits | None:
-    """Return the fits of a charge from both thermal limits, with uncertain leak and supply pressure.
+    """Return the fits of a charge from both thermal limits.
 
-    The result is None if the test is not a charge with pressure only, if the fit already has equivalent optima, or if
-    leak and supply pressure are free in the fit. `number` is the address of C.
+    Leak and supply pressure are uncertain. The result is None if the test is not a charge with pressure only, if the
+    fit already has equivalent optima, or if leak and supply pressure are exact or free in the fit. `number` is the
+    address of C.
     """
     units = thermal_units(plan.experiments, plan.free)
     if not units or len(units) > 1 or any(run.direction != "charge" for run in runs):
@@ -72,28 +85,35 @@ def fit_thermal_limits(
     conductances = [float(optimum["values"][number]) for optimum in result.optima]
     if max(conductances) > (1.0 + DETERMINED) * min(conductances):
         return None
-    uncertain = _uncertain_plan(test, runs, plan, result, number)
+    uncertain = _uncertain_plan(test, uncertainties, runs, plan)
     if uncertain is None:
         return None
     values = {name: estimate.value for name, estimate in result.parameters.items()}
+    leaks = {f.name for f in uncertain.free if f.address == LEAK_ADDRESS} - values.keys()
     sigmas = [float(sigma) for sigma in result.conditions["noise"].values()]
     wall = plan.free[next(iter(units))].name
     unit = next(iter(units.values()))
 
     def search(start: Mapping[str, float], fixed: Mapping[str, float] | None = None) -> UncertainFit:
-        start_point = [np.clip(start.get(f.name, f.start), f.low, f.high) for f in uncertain.free]
+        # The leak is a fraction of C, which differs between the limits.
+        sd = uncertainties.leak * start[number]
+        free = tuple(
+            replace(f, start=SMALL * sd, low=0.0, prior=NormalPrior(0.0, sd)) if f.name in leaks else f
+            for f in uncertain.free
+        )
+        start_point = [np.clip(start.get(f.name, f.start), f.low, f.high) for f in free]
         optimum = optimise(
             uncertain.experiments,
-            uncertain.free,
+            free,
             SearchSettings(plan.settings.loss, kicks=0),
             sigmas=sigmas,
             fixed=fixed,
             start_point=np.array(start_point),
         )
-        return UncertainFit(uncertain, replace(optimum, fixed=dict(fixed or {})))
+        return UncertainFit(replace(uncertain, free=free), replace(optimum, fixed=dict(fixed or {})))
 
     local = search(values)
-    limit = EQUIVALENT * error_model_of(uncertain, local.optimum).variance_factor
+    limit = EQUIVALENT * error_model_of(local.plan, local.optimum).variance_factor
     fits = [local]
     ends = {row["name"]: row["end"] for row in result.conditions["searches"]}
     for name, at_limit, near in (
@@ -119,7 +139,10 @@ def fit_thermal_limits(
 
 
 def thermal_limit_notes(limits: ThermalLimits, result: Result, number: str) -> list[Note]:
-    """Return a note for each equivalent fit near a thermal limit. `number` is the address of C."""
+    """Return a note for each equivalent fit near a thermal limit.
+
+    `number` is the address of C.
+    """
     notes, simple = [], result.parameters[number]
     for fit in limits.equivalent:
         values = fit.values
@@ -134,17 +157,18 @@ def thermal_limit_notes(limits: ThermalLimits, result: Result, number: str) -> l
 
 
 def _uncertain_plan(
-    test: TankTest, runs: Sequence[TankRun], plan: FitPlan, result: Result, number: str
+    test: TankTest, uncertainties: Uncertainties, runs: Sequence[TankRun], plan: FitPlan
 ) -> FitPlan | None:
-    """Return the plan in which leak, supply pressure and sensor offset are free, with normal priors.
+    """Return the plan in which leak, supply pressure and sensor offset are free.
 
-    The result is None if both leak and supply pressure are free in the fit.
+    Supply pressure and offset have normal priors. The result is None if both leak and supply pressure are exact or free
+    in the fit.
     """
     changed: dict[str, object] = {}
-    if test.leak_conductance in (None, 0.0):
+    if test.leak_conductance in (None, 0.0) and uncertainties.leak > 0.0:
         changed["leak_conductance"] = "free"
     freed = list(runs)
-    if not any(is_free(run.supply_pressure) for run in runs):
+    if uncertainties.supply_pressure > 0.0 and not any(is_free(run.supply_pressure) for run in runs):
         freed = [replace(run, supply_pressure={"start": run.supply_pressure}) for run in runs]
         changed["supply_pressure"] = {"start": test.supply_pressure}
     if not changed:
@@ -154,16 +178,13 @@ def _uncertain_plan(
     uncertain = plan_tank_fit(replace(test, **changed), freed)  # type: ignore[arg-type]
     spans = {run.measurement.name: float(np.ptp(run.pressure.values)) for run in runs}
     before = {f.name: f for f in plan.free}
-    conductance = result.parameters[number].value
+    supply = SUPPLY if "supply_pressure" in uncertainties.assumed else uncertainties.supply_pressure
 
     def with_prior(f: FreeParameter) -> FreeParameter:
         if f.name in before:
             return before[f.name]
         if f.role == "offset":
             return replace(f, prior=NormalPrior(0.0, USUAL_ZERO * spans[f.recording]))
-        if f.address == LEAK_ADDRESS:
-            sd = LEAK * conductance
-            return replace(f, start=SMALL * sd, low=0.0, prior=NormalPrior(0.0, sd))
-        return replace(f, prior=NormalPrior(f.start, SUPPLY * f.start)) if f.address == SUPPLY_ADDRESS else f
+        return replace(f, prior=NormalPrior(f.start, supply * f.start)) if f.address == SUPPLY_ADDRESS else f
 
     return replace(uncertain, free=tuple(map(with_prior, uncertain.free)))

@@ -89,7 +89,23 @@ class Characteristic:
     def __post_init__(self) -> None:
         # Only valid curves can be evaluated over the domain.
         collect([*self._form_problems()])
-        collect([*self._value_problems()])
+        problems = []
+        for name, (symbol, unit) in _CURVES.items():
+            curve = self._curve(name)
+            # C is not negative, and b is in 0..1. Extreme values occur at the ends of the domain or at turning points.
+            strokes = [*self.domain, *curve.turning_points(*self.domain)] if self._bounded else [0.0]
+            values = {x: float(curve(x)) for x in strokes}
+            lowest, highest = min(values, key=values.__getitem__), max(values, key=values.__getitem__)
+            # The sum of the segments of a table has rounding errors at points that are exactly zero.
+            if values[lowest] < -1e-12 * abs(values[highest]):
+                worst, limits = lowest, "negative"
+            elif name == "critical_ratio" and values[highest] >= 1.0:
+                worst, limits = highest, "1 or more"
+            else:
+                continue
+            facts: dict[str, Any] = {"value": values[worst], "unit": unit, "stroke_mm": 1e3 * worst, "limits": limits}
+            problems.append(OutOfRangeError("curves.impossible_value", name, **facts, symbol=symbol, name=self.name))
+        collect(problems)
 
     def sonic_conductance_at(self, x: Any, parameters: Mapping[str, Any] | None = None) -> Any:
         """Return the sonic conductance at a stroke.
@@ -156,9 +172,8 @@ class Characteristic:
     def parameters(self) -> dict[str, float]:
         """Return the run-time values of the characteristic by name.
 
-        These are the parameters in SI and values derived from them.
-
-        The names do not depend on the values, so a changed parameter does not change the compiled model.
+        They are the parameters in SI units, and values that are computed from them. The names do not depend on the
+        values, so a changed parameter does not change the compiled model.
         """
         return dict(self._own)
 
@@ -210,7 +225,7 @@ class Characteristic:
         return self._lowest - play[0] * (high - low), high + play[1] * (high - low)
 
     def outside(self, x_min: float, x_max: float, stops: tuple[float, float] = ANYWHERE) -> Note | None:
-        """Return a note if the strokes of a run exceed the domain, else None.
+        """Return a note if a run left the domain, and None otherwise.
 
         Parameters
         ----------
@@ -258,9 +273,9 @@ class Characteristic:
 
     @property
     def _lowest(self) -> float:
-        """Return the lowest stroke with known values [m].
+        """Return the lowest stroke at which the values of C and b are known [m].
 
-        With a closing law, the values are known at all lower strokes.
+        With a closing law, they are known at all lower strokes too.
         """
         return -math.inf if self.closing is not None and self.domain[0] <= 0.0 else self.domain[0]
 
@@ -277,7 +292,10 @@ class Characteristic:
         return clip(x, parameters["domain_start"], parameters["domain_end"]) if self._bounded else x
 
     def _operand(self, x: Any, name: str) -> Any:
-        """Convert a stroke to a value for calculation; reject invalid values."""
+        """Return a stroke in a form for calculation, after a check of its values.
+
+        `name` is the name of the curve for error messages.
+        """
         if is_symbolic(x):
             return x
         values = np.atleast_1d(np.asarray(x, dtype=float))
@@ -319,26 +337,6 @@ class Characteristic:
         if self.closing is not None and not 0.0 < float(self.closing) < math.inf:
             yield OutOfRangeError("curves.closing", shown=self.closing.display())
 
-    def _value_problems(self) -> Iterable[InputError]:
-        """Yield an error for each negative C or b outside 0..1 in the domain.
-
-        Extreme values occur at the ends of the domain or at turning points.
-        """
-        for name, (symbol, unit) in _CURVES.items():
-            curve = self._curve(name)
-            strokes = [*self.domain, *curve.turning_points(*self.domain)] if self._bounded else [0.0]
-            values = {x: float(curve(x)) for x in strokes}
-            lowest, highest = min(values, key=values.__getitem__), max(values, key=values.__getitem__)
-            # The sum of the segments of a table has rounding errors at points that are exactly zero.
-            if values[lowest] < -1e-12 * abs(values[highest]):
-                worst, limits = lowest, "negative"
-            elif name == "critical_ratio" and values[highest] >= 1.0:
-                worst, limits = highest, "1 or more"
-            else:
-                continue
-            facts: dict[str, Any] = {"value": values[worst], "unit": unit, "stroke_mm": 1e3 * worst, "limits": limits}
-            yield OutOfRangeError("curves.impossible_value", name, **facts, symbol=symbol, name=self.name)
-
 
 def _joined(parts: Mapping[str, Mapping[str, T]]) -> dict[str, T]:
     return {f"{prefix}.{key}": value for prefix, part in parts.items() for key, value in part.items()}
@@ -350,9 +348,9 @@ def _under(prefix: str, values: Mapping[str, Any]) -> dict[str, Any]:
 
 
 def _millimetres(x: float) -> str:
-    """Format a stroke in millimetres with sufficient digits.
+    """Return a stroke as text in millimetres, with sufficient digits.
 
-    For example, 1.0001 mm must differ from a limit of 1.00 mm.
+    For example, 1.0001 mm must look different from a limit of 1.00 mm.
     """
     value = 1e3 * x
     if value == 0.0:

@@ -13,7 +13,7 @@ from poppet.core.provenance import Number
 
 
 class Curve(ABC):
-    """Base class of scalar functions of a stroke."""
+    """Base class of a quantity that is a function of the stroke."""
 
     known: ClassVar[str]
     """Verb in messages about the range of the curve, for example "was fitted"."""
@@ -28,7 +28,7 @@ class Curve(ABC):
     def parameters(self) -> dict[str, float]:
         """Return the run-time values of the curve by name.
 
-        These are the parameters in SI and values derived from them.
+        They are the parameters in SI units, and values that are computed from them.
         """
 
     @abstractmethod
@@ -50,7 +50,7 @@ class Curve(ABC):
 
     @abstractmethod
     def turning_points(self, low: float, high: float) -> tuple[float, ...]:
-        """Return the strokes that split the curve into monotone pieces.
+        """Return the strokes at which the curve can change between rising and falling.
 
         Parameters
         ----------
@@ -66,13 +66,13 @@ class Curve(ABC):
     @property
     @abstractmethod
     def pieces(self) -> int:
-        """Return an upper bound of the count of monotone pieces for any parameter values."""
+        """Return the largest possible number of monotone pieces, for any parameter values."""
 
     @property
     def support(self) -> tuple[float, float]:
-        """Return the lowest and the highest stroke with known values [m].
+        """Return the lowest and the highest stroke at which the curve is known [m].
 
-        For a formula, the values are known at all strokes.
+        A formula is known at all strokes.
         """
         return (-math.inf, math.inf)
 
@@ -85,7 +85,10 @@ class Curve(ABC):
 
     @abstractmethod
     def _with_values(self, values: Sequence[Number]) -> Self:
-        """Return a copy of the curve with other parameters, in the order of `numbers()`."""
+        """Return a copy of the curve with new parameter values.
+
+        The values are in the order of `numbers()`.
+        """
 
     def with_numbers(self, changes: Mapping[str, Number]) -> Self:
         """Return the curve with some parameters replaced.
@@ -114,6 +117,8 @@ class Curve(ABC):
 def rising_intervals(curve: Curve, low: float, high: float) -> list[tuple[float, float]]:
     """Return the intervals of the stroke in which the running maximum of a curve increases.
 
+    The running maximum at a stroke is the largest value up to this stroke.
+
     Parameters
     ----------
     curve : Curve
@@ -141,7 +146,7 @@ def rising_intervals(curve: Curve, low: float, high: float) -> list[tuple[float,
     for left, right in pairwise([low, *curve.turning_points(low, high), high]):
         if float(curve(right)) <= level:
             continue
-        start = left if float(curve(left)) >= level else _crossing(curve, level, left, right)
+        start = left if float(curve(left)) >= level else _stroke_of_level(curve, level, left, right)
         # A turning point within a rise (a knot of a rising table) does not divide the rise.
         if rises and rises[-1][1] == start:
             start = rises.pop()[0]
@@ -150,10 +155,10 @@ def rising_intervals(curve: Curve, low: float, high: float) -> list[tuple[float,
     return rises
 
 
-def _crossing(curve: Curve, level: float, left: float, right: float) -> float:
-    """Return the stroke at which an increasing piece of a curve reaches `level`.
+def _stroke_of_level(curve: Curve, level: float, left: float, right: float) -> float:
+    """Return the stroke at which a rising curve reaches a level.
 
-    The result is exact to the last bit.
+    The curve rises between the strokes `left` and `right`. The result is exact to the last bit.
     """
     while True:
         middle = 0.5 * (left + right)

@@ -81,7 +81,7 @@ def characteristic_from_mapping(table: Mapping[str, Any], *, name: str) -> Chara
 
 
 class _CharacteristicReader:
-    """Reader of the fields of one characteristic table that collects all errors."""
+    """Reader of the table of one characteristic, which collects all errors."""
 
     def __init__(self, table: Mapping[str, Any], name: str, kind: str) -> None:
         self.table, self.name, self.kind = table, name, kind
@@ -89,11 +89,11 @@ class _CharacteristicReader:
         self.source = self._source()
 
     def complain(self, code: str, field: str, **facts: Any) -> None:
-        """Add an error with the address of a field."""
+        """Collect an error about a field of the table."""
         self.errors.add(code, f"{self.name}.{field}", field=field, **facts)
 
     def complain_missing(self, field: str, meaning: str, example: str = "") -> None:
-        """Add an error for a missing field."""
+        """Collect an error about a field that the table must have."""
         self.errors.extend([missing_field(f"{self.name}.{field}", Field(meaning=meaning, example=example))])
 
     def refuse_unknown(self) -> None:
@@ -110,9 +110,9 @@ class _CharacteristicReader:
         return None
 
     def numbers(self, field: str, unit: str) -> tuple[Number, ...] | None:
-        """Return the entries of a list as numbers.
+        """Return a list in the table as numbers with the unit `unit`.
 
-        The whole result is None if any entry is invalid.
+        If any entry is invalid, the result is None.
         """
         read = [self.number(entry, unit, f"{field}[{i}]") for i, entry in enumerate(self.table[field])]
         numbers = tuple(number for number in read if number is not None)
@@ -140,9 +140,9 @@ class _CharacteristicReader:
         return None if self._strokes is None else TableCurve(self._strokes, numbers)
 
     def domain(self) -> tuple[float, float]:
-        """Return the domain of the characteristic.
+        """Return the domain of the characteristic, the range of strokes in which it is valid.
 
-        For a table of points, it is the range of the strokes.
+        For a table of points, the default is the range of their strokes.
         """
         unbounded = (-math.inf, math.inf)
         if self.kind == "table":
@@ -159,7 +159,7 @@ class _CharacteristicReader:
         return unbounded if numbers is None else (float(numbers[0]), float(numbers[1]))
 
     def common(self) -> dict[str, Any]:
-        """Return the arguments of `Characteristic` that are independent of the kind of table."""
+        """Return the constructor arguments that do not depend on the kind of characteristic."""
         closing = self.number(self.table["closing"], "m", "closing") if "closing" in self.table else None
         monotone = self.table.get("monotone", False)
         if not isinstance(monotone, bool):
@@ -201,7 +201,7 @@ class _CharacteristicReader:
     def _strokes(self) -> tuple[float, ...] | None:
         """Return the strokes of a table of points.
 
-        The whole result is None if any stroke is invalid.
+        If any stroke is invalid, the result is None.
         """
         if not _is_list(self.table.get("stroke")):
             if "stroke" in self.table:

@@ -58,9 +58,10 @@ def pchip_slopes(x: Sequence[float], y: Sequence[float]) -> list[float]:
 
 
 def _end_slope(h0: float, h1: float, m0: float, m1: float) -> float:
-    """Return the three-point slope at an end of the interpolation.
+    """Return the slope at an end of the interpolation, from three points.
 
-    It is limited so that the first segment is monotone.
+    `h0` and `h1` are the lengths of the first two segments, and `m0` and `m1` the slopes of their chords. The slope is
+    limited so that the first segment is monotone.
     """
     slope = ((2.0 * h0 + h1) * m0 - h0 * m1) / (h0 + h1)
     if np.sign(slope) != np.sign(m0):

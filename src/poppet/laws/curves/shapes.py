@@ -201,9 +201,9 @@ class TableCurve(Curve):
         return value
 
     def _rise(self, i: int, x: Any, parameters: Mapping[str, Any]) -> Any:
-        """Return the contribution of segment `i` to the value at `x`.
+        """Return the part of the value at `x` that segment `i` contributes.
 
-        It is 0 to the left of the segment, and the difference of the end values to the right.
+        It is 0 to the left of the segment. To the right, it is the difference between the end values of the segment.
         """
         left, right = parameters[f"x{i}"], parameters[f"x{i + 1}"]
         width = right - left

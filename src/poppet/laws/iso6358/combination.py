@@ -251,37 +251,38 @@ def divided(conductance: float, critical_ratio: float, weights: Sequence[float])
     drops = [(1.0 - critical_ratio) * weight / sum(weights) for weight in weights]
     ends = [2.0, 2.0]
     for _ in range(3):  # the iteration converges quickly, because the upstream piece has little effect on choking
-        ends[1] = _bisected(1.0, 50.0, lambda k: _excess(_pieces(drops, ends[0], k)))
-        ends[0] = _bisected(1.0, 50.0, lambda k: _excess(_pieces(drops, k, ends[1])[::-1]))
-    pieces = _pieces(drops, *ends)
+        ends[1] = _bisected(1.0, 50.0, lambda k: _excess_capacity(_divide_into_pieces(drops, ends[0], k)))
+        ends[0] = _bisected(1.0, 50.0, lambda k: _excess_capacity(_divide_into_pieces(drops, k, ends[1])[::-1]))
+    pieces = _divide_into_pieces(drops, *ends)
     middle = critical_ratio + 0.27 * (1.0 - critical_ratio)  # pressure ratio of the largest excess flow
     row = _bisected(0.5, 1.5, lambda q: middle - (_outlet_pressure(pieces, q) or 0.0))
     factor = conductance / (1.0 + 0.5 * (row / math.sqrt(1.0 - 0.27**2) - 1.0))
     return [(factor * size, ratio) for size, ratio in pieces]
 
 
-def _pieces(drops: Sequence[float], first: float, last: float) -> list[tuple[float, float]]:
-    """Return C and b of pieces whose pressure drops at small flow are given.
+def _divide_into_pieces(drops: Sequence[float], first: float, last: float) -> list[tuple[float, float]]:
+    """Divide a flow path into pieces in series; return C and b of each.
 
-    The first and the last piece have the given C if b is not below 0.
+    `drops` contains (1 - b)/C^2 of each piece, which determines its pressure drop at small flow. `first` and `last` are
+    the largest possible C of the first and the last piece.
     """
     sizes = [first, *[min(first, last)] * (len(drops) - 2), last]
     return [(min(k, drop**-0.5), 1.0 - min(1.0, drop * k * k)) for k, drop in zip(sizes, drops, strict=True)]
 
 
-def _excess(pieces: Sequence[tuple[float, float]]) -> float:
-    """Return the flow capacity of the last piece in excess of the flow 1.
+def _excess_capacity(pieces: Sequence[tuple[float, float]]) -> float:
+    """Return by how much the choked flow of the last piece exceeds 1.
 
-    The result is negative if the capacity is smaller, and -1 if another piece is choked.
+    The flow through all pieces is 1. The result is -1 if another piece is choked.
     """
     pressure = _outlet_pressure(pieces[:-1], 1.0)
     return -1.0 if pressure is None else pieces[-1][0] * pressure - 1.0
 
 
 def _outlet_pressure(pieces: Iterable[tuple[float, float]], flow: float) -> float | None:
-    """Return the outlet pressure of pieces in series for an upstream pressure of 1.
+    """Return the outlet pressure of pieces in series, for an upstream pressure of 1.
 
-    The result is None if any piece is choked.
+    The result is None if any piece is choked by the flow `flow`.
     """
     pressure = 1.0
     for size, ratio in pieces:
@@ -301,7 +302,7 @@ def _bisected(low: float, high: float, rising: Callable[[float], float]) -> floa
 
 
 def _check_passages(passages: Iterable[tuple[float, float]]) -> list[tuple[float, float]]:
-    """Return the flow paths as a list of checked pairs of C and b.
+    """Check the C and b of several flow paths, and return them as floats.
 
     All errors are reported together, each with the index of the flow path.
     """

@@ -476,9 +476,9 @@ _DEFINITIONS: dict[str, str] = {
 
 
 def _given_or_assumed(critical_ratio: float | None) -> tuple[float, str]:
-    """Return the critical ratio and a text on its origin for a note.
+    """Return the critical ratio, and a text on its origin for a note.
 
-    If no ratio is given, a typical value is assumed.
+    If the argument is None, a typical value is assumed.
     """
     if critical_ratio is not None:
         return critical_ratio, ""
@@ -496,9 +496,10 @@ def _conductance_per_area(isentropic_exponent: float, gas_constant: float) -> fl
 
 
 def _conductance_per_cv(critical_ratio: float, definition: Definition) -> float:
-    """Return C per Cv for small pressure drops [m^3/(s Pa)].
+    """Return the sonic conductance for a flow coefficient Cv of 1 [m^3/(s Pa)].
 
-    The small-drop limit of the ellipse is q = C rho0 sqrt(T0/T1) sqrt(2 dp p/(1 - b)).
+    The value is valid for small pressure drops, where the ellipse of the flow law gives q = C rho0 sqrt(T0/T1) sqrt(2
+    dp p/(1 - b)).
     """
     root = math.sqrt((1.0 - critical_ratio) / (2.0 * ANR.temperature))
     if definition == "pneumatic":

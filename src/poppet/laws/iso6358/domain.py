@@ -17,9 +17,10 @@ from poppet.core.symbolic import is_symbolic
 
 @dataclass(frozen=True)
 class Domain:
-    """Valid interval of an argument; the ends are included unless `open_low` or `open_high`.
+    """Interval of valid values of an argument.
 
-    `code` is the code of the error for a value outside the interval.
+    Its ends are valid values, except if `open_low` or `open_high` is True. `code` is the code of the error for a value
+    outside the interval.
     """
 
     code: str
@@ -56,9 +57,9 @@ DOMAINS: dict[str, Domain] = {
 
 
 def problem(name: str, value: Any, domain: Domain) -> OutOfRangeError | None:
-    """Return the error of an invalid value, or None.
+    """Return the error if a value is outside its valid interval, and None otherwise.
 
-    For an array, it is the error of the first invalid element.
+    For an array, the error is that of the first invalid element.
     """
     if type(value) is float:  # fast path for the most frequent type
         return None if domain.holds(value) else _outside(name, value, domain)
@@ -73,15 +74,18 @@ def problem(name: str, value: Any, domain: Domain) -> OutOfRangeError | None:
 
 
 def check(values: dict[str, Any], domains: dict[str, Domain] = DOMAINS) -> None:
-    """Raise `OutOfRangeError` if any value is outside the domain for its name."""
+    """Raise `OutOfRangeError` if a value is outside its valid interval.
+
+    `domains` contains the interval of each value by name.
+    """
     errors = (problem(name, value, domains[name]) for name, value in values.items())
     collect([error for error in errors if error is not None])
 
 
 def refuse_where(is_invalid: Any, name: str, value: Any, unit: str, code: str) -> None:
-    """Raise `OutOfRangeError` if `is_invalid` is true for any element.
+    """Raise `OutOfRangeError` if any element of the mask `is_invalid` is True.
 
-    The error refers to the first such element of `value`.
+    The error contains the first such element of `value`.
     """
     flags, values = np.broadcast_arrays(np.asarray(is_invalid), np.asarray(value, dtype=float))
     if not flags.any():

@@ -18,9 +18,10 @@ _BLOCK = 8192
 def evaluate(
     law: Callable[..., tuple[Any, ...]], arguments: dict[str, Any], domains: dict[str, Domain] = DOMAINS
 ) -> tuple[Any, ...]:
-    """Check the arguments, then evaluate a formula.
+    """Check arguments, then evaluate the formula `law`.
 
-    Arrays are evaluated in blocks that fit into the cache.
+    `domains` contains the valid intervals of the arguments. Large arrays are evaluated in blocks that fit into the
+    cache.
     """
     values = {name: plain(value) for name, value in arguments.items()}
     check(values, domains)
@@ -42,7 +43,7 @@ def evaluate(
 
 
 def plain(value: Any) -> Any:
-    """Convert arguments to the types for evaluation.
+    """Convert an argument to a type for calculation.
 
     Sequences become float arrays. Integers and zero-dimensional arrays become floats. Symbols are unchanged.
     """

@@ -10,12 +10,15 @@ from collections.abc import Callable
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from poppet.laws.iso6358.domain import DOMAINS, Domain, check, refuse_where
 from poppet.laws.iso6358.evaluation import plain
 from poppet.laws.iso6358.law import LAMINAR_RATIO, REFERENCE_DENSITY, REFERENCE_TEMPERATURE
 from poppet.laws.iso6358.law import mass_flow_rate as flow_law
 from poppet.laws.iso6358.regularisation import closing, edge_of_zone, ellipse, mass_flow_and_temperature, through_zero
+
+Array = NDArray[np.float64]
 
 _ROUNDING = 1e-9  # rounding error of b for an exact point with b = 0
 _FRACTION = Domain("iso6358.subsonic_point", "", high=1.0, open_low=True)
@@ -326,7 +329,7 @@ def critical_ratio_from_point(pressure_ratio: Any, flow_ratio: Any, subsonic_ind
     return plain(np.maximum(ratio, 0.0))
 
 
-def _checked_arrays(arguments: dict[str, Any], domains: dict[str, Domain] = _DOMAINS) -> dict[str, Any]:
+def _checked_arrays(arguments: dict[str, Any], domains: dict[str, Domain] = _DOMAINS) -> dict[str, Array]:
     """Check all arguments and return them as float arrays.
 
     A float becomes a zero-dimensional array.
@@ -335,15 +338,15 @@ def _checked_arrays(arguments: dict[str, Any], domains: dict[str, Domain] = _DOM
     return {name: np.asarray(value, dtype=float) for name, value in arguments.items()}
 
 
-def _choked_flow_per_pressure(number: dict[str, Any]) -> Any:
+def _choked_flow_per_pressure(number: dict[str, Array]) -> Array:
     root = np.sqrt(number["reference_temperature"] / number["temperature_1"])
     return number["sonic_conductance"] * number["reference_density"] * root
 
 
-def _drop_for_ratio(ratio: Any, number: dict[str, Any], one_way: bool) -> Any:
-    """Return the pressure drop at which the flow is the fraction `ratio` of the choked flow [Pa].
+def _drop_for_ratio(ratio: Array, number: dict[str, Array], one_way: bool) -> Array:
+    """Return the pressure drop for a given fraction of the choked flow [Pa].
 
-    `ratio` is below 1.
+    `ratio` is this fraction, below 1. `number` contains the parameters of the flow path.
     """
     width = 1.0 - number["laminar_ratio"]
     cracking = number["cracking_pressure"] / number["pressure_1"]
@@ -355,22 +358,26 @@ def _drop_for_ratio(ratio: Any, number: dict[str, Any], one_way: bool) -> Any:
     if np.any(ratio < at_edge):
         odd = (number["cracking_pressure"] == 0.0) & (not one_way)
 
-        def shape(z: Any) -> Any:
-            return np.where(odd, through_zero(z, slope), closing(z, slope))
+        def shape(z: Array) -> Array:
+            ratio_in_zone: Array = np.where(odd, through_zero(z, slope), closing(z, slope))
+            return ratio_in_zone
 
         within = np.minimum(ratio / at_edge, 1.0)
         zone = width * _rising_root(shape, within, np.zeros_like(within), np.ones_like(within))
         excess = np.where(ratio < at_edge, zone, excess)
-    return number["pressure_1"] * (cracking + excess)
+    drop: Array = number["pressure_1"] * (cracking + excess)
+    return drop
 
 
-def _upstream_by_bisection(choking: Any, number: dict[str, Any], one_way: bool) -> Any:
-    shape = {name: number[name] for name in ("critical_ratio", "subsonic_index", "cracking_pressure", "laminar_ratio")}
+def _upstream_by_bisection(choking: Array, number: dict[str, Array], one_way: bool) -> Array:
+    names = ("critical_ratio", "subsonic_index", "cracking_pressure", "laminar_ratio")
+    shape: dict[str, Any] = {name: number[name] for name in names}
     # With ones for all that scales the flow, what is left is the driving pressure.
     shape |= {"sonic_conductance": 1.0, "reference_density": 1.0, "reference_temperature": 1.0}
 
-    def driven(pressure_1: Any) -> Any:
-        return mass_flow_and_temperature(pressure_1, number["pressure_2"], 1.0, None, one_way=one_way, **shape)[0]
+    def driven(pressure_1: Array) -> Array:
+        flow, _ = mass_flow_and_temperature(pressure_1, number["pressure_2"], 1.0, None, one_way=one_way, **shape)
+        return np.asarray(flow)
 
     low = number["pressure_2"] + number["cracking_pressure"] + np.zeros_like(choking)
     # The choking pressure is a lower bound; doubling finds an upper bound for subsonic flow.
@@ -380,8 +387,11 @@ def _upstream_by_bisection(choking: Any, number: dict[str, Any], one_way: bool) 
     return np.where(choking > 0.0, _rising_root(driven, choking, low, high), low)
 
 
-def _rising_root(function: Callable[[Any], Any], target: Any, low: Any, high: Any) -> Any:
-    """Return the argument at which an increasing function reaches `target`, by bisection."""
+def _rising_root(function: Callable[[Array], Array], target: Array, low: Array, high: Array) -> Array:
+    """Return the argument at which an increasing function has the value `target`.
+
+    The search is a bisection between `low` and `high`.
+    """
     # Not Newton's method: the slope of the law is zero where a flow path closes.
     for _ in range(60):
         middle = 0.5 * (low + high)

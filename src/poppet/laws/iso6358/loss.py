@@ -52,7 +52,7 @@ def loss_coefficient(pressure_1: Any, pressure_2: Any, choked_flow: Any, critica
 def temperature_of_flow(mass_flow_rate: Any, choked_flow: Any, temperature_1: Any, temperature_2: Any) -> Any:
     """Return the stagnation temperature of a flow whose mass flow rate is a state.
 
-    It is the temperature of the upstream side, smoothed at flow reversal.
+    It is the temperature of the upstream gas, with a smooth transition at flow reversal.
 
     Parameters
     ----------

@@ -23,18 +23,19 @@ error of 1.4 K in a 2 l tank after 10 s. Without smoothing, some stiff networks 
 
 
 def upstream_pressure_and_drop(pressure_1: Any, pressure_2: Any) -> tuple[Any, Any]:
-    """Return the upstream pressure [Pa] and the signed pressure drop relative to it.
+    """Return the upstream pressure [Pa], and the signed pressure drop divided by it.
 
-    The relative drop is -1 ... 1, and 0 in a vacuum.
+    The relative drop is between -1 and 1. It is 0 in a vacuum.
     """
     upstream = maximum(maximum(pressure_1, pressure_2), _VACUUM)
     return upstream, (pressure_1 - pressure_2) / upstream
 
 
 def edge_of_zone(critical_ratio: Any, subsonic_index: Any, cracking: Any, width: Any) -> tuple[Any, Any, Any]:
-    """Return the span of the subsonic branch and the edge of the regularised zone.
+    """Return properties of the flow law at the edge of the regularised zone.
 
-    The third result is the logarithmic slope of the law at this edge.
+    They are the span of the subsonic branch, the position of the edge, and the logarithmic slope of the law at the
+    edge.
 
     If b is inside the zone, the span is the width of the zone, the edge is 1 and the slope is 0. The flow is then
     choked up to the edge of the zone.
@@ -61,9 +62,10 @@ def edge_of_zone(critical_ratio: Any, subsonic_index: Any, cracking: Any, width:
 
 
 def ellipse(position: Any, subsonic_index: Any) -> Any:
-    """Return `(1 - u^2)^m` for the argument `position` = `1 - u`.
+    """Return `(1 - u^2)^m`, the elliptic part of the flow law.
 
-    A symbol keeps the power, which a printer can replace by a root for m = 0.5.
+    The argument `position` is `1 - u`. For a symbol, the power remains in the expression, because a printer can replace
+    it by a root if m = 0.5.
     """
     base = position * (2.0 - position)
     if not is_symbolic(base, subsonic_index) and not is_array(subsonic_index) and subsonic_index == 0.5:
@@ -72,14 +74,17 @@ def ellipse(position: Any, subsonic_index: Any) -> Any:
 
 
 def through_zero(z: Any, slope: Any) -> Any:
-    """Return an odd cubic of z with value 1 and slope `slope` at z = 1."""
+    """Return an odd cubic polynomial of z, with a given slope at z = 1.
+
+    Its value is 0 at z = 0 and 1 at z = 1.
+    """
     return z * (1.0 + (1.0 - z * z) * (0.5 - 0.5 * slope))
 
 
 def closing(z: Any, slope: Any) -> Any:
-    """Return a cubic of z that closes with zero slope at z = 0.
+    """Return a cubic polynomial of z with zero value and slope at zero.
 
-    At z = 1 the value is 1 and the slope is `slope`.
+    At z = 1 its value is 1, and its slope is `slope`.
     """
     return z * z * (1.0 + (1.0 - z) * (2.0 - slope))
 
@@ -94,9 +99,10 @@ def flow_ratio(
     cracking_pressure: Any,
     one_way: bool,
 ) -> Any:
-    """Return the signed mass flow rate relative to the choked flow, -1 ... 1.
+    """Return the signed mass flow rate as a fraction of the choked flow.
 
-    `z` is `drop` relative to the width of the zone, limited to -1 ... 1.
+    The result is between -1 and 1. `drop` is the relative pressure drop. `z` is this drop divided by the width of the
+    regularised zone, limited to -1 to 1.
     """
     never_cracks = isinstance(cracking_pressure, float) and cracking_pressure == 0.0
     cracking = 0.0 if never_cracks else cracking_pressure / upstream
@@ -146,7 +152,10 @@ def mass_flow_and_temperature(
 
 
 def carried_temperature(z: Any, temperature_1: Any, temperature_2: Any) -> Any:
-    """Return the temperature of the upstream side, smoothed at flow reversal."""
+    """Return the temperature of the upstream gas, smoothed at flow reversal.
+
+    `z` is the relative pressure drop divided by the width of the regularised zone.
+    """
     turning = minimum(abs(z) * (1.0 / TURN), 1.0)
     upstream = where(z < 0.0, temperature_2, temperature_1)
     total, gap = temperature_1 + temperature_2, temperature_1 - temperature_2
@@ -172,9 +181,10 @@ def upstream_temperature_between(
 def regime_code(
     pressure_1: Any, pressure_2: Any, critical_ratio: Any, cracking_pressure: Any, laminar_ratio: Any, one_way: bool
 ) -> tuple[Any, ...]:
-    """Return the code of the flow regime, negative for flow from port 2 to port 1.
+    """Return the code of the flow regime.
 
-    The conditions use products in place of ratios, so a vacuum is no special case.
+    The code is negative for flow from port 2 to port 1. The conditions compare products instead of ratios, so a vacuum
+    needs no special case.
     """
     upstream = pressure_1 if one_way else maximum(pressure_1, pressure_2)
     downstream = pressure_2 if one_way else minimum(pressure_1, pressure_2)

@@ -55,7 +55,9 @@ class ForceLaw(ABC):
 
     @abstractmethod
     def swept(self, contraction: Any) -> Any:
-        """Return the integral of `slope` from zero contraction to the given contraction.
+        """Return the integral of `slope` from zero to the given contraction.
+
+        It is proportional to the change in volume.
 
         Parameters
         ----------
@@ -315,9 +317,9 @@ class ForceTable(ForceLaw):
 
 
 def taut(force: Any, width: Any) -> Any:
-    r"""Return the positive part of a force, with a smooth transition to zero.
+    r"""Return a pulling force that becomes zero smoothly if the muscle is slack.
 
-    A slack muscle cannot push.
+    A slack muscle cannot push. `width` is the half width w of the transition.
 
     .. math:: F_+ = \frac{(F + w)^2}{4 w} \quad\text{between}\; -w \;\text{and}\; w
 

@@ -112,9 +112,10 @@ def reynolds_number(mass_flow_rate: Any, bore: Any, viscosity: Any) -> Any:
 
 
 def between_laminar_and_turbulent(reynolds: Any, laminar: Any, turbulent: Any) -> Any:
-    """Return the pressure drop at a Reynolds number, blended from laminar and turbulent values.
+    """Return a pressure drop that changes smoothly from a laminar to a turbulent value.
 
-    The blend is C1. It is laminar up to Re = 2000 and turbulent from Re = 4000.
+    `laminar` and `turbulent` are the pressure drops of both kinds of flow. The result is laminar up to Re = 2000 and
+    turbulent from Re = 4000, with a continuous derivative.
 
     Parameters
     ----------

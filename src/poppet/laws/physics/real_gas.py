@@ -45,7 +45,7 @@ class RealGas:
 
 @dataclass(frozen=True)
 class Deviation:
-    """Deviation of an ideal gas from the real gas in one state.
+    """Differences between an ideal gas and the real gas in one state.
 
     Parameters
     ----------
@@ -116,11 +116,11 @@ def deviation(pressure: float, temperature: float, gas: RealGas, isentropic_expo
     >>> round(found.compressibility, 3), round(100 * found.flow, 1)
     (1.042, -5.9)
     """
-    virial = _virial(temperature, gas)
-    density = _density(pressure, temperature, gas, virial)
+    virial = _virial_coefficients(temperature, gas)
+    density = _reduced_density(pressure, temperature, gas, virial)
     if density is None:
         return None
-    z, slope, thermal, heat = _state(density, temperature, gas, virial)
+    z, slope, thermal, heat = _state_properties(density, temperature, gas, virial)
     if heat <= 0.0:
         return None
     exponent = (slope + thermal**2 / heat) / z
@@ -129,14 +129,14 @@ def deviation(pressure: float, temperature: float, gas: RealGas, isentropic_expo
     flow = ideal / nozzle_choked_flux(exponent, z) - 1.0 if exponent > 1.0 else math.inf
     if max(abs(flow), abs(z - 1.0)) > _CLEARLY_IDEAL:
         unit = gas.critical_pressure / gas.critical_temperature
-        flow = ideal * pressure / (unit * math.sqrt(temperature) * _choked(density, temperature, gas)) - 1.0
+        flow = ideal * pressure / (unit * math.sqrt(temperature) * _choked_flux(density, temperature, gas)) - 1.0
     return Deviation(z, exponent, z - 1.0, flow)
 
 
-def _density(pressure: float, temperature: float, gas: RealGas, virial: _Virial) -> float | None:
-    """Return the density of the gas relative to pc/(R Tc).
+def _reduced_density(pressure: float, temperature: float, gas: RealGas, virial: _Virial) -> float | None:
+    """Return the reduced density of a real gas, relative to pc/(R Tc).
 
-    The result is None for a liquid.
+    The result is None for a liquid. `virial` contains the virial coefficients.
     """
     reduced = temperature / gas.critical_temperature
     share = pressure / gas.critical_pressure
@@ -156,7 +156,7 @@ def _density(pressure: float, temperature: float, gas: RealGas, virial: _Virial)
     return density
 
 
-def _virial(temperature: float, gas: RealGas) -> _Virial:
+def _virial_coefficients(temperature: float, gas: RealGas) -> _Virial:
     """Return the virial coefficients B and C with their first and second derivatives.
 
     The derivatives are multiplied by T and T^2. The units are powers of R Tc/pc.
@@ -173,8 +173,13 @@ def _virial(temperature: float, gas: RealGas) -> _Virial:
     return coefficient(*_B), coefficient(*_C)
 
 
-def _state(density: float, temperature: float, gas: RealGas, virial: _Virial) -> tuple[float, float, float, float]:
-    """Return Z, (dp/drho)/(R T), (dp/dT)/(rho R) and c_v/R of the real gas."""
+def _state_properties(
+    density: float, temperature: float, gas: RealGas, virial: _Virial
+) -> tuple[float, float, float, float]:
+    """Return Z, (dp/drho)/(R T), (dp/dT)/(rho R) and c_v/R of a real gas.
+
+    `virial` contains the virial coefficients and their derivatives.
+    """
     (b, b1, b2), (c, c1, c2) = virial
     z = 1.0 + b * density + c * density**2
     slope = 1.0 + 2.0 * b * density + 3.0 * c * density**2
@@ -185,14 +190,17 @@ def _state(density: float, temperature: float, gas: RealGas, virial: _Virial) ->
     return z, slope, thermal, heat - (2.0 * b1 + b2) * density - (2.0 * c1 + c2) * density**2 / 2.0
 
 
-def _choked(density: float, temperature: float, gas: RealGas) -> float:
-    """Return the maximum of density times velocity on an isentrope, divided by sqrt(R).
+def _choked_flux(density: float, temperature: float, gas: RealGas) -> float:
+    """Return the choked mass flux of a real gas, divided by sqrt(R).
 
-    The integration uses steps of ln(density) and the midpoint rule.
+    It is the maximum of density times velocity on an isentrope. The integration uses steps of ln(density) and the
+    midpoint rule.
     """
 
     def rates(logarithm: float, temperature: float) -> tuple[float, float]:
-        _, slope, thermal, heat = _state(math.exp(logarithm), temperature, gas, _virial(temperature, gas))
+        _, slope, thermal, heat = _state_properties(
+            math.exp(logarithm), temperature, gas, _virial_coefficients(temperature, gas)
+        )
         return temperature * thermal / heat, 2.0 * temperature * (slope + thermal**2 / heat)
 
     logarithm, square = math.log(density), 0.0

@@ -34,12 +34,15 @@ CurveValues = list[tuple[PlottedCurve, Any, Any]]
 
 
 def curves_of(result: BenchResult | None, test: str) -> list[PlottedCurve]:
-    """Return the curves of one test, or an empty list if there is no result."""
+    """Return the curves of one test in a bench result.
+
+    The list is empty if there is no result.
+    """
     return list(result.curves.get(test, ())) if result is not None else []
 
 
-def _pair() -> tuple[Figure, tuple[Any, Any]]:
-    """Return a figure with two axes side by side."""
+def _figure_with_two_axes() -> tuple[Figure, tuple[Any, Any]]:
+    """Return an empty figure with two axes side by side."""
     figure = new_figure(_WIDTH, _TOP + _HIGH + _FOOT)
     left, right = (axes_in(figure, edge, _TOP, _HALF, _HIGH) for edge in (_LEFT, _LEFT + _HALF + _GAP))
     return figure, (left, right)
@@ -64,8 +67,11 @@ def _cases(curves: Iterable[PlottedCurve]) -> list[str]:
 
 
 def characteristic_figure(result: BenchResult, reference: BenchResult | None = None) -> Figure:
-    """Draw the characteristic (outlet pressure versus setpoint), and the deviation from the nominal line."""
-    figure, (left, right) = _pair()
+    """Draw the outlet pressure versus the setpoint, and its deviation from the nominal line.
+
+    `reference` is the result of a reference valve.
+    """
+    figure, (left, right) = _figure_with_two_axes()
     colours = {"up": _UP, "down": _DOWN}
     left.plot([0, 100], [0, 100], color=GREY, linewidth=0.8, label="nominal")
     right.axhline(0.0, color=GREY, linewidth=0.8)
@@ -104,7 +110,10 @@ def characteristic_figure(result: BenchResult, reference: BenchResult | None = N
 
 
 def resolution_figure(result: BenchResult, reference: BenchResult | None = None) -> Figure:
-    """Draw a small staircase of the setpoint, and the outlet pressure that follows it."""
+    """Draw the response of the outlet pressure to a small staircase of the setpoint.
+
+    `reference` is the result of a reference valve.
+    """
     figure, axes = _single(2.4)
     curves = curves_of(result, "resolution")
     for curve in curves:
@@ -118,10 +127,11 @@ def resolution_figure(result: BenchResult, reference: BenchResult | None = None)
     return figure
 
 
-def _there_and_back(axes: Any, curves: CurveValues, reference: CurveValues, thick: tuple[str, ...]) -> None:
+def _draw_both_directions(axes: Any, curves: CurveValues, reference: CurveValues, thick: tuple[str, ...]) -> None:
     """Draw the curves of each case (test condition) in one colour.
 
-    Curves with a name in `thick` are thick; their return curves are thin. The reference valve has no return curves.
+    Curves with a name in `thick` are drawn as thick lines, and their return curves as thin lines. The reference valve
+    has no return curves.
     """
     cases = _cases(curve for curve, _, _ in curves)
     for group, is_other in ((curves, False), (reference, True)):
@@ -136,20 +146,26 @@ def _there_and_back(axes: Any, curves: CurveValues, reference: CurveValues, thic
 
 
 def flow_figure(result: BenchResult, reference: BenchResult | None = None) -> Figure:
-    """Draw the outlet pressure versus the forward and the relief flow."""
+    """Draw the outlet pressure versus the forward and the relief flow.
+
+    `reference` is the result of a reference valve.
+    """
     figure, axes = _single(3.4)
     curves = curves_of(result, "flow")
     unit = readable_unit("kg/s", max((float(np.max(np.abs(c.x), initial=0.0)) for c in curves), default=1.0))
     groups = curves, curves_of(reference, "flow")
     measured, references = ([(c, convert(c.x, "kg/s", unit), c.y) for c in group] for group in groups)
     axes.set(xlabel=f"forward flow [{unit}]; negative: relief flow", ylabel="outlet [% FS]")
-    _there_and_back(axes, measured, references, ("drawn going", "fed going"))
+    _draw_both_directions(axes, measured, references, ("drawn going", "fed going"))
     axes.axvline(0.0, color=GREY, linewidth=0.8)
     return figure
 
 
 def supply_figure(result: BenchResult, reference: BenchResult | None = None) -> Figure:
-    """Draw the outlet pressure versus the supply pressure."""
+    """Draw the outlet pressure versus the supply pressure.
+
+    `reference` is the result of a reference valve.
+    """
     figure, axes = _single(2.4)
 
     def deviations(curves: list[PlottedCurve]) -> CurveValues:
@@ -157,7 +173,7 @@ def supply_figure(result: BenchResult, reference: BenchResult | None = None) -> 
         return [(c, convert(c.x, "Pa", "bar"), c.y - middle[c.case]) for c in curves if c.case in middle]
 
     measured, references = (deviations(curves_of(source, "supply")) for source in (result, reference))
-    _there_and_back(axes, measured, references, ("rising",))
+    _draw_both_directions(axes, measured, references, ("rising",))
     low, high = axes.get_ylim()
     if high - low < 0.02:  # rounding must not fill the figure
         axes.set_ylim(0.5 * (low + high) - 0.01, 0.5 * (low + high) + 0.01)
@@ -196,21 +212,27 @@ def step_figure(result: BenchResult, reference: BenchResult | None = None) -> Fi
 
 
 def _size_of(case: str) -> str:
-    """Return the step size in the name of a case, without its sign: `80` for `+80 % FS, 1 l`."""
+    """Return the step size in the name of a case, without its sign.
+
+    For `+80 % FS, 1 l` the result is `80`.
+    """
     return case[1:].partition(" ")[0]
 
 
 def _volume_of(case: str) -> str:
-    """Return the load volume in the name of a case: `, 1 l` for `+80 % FS, 1 l`.
+    """Return the load volume in the name of a case, with its comma.
 
-    The text is empty if the name contains no volume.
+    For `+80 % FS, 1 l` the result is `, 1 l`. The text is empty if the name contains no volume.
     """
     return case.partition(",")[1] + case.partition(",")[2]
 
 
 def bode_figure(result: BenchResult, reference: BenchResult | None = None) -> Figure:
-    """Draw gain and phase of the valve versus frequency."""
-    figure, (gain, phase) = _pair()
+    """Draw gain and phase of the valve versus frequency.
+
+    `reference` is the result of a reference valve.
+    """
+    figure, (gain, phase) = _figure_with_two_axes()
     curves = curves_of(result, "frequency")
     cases = _cases(curves)
     gain.axhline(GAIN_DB, color=GREY, linewidth=0.8)

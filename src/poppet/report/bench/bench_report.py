@@ -66,9 +66,9 @@ def value_text(value: float, unit: str, bound: str = "") -> str:
 
 
 def figure_text(figure: CharacteristicValue | None) -> str:
-    """Return a characteristic value with its 95 % confidence interval, or a dash for None.
+    """Return a characteristic value with its 95 % confidence interval as text.
 
-    The interval is omitted if it is negligible.
+    The interval is omitted if it is negligible. The text for None is a dash.
 
     Examples
     --------
@@ -97,9 +97,9 @@ def conditions_text(figure: CharacteristicValue) -> str:
 
 
 class _Sentences(NamedTuple):
-    """Function object that inserts characteristic values into sentences.
+    """Function object that completes sentences with characteristic values.
 
-    The result is empty if a value is missing. A phrase in square brackets is omitted if one of its values is missing.
+    If a value is missing, the result is empty. A phrase in square brackets is omitted if one of its values is missing.
     """
 
     figures: Mapping[str, CharacteristicValue]
@@ -108,7 +108,11 @@ class _Sentences(NamedTuple):
         if not is_relevant:
             return ""
         form = re.sub(r"\[(.*?)\]", lambda part: part[1] if self._has_values(part[1]) else "", form)
-        return re.sub(r"{(\w+)}", lambda name: _bounded(self.figures[name[1]]), form) if self._has_values(form) else ""
+        return (
+            re.sub(r"{(\w+)}", lambda name: _value_or_bound(self.figures[name[1]]), form)
+            if self._has_values(form)
+            else ""
+        )
 
     def _has_values(self, form: str) -> bool:
         return set(re.findall(r"{(\w+)}", form)) <= set(self.figures)
@@ -118,13 +122,13 @@ class _Sentences(NamedTuple):
         return self.figures[name].value if name in self.figures else math.nan
 
 
-def _bounded(figure: CharacteristicValue) -> str:
-    """Return a characteristic value for a sentence, for example `at most 0.5 % FS`."""
+def _value_or_bound(figure: CharacteristicValue) -> str:
+    """Return a characteristic value for a sentence, such as `at most 0.5 % FS`."""
     return f"{figure.bound} {value_text(figure.value, figure.unit)}".strip()
 
 
 def verdict(result: BenchResult, test: str) -> str:
-    """Return the sentences that assess the results of one test."""
+    """Return sentences that evaluate the results of one test."""
     w = _Sentences(result.figures)
     span = f"Between {RANGE[0]:g} and {RANGE[1]:g} % FS the outlet is within"
     sensitivity = w.figures.get("supply_sensitivity")
@@ -162,7 +166,9 @@ def verdict(result: BenchResult, test: str) -> str:
             w("At the rated relief flow the outlet pressure rises by {relief_rise}."),
             w(flow_difference + "[ and {relief_hysteresis} in relief]."),
         ),
-        "supply": (f"A change of the supply by 1 bar changes the outlet by {_bounded(change)}." if change else "",),
+        "supply": (
+            f"A change of the supply by 1 bar changes the outlet by {_value_or_bound(change)}." if change else "",
+        ),
         "leakage": (
             "At rest there is no flow from the supply."
             if w.value("leakage") == 0.0
@@ -200,7 +206,7 @@ _HEADINGS = {
 
 
 class SectionText(NamedTuple):
-    """Texts of the section on one test: title, caption and table columns."""
+    """Texts of one section of the bench report: title, caption and table columns."""
 
     title: str
     caption: str
@@ -208,9 +214,9 @@ class SectionText(NamedTuple):
     headings: Mapping[str, str] = MappingProxyType({})
 
     def column(self, key: str) -> tuple[str, str]:
-        """Return the heading and the unit of a table column.
+        """Return heading and unit of a table column.
 
-        The unit of a column with texts is `word`.
+        For a column with texts, the unit is `word`.
         """
         return {**_HEADINGS, **self.headings}.get(key, key.replace("_", " ")), _UNITS.get(key, "% FS")
 
@@ -279,9 +285,9 @@ _STANDARD = (
 
 
 def write_bench(result: BenchResult, path: str | Path, other: BenchResult | None = None) -> Path:
-    """Write the HTML report of a bench test; equal results give equal bytes.
+    """Write the report of a bench test as HTML.
 
-    `other` is the result of a reference valve.
+    `other` is the result of a reference valve. Equal results give equal bytes.
     """
     return write_page(path, lambda: bench_page(result, other))
 
@@ -296,7 +302,7 @@ def bench_page(result: BenchResult, other: BenchResult | None = None) -> str:
         sections = [
             Section("", _head(result, other, tests)),
             Section("Characteristic values", figure_table(result, other)),
-            *(Section(DESCRIPTIONS[test].title, _test(result, other, test)) for test in tests),
+            *(Section(DESCRIPTIONS[test].title, _test_section(result, other, test)) for test in tests),
             Section("Conditions", _condition_table(result)),
             Section("About the standard", _STANDARD),
         ]
@@ -315,8 +321,11 @@ def _head(result: BenchResult, reference: BenchResult | None, tests: list[str]) 
     return f'{head(result.title, lead)}{warning}<div class="summary">{lines}</div>\n{findings(notes)}'
 
 
-def _test(result: BenchResult, reference: BenchResult | None, test: str) -> list[str | ReportTable]:
-    """Return the section on one test; its table has one row for each case (test condition)."""
+def _test_section(result: BenchResult, reference: BenchResult | None, test: str) -> list[str | ReportTable]:
+    """Return the section of the report on one test.
+
+    Its table has one row for each case (test condition).
+    """
     description, meaning, rows = DESCRIPTIONS[test], TESTS[test].meaning, result.rows.get(test, ())
     figure = ""
     if result.curves.get(test) and test in _FIGURES:
@@ -328,7 +337,9 @@ def _test(result: BenchResult, reference: BenchResult | None, test: str) -> list
     cells = [
         [
             "-" if key not in row
-            else _unbroken(str(row[key]) if unit == "word" else value_text(row[key], unit, row.get(f"{key}_bound", "")))
+            else _on_one_line(str(row[key]))
+            if unit == "word"
+            else _on_one_line(value_text(row[key], unit, row.get(f"{key}_bound", "")))
             for key, (_, unit) in zip(keys, columns, strict=True)
         ]
         for row in rows
@@ -339,9 +350,9 @@ def _test(result: BenchResult, reference: BenchResult | None, test: str) -> list
 
 
 def figure_table(result: BenchResult, reference: BenchResult | None = None) -> ReportTable:
-    """Return all characteristic values with their definitions.
+    """Return a table of all characteristic values with their definitions.
 
-    The values of a reference valve are in a second column.
+    A second column contains the values of the reference valve.
     """
     rows: list[list[Any]] = []
     headings = ["value ± 95 %"]
@@ -358,7 +369,7 @@ def figure_table(result: BenchResult, reference: BenchResult | None = None) -> R
             first, second = values
             value = first or second
             assert value is not None
-            cells = [_unbroken(figure_text(v)) for v in values[: 1 if reference is None else 2]]
+            cells = [_on_one_line(figure_text(v)) for v in values[: 1 if reference is None else 2]]
             if reference is not None:
                 ratio = "-"
                 if first is not None and second is not None and not (first.bound or second.bound):
@@ -370,8 +381,8 @@ def figure_table(result: BenchResult, reference: BenchResult | None = None) -> R
     return ReportTable(("quantity", *numeric(*headings), "conditions; definition"), rows, css_class="figures")
 
 
-def _unbroken(text: str) -> str:
-    """Return a text with non-breaking spaces, so that it stays on one line."""
+def _on_one_line(text: str) -> str:
+    """Return a text that stays on one line, with non-breaking spaces."""
     return text.replace(" ", "\N{NO-BREAK SPACE}")
 
 

@@ -18,6 +18,7 @@ from poppet.report.tables import ReportTable, numeric
 from poppet.timeseries.plotting.figures import GREY, INK, PALETTE, axes_in, new_figure, style
 
 if TYPE_CHECKING:
+    from matplotlib.collections import QuadMesh
     from matplotlib.figure import Figure
 
 Array = NDArray[np.float64]
@@ -168,11 +169,11 @@ def bandwidth_figure(result: LimitsResult) -> Figure:
     """
     plan = result.plan
     height = len(plan.volumes) * 0.62
-    figure, (axes,) = _panels(1, height, _SIDE + 0.35, 0.0)
-    values, noise, names = _array(result.grid("gain_frequency")), _array(result.grid("noise")), _limiting(result)
-    mesh, mark = _heat(axes, values, (plan.lowest, plan.highest))
+    figure, (axes,) = _figure_with_panels(1, height, _SIDE + 0.35, 0.0)
+    values, noise, names = _array(result.grid("gain_frequency")), _array(result.grid("noise")), _limiting_parts(result)
+    mesh, mark = _draw_heat_map(axes, values, (plan.lowest, plan.highest))
     _volume_axes(axes, plan)
-    hertz = _known(values, lambda v: frequency_text(plan, v))
+    hertz = _formatter_of_cells(values, lambda v: frequency_text(plan, v))
     rough = _Line(0.13, 9.5, lambda cell: f"~{hertz(cell)}" if noise[cell] > NOISY else hertz(cell), "bold")
     _write(axes, values, mark, rough, _Line(-0.24, 7.5, lambda cell: names[cell[0]][cell[1]]))
     axes.set_title("-3 dB frequency [Hz], and the part that limits it", loc="left")
@@ -181,7 +182,10 @@ def bandwidth_figure(result: LimitsResult) -> Figure:
 
 
 def response_figure(result: LimitsResult) -> Figure:
-    """Draw the frequency at a phase lag of 90 degrees, and the times of steps up and down."""
+    """Draw the frequency with a phase lag of 90 degrees, and the step times.
+
+    The step times are those of a step up and of a step down.
+    """
     plan = result.plan
     phase, up, down = (_array(result.grid(name)) for name in ("phase_frequency", "rise_up", "rise_down"))
     times = np.concatenate([grid[np.isfinite(grid)] for grid in (up, down)])
@@ -192,28 +196,28 @@ def response_figure(result: LimitsResult) -> Figure:
         ("step up, 90 % [ms]", up, span, "viridis_r", time_text),
         ("step down, 90 % [ms]", down, span, "viridis_r", time_text),
     ]
-    figure, panels = _panels(3, len(plan.volumes) * _CELL, 0.15, 0.25)
+    figure, panels = _figure_with_panels(3, len(plan.volumes) * _CELL, 0.15, 0.25)
     for k, (axes, (title, values, limits, colours, text)) in enumerate(zip(panels, maps, strict=True)):
-        _, mark = _heat(axes, values, limits, colours)
+        _, mark = _draw_heat_map(axes, values, limits, colours)
         _volume_axes(axes, plan, is_first=k == 0)
-        _write(axes, values, mark, _Line(0.0, 8.0, _known(values, text)))
+        _write(axes, values, mark, _Line(0.0, 8.0, _formatter_of_cells(values, text)))
         axes.set_title(title, loc="left")
     return figure
 
 
 def ideal_figure(result: LimitsResult) -> Figure:
-    """Draw the factor by which the bandwidth increases if one part is ideal.
+    """Draw by which factor the bandwidth increases if one part is ideal.
 
-    Each part has a separate map.
+    Each part has a map of its own.
     """
     plan = result.plan
     height = len(plan.volumes) * 0.36
-    figure, panels = _panels(2 * _MAX_COLUMNS, height, _SIDE + 0.2, 0.25)
+    figure, panels = _figure_with_panels(2 * _MAX_COLUMNS, height, _SIDE + 0.2, 0.25)
     for k, (axes, part) in enumerate(zip(panels, (*PARTS, LOAD), strict=True)):
         values = _array(result.gains(part))
-        mesh, mark = _heat(axes, values, (0.1, 10.0), "RdBu")
+        mesh, mark = _draw_heat_map(axes, values, (0.1, 10.0), "RdBu")
         _volume_axes(axes, plan, is_first=k % _MAX_COLUMNS == 0, is_last=k >= _MAX_COLUMNS)
-        _write(axes, values, mark, _Line(0.0, 7.5, _known(values, lambda v: f"{v:.2g}")))
+        _write(axes, values, mark, _Line(0.0, 7.5, _formatter_of_cells(values, lambda v: f"{v:.2g}")))
         axes.set_title(part, loc="left", color=_COLOURS[part])
     _bar(figure, mesh, _WIDTH - _SIDE - 0.1, 2 * height + _TOP, "bandwidth, ideal / real")
     return figure
@@ -228,7 +232,7 @@ def stability_figure(result: LimitsResult) -> Figure:
 
     norm = SymLogNorm(10.0, vmin=-2000.0, vmax=2000.0)
 
-    def draw(axes: Any, spring: float) -> Any:
+    def draw(axes: Any, spring: float) -> QuadMesh:
         growth, hum = (_array(result.map(name, spring)) for name in ("growth", "smooth_frequency"))
         does = np.array(result.map("smooth", spring))
         _write(
@@ -242,11 +246,14 @@ def stability_figure(result: LimitsResult) -> Figure:
 
 
 def hum_figure(result: LimitsResult) -> Figure:
-    """Draw the amplitude and the frequency of the limit cycles (self-excited oscillations) of the complete valve."""
+    """Draw amplitude and frequency of the limit cycles of the complete valve.
 
-    def draw(axes: Any, spring: float) -> Any:
+    Limit cycles are self-excited oscillations.
+    """
+
+    def draw(axes: Any, spring: float) -> QuadMesh:
         amplitude, frequency = (_array(result.map(name, spring)) for name in ("amplitude", "frequency"))
-        mesh, mark = _heat(axes, amplitude, (10.0, 1e4), "viridis_r")
+        mesh, mark = _draw_heat_map(axes, amplitude, (10.0, 1e4), "viridis_r")
 
         def frequency_word(cell: Any) -> str:
             hertz = frequency[cell]
@@ -262,7 +269,10 @@ def hum_figure(result: LimitsResult) -> Figure:
 
 
 def swing_text(value: float) -> str:
-    """Return the amplitude of the outlet pressure [Pa] as text."""
+    """Return the amplitude of the outlet pressure as text.
+
+    `value` is the amplitude [Pa].
+    """
     if not math.isfinite(value):
         return "?"
     if value < STILL:
@@ -270,10 +280,11 @@ def swing_text(value: float) -> str:
     return f"{value:.3g}" if value < 1e3 else f"{value:.0f}"
 
 
-def _limiting(result: LimitsResult) -> list[list[str]]:
-    """Return the name of the limiting part for each cell of the map.
+def _limiting_parts(result: LimitsResult) -> list[list[str]]:
+    """Return the name of the limiting part for each cell of a map.
 
-    If the load limits the bandwidth, the most important part of the valve is also named if its effect is large enough.
+    This part limits the bandwidth. If the load is the limit, the most important part of the valve is also named if its
+    effect is large enough.
     """
 
     def word(point: Point | None) -> str:
@@ -288,7 +299,7 @@ def _limiting(result: LimitsResult) -> list[list[str]]:
 
 
 class _Line(NamedTuple):
-    """Position, size and content of one line of text in every cell of a map."""
+    """One line of text that each cell of a map contains: position, size and content."""
 
     up: float  # distance from the centre
     size: float  # of the font
@@ -303,10 +314,10 @@ def _write(axes: Any, values: Array, colour: Callable[[float], str], *lines: _Li
             axes.text(cell[1], cell[0] + up, text(cell), fontsize=size, fontweight=weight, **alignment)
 
 
-def _known(values: Array, text: Callable[[float], str]) -> Callable[[Any], str]:
-    """Return a function that gives the text of a cell: a dash if its value is NaN.
+def _formatter_of_cells(values: Array, text: Callable[[float], str]) -> Callable[[Any], str]:
+    """Return a function that formats the value of a cell.
 
-    `text` formats all other values.
+    The function returns a dash for NaN, and otherwise the result of `text`.
     """
     return lambda cell: "-" if math.isnan(values[cell]) else text(float(values[cell]))
 
@@ -315,8 +326,12 @@ def _array(grid: list[list[Any]]) -> Array:
     return np.array(grid, dtype=float)
 
 
-def _panels(count: int, height: float, right: float, gap: float) -> tuple[Figure, list[Any]]:
-    """Return a figure with `count` axes in one row, or in two rows for `2 * _MAX_COLUMNS` axes."""
+def _figure_with_panels(count: int, height: float, right: float, gap: float) -> tuple[Figure, list[Any]]:
+    """Return an empty figure with several axes of equal size.
+
+    The axes are in one row, or in two rows if `count` is `2 * _MAX_COLUMNS`. `right` and `gap` are the margin at the
+    right and the distance between axes.
+    """
     columns = _MAX_COLUMNS if count == 2 * _MAX_COLUMNS else count
     rows = count // columns
     figure = new_figure(_WIDTH, rows * (_TOP + height) + _FOOT + 0.1 * (rows - 1))
@@ -329,31 +344,33 @@ def _panels(count: int, height: float, right: float, gap: float) -> tuple[Figure
 
 
 def _spring_figure(result: LimitsResult, draw: Callable[[Any, float], Any], label: str) -> Figure:
-    """Draw a map of damping factors and load volumes for each factor on the spring rates.
+    """Draw one map for each factor on the spring rates.
 
-    `draw` draws one map; `label` is the label of the colour bar.
+    The axes of a map are damping factor and load volume. `draw` draws one map, and `label` is the label of the colour
+    bar.
     """
     plan = result.plan
     height = len(plan.dampings) * 0.52
-    figure, panels = _panels(len(plan.springs), height, _SIDE + 0.2, 0.2)
+    figure, panels = _figure_with_panels(len(plan.springs), height, _SIDE + 0.2, 0.2)
     for k, (axes, spring) in enumerate(zip(panels, plan.springs, strict=True)):
         mesh = draw(axes, spring)
         y_scale = ("damping", [f"x {d:g}" for d in plan.dampings])
-        _scales(axes, (_VOLUME, _liters(plan)), y_scale, is_first=k == 0)
+        _label_axes(axes, (_VOLUME, _liters(plan)), y_scale, is_first=k == 0)
         axes.set_title(f"spring rate x {spring:g}", loc="left")
     _bar(figure, mesh, _WIDTH - _SIDE - 0.1, height, label)
     return figure
 
 
-def _mesh(axes: Any, values: Array, **options: Any) -> Any:
+def _mesh(axes: Any, values: Array, **options: Any) -> QuadMesh:
     x, y = (np.arange(count + 1) - 0.5 for count in values.shape[::-1])  # cells about whole numbers
-    return axes.pcolormesh(x, y, values, **options)
+    mesh: QuadMesh = axes.pcolormesh(x, y, values, **options)
+    return mesh
 
 
-def _heat(
+def _draw_heat_map(
     axes: Any, values: Array, limits: tuple[float, float], colours: str = "viridis"
-) -> tuple[Any, Callable[[float], str]]:
-    """Draw a map with colours on a logarithmic scale.
+) -> tuple[QuadMesh, Callable[[float], str]]:
+    """Draw a map of values in colours on a logarithmic scale.
 
     The second result is a function that returns a readable text colour for a value.
     """
@@ -378,15 +395,15 @@ def _heat(
 
 def _volume_axes(axes: Any, plan: LimitsPlan, *, is_first: bool = True, is_last: bool = True) -> None:
     x_scale = ("amplitude of the setpoint [kPa]", [f"{a / 1e3:.3g}" for a in plan.amplitudes])
-    _scales(axes, x_scale, (_VOLUME, _liters(plan)), is_first=is_first, is_last=is_last)
+    _label_axes(axes, x_scale, (_VOLUME, _liters(plan)), is_first=is_first, is_last=is_last)
 
 
 def _liters(plan: LimitsPlan) -> list[str]:
     return [f"{v * 1e3:.2g}" for v in plan.volumes]
 
 
-def _scales(axes: Any, x_scale: Scale, y_scale: Scale, *, is_first: bool = True, is_last: bool = True) -> None:
-    """Set the names and the tick labels of both axes.
+def _label_axes(axes: Any, x_scale: Scale, y_scale: Scale, *, is_first: bool = True, is_last: bool = True) -> None:
+    """Set the names and tick labels of both axes of a map.
 
     Only the first panel of a row has labels at the left, and only the last row has labels at the bottom.
     """
@@ -405,9 +422,9 @@ def _bar(figure: Figure, mesh: Any, left: float, height: float, label: str) -> N
 
 
 def frequency_text(plan: LimitsPlan, value: float) -> str:
-    """Return a frequency [Hz] as text.
+    """Return a frequency as text.
 
-    A value of 0 is a frequency below the search range, and infinity one above it.
+    `value` is the frequency [Hz]. A value of 0 is below the search range, and infinity is above it.
     """
     if value == 0.0:  # below the range
         return f"< {plan.lowest:g}"
@@ -415,12 +432,15 @@ def frequency_text(plan: LimitsPlan, value: float) -> str:
 
 
 def time_text(value: float) -> str:
-    """Return a time [s] as text in milliseconds."""
+    """Return a time as text in milliseconds.
+
+    `value` is the time [s].
+    """
     return f"{1e3 * value:.2g}" if value < 0.0995 else f"{1e3 * value:.0f}"
 
 
 def motion_text(motion: str, frequency: float) -> str:
-    """Return a text on the motion of the nonlinear model after a disturbance."""
+    """Return the motion of the nonlinear model after a disturbance as text."""
     if motion == OSCILLATES:
         return f"{frequency:.0f} Hz" if math.isfinite(frequency) and frequency > 0.0 else "oscillates"
     return "calm" if motion == DECAYS else motion

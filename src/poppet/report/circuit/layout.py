@@ -16,7 +16,10 @@ Edge = tuple[str, str, str]
 
 @dataclass(frozen=True)
 class Graph:
-    """Graph of a circuit: each edge connects a port of a flow path to a gas node."""
+    """Parts of a circuit as a graph for the layout.
+
+    Each edge connects a port of a flow path to a gas node.
+    """
 
     stores: tuple[str, ...]
     passages: tuple[str, ...]
@@ -25,7 +28,10 @@ class Graph:
 
 @dataclass(frozen=True)
 class BoxPosition:
-    """Layer of a box, and position of its centre from the lower left corner [in]."""
+    """Layer of a box in a schematic, and position of its centre [in].
+
+    The position is measured from the lower left corner.
+    """
 
     x: float
     y: float
@@ -33,9 +39,9 @@ class BoxPosition:
 
 
 def assign_layers(graph: Graph, fixed: Iterable[str]) -> dict[str, int]:
-    """Return the layer of each part: its distance from the supplies, counted in connections.
+    """Return the layer of each part, its distance from the gas supplies.
 
-    `fixed` contains gas nodes with prescribed pressure, such as the supplies.
+    The distance is counted in connections. `fixed` contains gas nodes with prescribed pressure, such as the supplies.
 
     Examples
     --------
@@ -53,10 +59,10 @@ def assign_layers(graph: Graph, fixed: Iterable[str]) -> dict[str, int]:
     ends = {name for name in fixed if name not in firsts}
     supplies = [name for name in fixed if name in firsts]
     layers: dict[str, int] = {}
-    _spread(supplies, neighbours, layers, ends | closing)
+    _assign_reachable(supplies, neighbours, layers, ends | closing)
     for name in graph.stores:
         if name not in layers and name not in ends:
-            _spread([name], neighbours, layers, ends | closing)
+            _assign_reachable([name], neighbours, layers, ends | closing)
     for name in graph.passages:
         layers.setdefault(name, min((layers[store] for store in neighbours[name] if store in layers), default=0) - 1)
     for name in ends:
@@ -65,12 +71,13 @@ def assign_layers(graph: Graph, fixed: Iterable[str]) -> dict[str, int]:
     return {name: layers[name] - lowest for name in (*graph.stores, *graph.passages)}
 
 
-def _spread(
+def _assign_reachable(
     start: Sequence[str], neighbours: Mapping[str, list[str]], layers: dict[str, int], skipped: set[str]
 ) -> None:
-    """Assign layers to all parts that can be reached from the gas nodes `start`.
+    """Assign layers to all parts that can be reached from some gas nodes.
 
-    The search is breadth-first and does not pass through skipped parts. The results are added to `layers`.
+    `start` contains these gas nodes. The search is breadth-first and does not pass through parts in `skipped`. The
+    results are added to `layers`.
     """
     layers.update(dict.fromkeys(start, 0))
     queue = list(start)
@@ -83,9 +90,9 @@ def _spread(
 
 
 class Layout:
-    """Positions of all boxes of a schematic.
+    """Positions of all boxes in a schematic.
 
-    An edge that crosses layers has a waypoint in each of them.
+    An edge that crosses layers has a point (waypoint) in each of them.
     """
 
     def __init__(
@@ -111,7 +118,7 @@ class Layout:
         self.positions = self._positions()
 
     def _chain(self, edge: Edge) -> list[str]:
-        """Return the names along an edge: flow path, waypoints, gas node."""
+        """Return the names of all points along an edge: flow path, waypoints, gas node."""
         passage, port, store = edge
         first, last = self.layers[passage], self.layers[store]
         step = 1 if last > first else -1
@@ -125,9 +132,9 @@ class Layout:
         return [*chain, store]
 
     def _order(self) -> None:
-        """Sort the boxes within each layer so that few edges cross.
+        """Sort the boxes within each layer so that few connections cross.
 
-        In several sweeps, boxes are sorted by the mean position of their neighbours. The order with the fewest
+        In several passes, boxes are sorted by the mean position of their neighbours. The order with the fewest
         crossings is used.
         """
         best, min_crossings = [list(row) for row in self.rows], self._crossings()
@@ -176,9 +183,9 @@ class Layout:
         return max((self.sizes[name][0] for name in self.rows[layer]), default=0.0)
 
     def _separated(self, row: Sequence[str], targets: Mapping[str, float]) -> dict[str, float]:
-        """Return heights of the boxes in a layer without overlaps.
+        """Return vertical positions of the boxes in one layer without overlaps.
 
-        The sum of the squared distances from the target heights is minimal.
+        `targets` contains the desired positions. The sum of the squared distances from them is minimal.
         """
         box_heights = [self.sizes[name][1] for name in row]
         offsets = [0.0, *accumulate((a + b) / 2.0 + self.gaps[1] for a, b in pairwise(box_heights))][: len(row)]

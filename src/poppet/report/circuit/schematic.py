@@ -58,7 +58,7 @@ def draw_circuit(circuit: BaseCircuit, path: str | Path | None = None) -> Figure
 
 
 class EmptyLine(NamedTuple):
-    """Position and size of an empty line of text in the box of a part [pt].
+    """Empty line of text in the box of a part, with position and size [pt].
 
     x and y are the centre of the line, measured from the upper left corner of the figure.
     """
@@ -73,9 +73,10 @@ class EmptyLine(NamedTuple):
 def draw_with_empty_lines(
     circuit: BaseCircuit, counts: Mapping[str, int], min_width: float
 ) -> tuple[Figure, list[EmptyLine]]:
-    """Draw a schematic with empty lines in the boxes, and return the lines too.
+    """Draw a schematic in which boxes contain empty lines for values.
 
-    `counts` is the number of empty lines for each part, `min_width` their minimum width [in].
+    The result contains the figure and the lines. `counts` is the number of empty lines for each part, and `min_width`
+    their minimum width [in].
     """
     with style("A picture of a circuit"):
         schematic = _Schematic(circuit, counts, min_width)
@@ -120,7 +121,7 @@ def part_caption(circuit: BaseCircuit, name: str) -> list[str]:
 
 @dataclass(frozen=True)
 class _Box:
-    """Text, ports and size of a box in a schematic [in]."""
+    """Box of a part in a schematic: text, ports and size [in]."""
 
     name: str
     lines: tuple[str, ...]
@@ -131,7 +132,7 @@ class _Box:
 
     @property
     def body(self) -> float:
-        """Height of the box without the signal tags above it [in]."""
+        """Height of the box [in], without the signal labels above it."""
         return self.height - _TAG * len(self.tags)
 
     @property
@@ -145,7 +146,7 @@ class _Schematic:
     def __init__(self, circuit: BaseCircuit, counts: Mapping[str, int] | None = None, min_width: float = 0.0) -> None:
         self.circuit, self.counts, self.min_width = circuit, counts or {}, min_width
         self.empty_lines: list[tuple[str, float, float, float]] = []  # centres and widths [in]
-        self.graph = _graph(circuit)
+        self.graph = _graph_of_circuit(circuit)
         parts = {name: circuit.parts.get(name) for name in self.graph.stores}  # None: the ambient
         sources = [name for name, part in parts.items() if part is None or isinstance(part, Reservoir | Controller)]
         layers = assign_layers(self.graph, sources)
@@ -230,9 +231,9 @@ class _Schematic:
     # Ends of pipes ----------------------------------------------------------------------------------------
 
     def _ends(self) -> dict[tuple[Edge, str], tuple[float, float]]:
-        """Return the positions of all pipe ends at the boxes.
+        """Return the positions at which pipes end at the boxes.
 
-        At each box, pipe ends are sorted in the order of the boxes at their other ends.
+        At each box, they are sorted in the order of the boxes at the other ends of the pipes.
         """
         groups: dict[tuple[str, bool], list[tuple[float, Edge]]] = defaultdict(list)
         for edge, chain in self.layout.chains.items():
@@ -343,7 +344,10 @@ class _Schematic:
         self._text(x, y, label, min(6.5, 6.5 * 1.9 * _SYMBOL / text_width(label, 6.5)))
 
     def _strokes(self, symbol: Symbol, left: float, bottom: float, size: float, *, is_mirrored: bool = False) -> None:
-        """Draw the strokes of a symbol, scaled to a square box of the given size [in]."""
+        """Draw the lines of a symbol in a square.
+
+        `left` and `bottom` are the lower left corner of the square, and `size` is its side [in].
+        """
         for stroke in symbol:
             x = [left + size * (1.0 - u if is_mirrored else u) for u, _ in stroke.points]
             y = [bottom + size * v for _, v in stroke.points]
@@ -359,8 +363,8 @@ class _Schematic:
         self.axes.text(x, y, text, fontsize=size, parse_math=False, **properties)
 
 
-def _graph(circuit: BaseCircuit) -> Graph:
-    """Return the graph of a circuit for the layout.
+def _graph_of_circuit(circuit: BaseCircuit) -> Graph:
+    """Return the parts of a circuit as a graph for the layout.
 
     Each connection to the ambient is a separate gas node.
     """

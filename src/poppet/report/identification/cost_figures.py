@@ -54,9 +54,10 @@ def contour_figure(table: Mapping[str, Any]) -> Figure:
 
 
 def profile_figure(table: Mapping[str, Any], name: str) -> Figure:
-    """Draw the profile of chi-square versus one parameter.
+    """Draw the increase of chi-square versus one parameter (profile).
 
-    The figure also shows the limit of the 95 % interval and the parabola of the linear model.
+    `table` contains the profile of the parameter `name`. The figure also shows the limit of the 95 % interval and the
+    parabola of the linear model.
     """
     x, rise, limit = np.asarray(table["x"]), np.asarray(table["rise"]), float(table["limit"])
     unit = readable_unit(table["unit"], float(np.max(np.abs(x))))
@@ -68,7 +69,7 @@ def profile_figure(table: Mapping[str, Any], name: str) -> Figure:
     axes = axes_in(figure, 0.75, 0.35, 0.6 * _WIDTH - 1.0, 1.7)
     # The profile of a parameter without an upper limit extends far to the right.
     is_visible = x <= MIN_DECADES_RATIO * max(map(abs, table["answers"]))
-    positions, ticks = _decades(at(x[is_visible]))
+    positions, ticks = _logarithmic_positions(at(x[is_visible]))
     ends = np.interp([table["low"], table["high"]], x[is_visible], positions)
     for answer in table["answers"][1:]:
         axes.axvline(np.interp(answer, x[is_visible], positions), color=PALETTE[1], linewidth=0.9)
@@ -91,7 +92,7 @@ def profile_figure(table: Mapping[str, Any], name: str) -> Figure:
 
 
 def starts_figure(searches: Sequence[Mapping[str, Any]], pair: Sequence[tuple[str, str]]) -> Figure:
-    """Draw the final cost of every search, and the start and end points of the searches.
+    """Draw the final costs of all searches, and their start and end points.
 
     `pair` contains the names and units of two parameters, whose plane shows the points. If it is empty, this panel is
     omitted.
@@ -129,22 +130,21 @@ def starts_figure(searches: Sequence[Mapping[str, Any]], pair: Sequence[tuple[st
 
 
 def _set_y_ticks(axes: Any, values: FloatArray) -> FloatArray:
-    """Set the ticks of the vertical axis, and return the positions of the values on it.
+    """Set the ticks of a vertical axis, and return the positions of values on it.
 
     The axis is logarithmic if the values span several decades.
     """
-    positions, ticks = _decades(values)
+    positions, ticks = _logarithmic_positions(values)
     if ticks:
         axes.set_yticks(*ticks)
     return positions
 
 
-def _decades(values: FloatArray) -> tuple[FloatArray, tuple[FloatArray, list[str]] | None]:
-    """Return the positions of sorted values on an axis.
+def _logarithmic_positions(values: FloatArray) -> tuple[FloatArray, tuple[FloatArray, list[str]] | None]:
+    """Return the positions of sorted values on a logarithmic axis, and its ticks.
 
-    If the values span several decades, positions are decimal logarithms, and ticks at decades are returned too.
-
-    Zero is one decade below the smallest positive value. Without decades the positions are the values.
+    If the values do not span several decades, the positions are the values, without ticks. Otherwise they are decimal
+    logarithms, with ticks at decades. Zero is one decade below the smallest positive value.
     """
     positive = values[values > 0.0]
     if not positive.size or positive[-1] < MIN_DECADES_RATIO * positive[0]:

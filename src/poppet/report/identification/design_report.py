@@ -59,7 +59,7 @@ def design_text(design: Design, max_findings: int | None = None) -> str:
 
 
 def _joint_table(design: Design) -> ReportTable:
-    """Return the expected confidence intervals of the parameters after all recommended tests."""
+    """Return the expected confidence intervals after all recommended tests, as a table."""
     rows = []
     for name, p in design.together.items():
         unit = readable_unit(p.unit, p.value)
@@ -77,14 +77,15 @@ def _joint_table(design: Design) -> ReportTable:
 
 
 def _candidate_table(design: Design, n_max: int) -> ReportTable:
-    """Return the expected errors of the parameters after each candidate test alone.
+    """Return the expected errors of the parameters after each single test, as a table.
 
-    An error is half of the 95 % interval relative to the value, as a geometric mean over the assumed values and the
-    samples of the priors. The criterion is computed from these errors. `n_max` limits the number of candidates.
+    The relative error of a parameter is half its 95 % interval divided by its value. The table contains the geometric
+    mean of this error over all assumed values and samples of the priors. The criterion of the design is computed from
+    these errors. `n_max` limits the number of tests.
     """
     names, ranked_by = next(iter(design.tests.values())).keys(), design.ranked_by()
     rows = [
-        (test, *(_percent(row[name], row[name].half_typical) for name in names), ranked_by[test])
+        (test, *(_percent(row[name], row[name].typical_half_width) for name in names), ranked_by[test])
         for test, row in design.tests.items()
     ]
     columns = numeric(*(f"{name} [%]" for name in names), "criterion [%]", digits=".2g")
@@ -100,7 +101,7 @@ def _ranking_caption(design: Design) -> str:
 
 
 def error_figure(design: Design) -> Figure:
-    """Draw the relative 95 % intervals after each of the best candidate tests.
+    """Draw the relative 95 % intervals after each of the best tests.
 
     Each parameter has one panel.
     """
@@ -113,7 +114,7 @@ def error_figure(design: Design) -> Figure:
         for row, (test, predictions) in enumerate(tests.items()):
             p = predictions[name]
             colour = VERDICT_COLOURS[p.verdict]
-            ends = [_percent(p, p.half), _percent(p, p.half_at_most)]
+            ends = [_percent(p, p.half), _percent(p, p.largest_half_width)]
             axes.plot(ends, [row, row], color=colour, linewidth=3, alpha=0.35, solid_capstyle="butt")
             axes.plot(ends[0], row, "o", color=colour, markersize=5.5, markeredgewidth=0)
             if k == 0:

@@ -41,7 +41,7 @@ NEXT = {
 
 
 def headline(result: Result, *, is_plain: bool = False) -> str:
-    """Return the main parameters with their errors, and a summary of the verdicts.
+    """Return the main parameters with their errors, and the verdicts, as text.
 
     The main parameters are C and b if they were identified. `is_plain` restricts the text to ASCII.
 
@@ -80,7 +80,7 @@ def headline(result: Result, *, is_plain: bool = False) -> str:
 
 
 def verdicts(result: Result) -> str:
-    """Return a sentence on the verdicts of all parameters: how many are determined.
+    """Return a sentence on how many parameters are determined.
 
     Examples
     --------
@@ -111,7 +111,7 @@ def verdicts(result: Result) -> str:
 
 
 def next_step(result: Result) -> str:
-    """Return the next step that the most urgent finding suggests."""
+    """Return a sentence with the next step that the most urgent finding suggests."""
     for key, codes in NEXT.items():
         for remark in result.remarks:
             if any(remark.code == code or remark.code.startswith(f"{code}.") for code in codes):
@@ -123,7 +123,7 @@ def next_step(result: Result) -> str:
 
 
 def split_notes(notes: Iterable[Note]) -> tuple[list[Note], list[Note]]:
-    """Return the notes in two lists: findings, and notes on reading the recordings."""
+    """Return the findings, and separately the notes on reading the recordings."""
     major: list[Note] = []
     minor: list[Note] = []
     for note in notes:

@@ -11,6 +11,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from poppet.core.number_format import pretty, readable_unit, scaled, with_unit
 from poppet.core.units import convert
@@ -35,7 +36,7 @@ _MODEL, _POINTS = PALETTE[1], PALETTE[0]
 
 @dataclass(frozen=True, eq=False, kw_only=True)
 class Trace:
-    """Measured and modelled values of one channel.
+    """Measured and modelled values of one channel, for figures.
 
     An array is empty if its values are not available.
     """
@@ -57,7 +58,7 @@ class Trace:
 
     @property
     def is_timed(self) -> bool:
-        """True if the abscissas are times, as in a recording."""
+        """True if the horizontal axis is time, as in a recording."""
         return self.x_name == "time"
 
     @property
@@ -67,7 +68,10 @@ class Trace:
 
     @property
     def residual(self) -> FloatArray:
-        """Model minus measurement at each measured point; empty if one of them is not available."""
+        """Model minus measurement at each measured point.
+
+        The array is empty if one of them is not available.
+        """
         if not self.model.size or not self.measured.size:
             return np.zeros(0)
         if np.array_equal(self.x, self.curve_x):
@@ -83,7 +87,10 @@ def traces_of(result: Result) -> list[Trace]:
     """
 
     def array(table: Mapping[str, Any], key: str, like: FloatArray | None = None) -> FloatArray:
-        """Return a column as an array; it is empty if the column is missing or has another shape than `like`."""
+        """Return a column of a table as an array with the shape of `like`.
+
+        The array is empty if the column is missing or has another shape.
+        """
         values = np.asarray(table.get(key, ()), dtype=float)
         return values if values.ndim == 1 and (like is None or values.shape == like.shape) else np.zeros(0)
 
@@ -124,7 +131,8 @@ def channel_figure(
 ) -> Figure:
     """Draw measurement, model and residuals of one channel.
 
-    Rings mark the measured points with the indices `outliers`.
+    `curve` is a fitted curve, and `critical_ratio` the estimate of b. Rings mark the measured points that are closest
+    to the abscissas `outliers`.
     """
     has_residuals, has_side = trace.residual.size > 1, trace.residual.size >= MIN_SAMPLES
     figure = new_figure(_WIDTH, _TOP + _UPPER + _FOOT + has_residuals * (_BETWEEN + _LOWER))
@@ -186,7 +194,7 @@ def _y_unit(trace: Trace) -> str:
     return "degC" if trace.unit == "K" else _readable(trace.unit, trace.measured, trace.model)
 
 
-def _visible_rows(x: FloatArray, y: FloatArray) -> Any:
+def _visible_rows(x: FloatArray, y: FloatArray) -> NDArray[np.int_]:
     return thinned(x, y, _COLUMNS) if np.all(np.diff(x) > 0.0) else np.arange(x.size)
 
 
@@ -224,22 +232,25 @@ def _draw_channel(axes: Any, trace: Trace, curve: tuple[FloatArray, FloatArray] 
 
 
 def _draw_rings(axes: Any, trace: Trace, values: FloatArray, unit: str, indices: Sequence[int]) -> None:
-    """Mark outliers by rings around their points."""
+    """Mark outliers by rings around their points.
+
+    `indices` are the indices of the outliers.
+    """
     if indices:
         x, y = convert(trace.x[indices], trace.x_unit, _x_unit(trace)), convert(values[indices], trace.unit, unit)
         axes.plot(x, y, "o", markersize=11, markerfacecolor="none", color=ACCENT, label="off the law")
 
 
 def legend_above(axes: Any, columns: int, **options: Any) -> None:
-    """Draw the legend above the axes, with the given number of columns."""
+    """Draw the legend above the axes in a given number of columns."""
     anchor = {"loc": "lower left", "bbox_to_anchor": (0.0, 1.0)}
     axes.legend(**anchor, ncols=columns, borderpad=0.2, borderaxespad=0.1, **options)
 
 
 def residual_deviation(trace: Trace) -> tuple[float, str]:
-    """Return the standard deviation with which residuals are compared, and its source.
+    """Return the standard deviation that a figure of residuals shows, and its source.
 
-    The source is `noise` if the noise is known; otherwise it is `rms`, the root mean square of the residuals.
+    The source is `noise` if the noise is known. Otherwise it is `rms`, the root mean square of the residuals.
     """
     if math.isfinite(trace.sigma) and trace.sigma > 0.0:
         return trace.sigma, "noise"
@@ -253,7 +264,10 @@ def residual_unit(trace: Trace) -> str:
 
 
 def _draw_statistics(figure: Figure, trace: Trace, residual_axes: Any) -> None:
-    """Draw the histogram of the residuals beside their axes, and their autocorrelation above it."""
+    """Draw the histogram and the autocorrelation of the residuals.
+
+    The histogram is beside the axes of the residuals, and the autocorrelation is above it.
+    """
     left, unit, finite = _LEFT + _MAIN + _GAP, residual_unit(trace), trace.residual[np.isfinite(trace.residual)]
     axes = axes_in(figure, left, _TOP + _UPPER + _BETWEEN, _SIDE, _LOWER, sharey=residual_axes)
     if finite.size:
@@ -292,7 +306,10 @@ def _draw_statistics(figure: Figure, trace: Trace, residual_axes: Any) -> None:
 
 
 def interval_figure(parameters: Mapping[str, Estimate]) -> Figure:
-    """Draw the 95 % interval of each parameter; every axis begins at zero."""
+    """Draw the 95 % interval of each parameter.
+
+    Each axis begins at zero.
+    """
     left = 0.35 + widest(list(parameters), 8.5)
     figure = new_figure(_WIDTH, _ROW * len(parameters) + 0.35)
     for row, (name, e) in enumerate(parameters.items()):
@@ -372,11 +389,10 @@ def correlation_figure(correlation: Mapping[str, Mapping[str, float]]) -> Figure
 
 
 def flow_curve(result: Result, trace: Trace) -> tuple[FloatArray, FloatArray] | None:
-    """Return the fitted flow law as a curve: pressure ratio p2/p1 and effective conductance.
+    """Return the fitted flow law as a curve for a figure.
 
-    The inlet pressure is the mean of the measured inlet pressures.
-
-    The result is None if a parameter of the flow law is not known.
+    The curve is the effective conductance versus p2/p1, at the mean of the measured inlet pressures. The result is None
+    if a parameter of the flow law is not known.
     """
     numbers = dict(result.conditions.get("fixed", {}))
     numbers |= {name.rpartition(".")[2]: e.value for name, e in result.parameters.items()}

@@ -46,7 +46,10 @@ _WORST_FIRST = ("not determined", "at bound", "weak", "determined")
 
 
 def write_identification(result: Result, path: str | Path) -> Path:
-    """Write the HTML report of an identification; equal results give equal bytes."""
+    """Write the report of an identification as HTML.
+
+    Equal results give equal bytes.
+    """
     return write_page(path, lambda: identification_page(result))
 
 
@@ -56,15 +59,15 @@ def identification_page(result: Result) -> str:
     method = (import_object(declaration.sections) if declaration else None) or MethodReport()
     with style("A report of an identification"):
         c = result.comparison
-        explanation = f"<p>{_text('explained', determined=100.0 * DETERMINED, weak=100.0 * WEAK)}</p>\n"
+        explanation = f"<p>{_report_text('explained', determined=100.0 * DETERMINED, weak=100.0 * WEAK)}</p>\n"
         if declaration and declaration.intervals:
             explanation += f"<p>{declaration.intervals}</p>\n"
         major, minor = split_notes(result.remarks)
-        notes = findings(major, "ol") or f"<p>{_text('nothing_found')}</p>\n"
+        notes = findings(major, "ol") or f"<p>{_report_text('nothing_found')}</p>\n"
         notes += folded(f"{len(minor)} note{'s' * (len(minor) != 1)} on reading the recordings", findings(minor))
         optima: Content = ""
         if len(result.optima) > 1:
-            optima = [tables.optimum_table(result), f"<p>{_text('answers')}</p>\n"]
+            optima = [tables.optimum_table(result), f"<p>{_report_text('answers')}</p>\n"]
         laws: Content = ""
         if "thermal_laws" in c:
             conductances: dict[str, Estimate] = {}
@@ -73,11 +76,11 @@ def identification_page(result: Result) -> str:
                 if estimates:
                     conductances[law] = Estimate(**estimates[0])
             bars = figures.interval_figure(conductances) if conductances else None
-            caption = _text("caption.laws")
+            caption = _report_text("caption.laws")
             laws = [tables.law_table(result), picture(bars, "laws", caption, is_still=True) if bars else ""]
         residuals: Content = ""
         if result.residuals:
-            residuals = [tables.residual_table(result), f"<p>{_text('residuals')}</p>\n"]
+            residuals = [tables.residual_table(result), f"<p>{_report_text('residuals')}</p>\n"]
         comparison: Content = ""
         if "other" in c:
             comparison = [paragraph(str(c.get("verdict", "")), bold=True), tables.comparison_table(result)]
@@ -86,13 +89,13 @@ def identification_page(result: Result) -> str:
             sources = [f"{name}: {text}" for name, text in sources.items()]
         source_texts = [sources] if isinstance(sources, str) else sources
         sections = [
-            Section("", _summary(result, method)),
+            Section("", _title_and_results(result, method)),
             Section("Findings", notes),
             Section("Equivalent optima", optima),
             Section("Thermal laws", laws),
             Section("Alternative models", tables.alternative_table(result) if c.get("alternatives") else ""),
             *method.models(result),
-            Section("Fit", [_channel(result, *numbered) for numbered in enumerate(figures.traces_of(result))]),
+            Section("Fit", [_channel_content(result, *numbered) for numbered in enumerate(figures.traces_of(result))]),
             Section("Parameters", _parameters(result)),
             *_search_sections(result),
             Section("Residuals", residuals),
@@ -101,13 +104,18 @@ def identification_page(result: Result) -> str:
             *method.evidence(result),
             Section("Conditions", tables.condition_table(result)),
             Section("Explanation", explanation),
-            Section("Sources", items([*source_texts, *(_text(f"reference.{name}") for name in method.references)])),
+            Section(
+                "Sources", items([*source_texts, *(_report_text(f"reference.{name}") for name in method.references)])
+            ),
         ]
     return document(result.title, sections, style=stylesheet("identification") + _VERDICT_STYLE)
 
 
-def _summary(result: Result, method: MethodReport) -> str:
-    """Return the title and the main results: a curve's band, or the parameters, the least certain first."""
+def _title_and_results(result: Result, method: MethodReport) -> str:
+    """Return the title of the report, and its main results.
+
+    The results are the band of a fitted curve, or the parameters, the least certain first.
+    """
     declaration = METHODS.get(result.method)
     estimates = sorted(result.parameters.items(), key=lambda item: _WORST_FIRST.index(item[1].verdict))
     worst = estimates[0][1].verdict if estimates else "determined"
@@ -144,32 +152,32 @@ def _parameters(result: Result) -> list[str | ReportTable]:
         low, high = figures.interval_range(e)
         if math.isfinite(e.start) and not low <= e.start <= high:
             outside.append(f"{name} {tables.value_text(e.start, e.unit)}")
-    caption = _text("caption.intervals") + (f" Starts outside: {', '.join(outside)}." if outside else "")
+    caption = _report_text("caption.intervals") + (f" Starts outside: {', '.join(outside)}." if outside else "")
     intervals = picture(figures.interval_figure(result.parameters), "intervals", caption, is_still=True)
     correlation = paragraph(tables.correlation_sentence(result.correlation))
     if len(result.correlation) > 2:
         matrix = figures.correlation_figure(result.correlation)
-        correlation = picture(matrix, "correlation", _text("caption.correlation"), kind="narrow")
+        correlation = picture(matrix, "correlation", _report_text("caption.correlation"), kind="narrow")
     return [tables.parameter_table(result.parameters), intervals, correlation]
 
 
 def _search_sections(result: Result) -> list[Section]:
-    """Return the sections on the searches and on the increase in chi-square around the optimum."""
+    """Return the sections on the searches and on chi-square near the optimum."""
     searches, series, content = result.conditions.get("searches", ()), result.series, list[str | ReportTable]()
     if len(searches) > 1:
         pair = []
         for field in (".sonic_conductance", ".wall_conductance"):
             pair += [(name, e.unit) for name, e in result.parameters.items() if name.endswith(field)][:1]
         figure = starts_figure(searches, pair if len(pair) == 2 else ())
-        content = [tables.search_table(result), picture(figure, "searches", _text("caption.searches"))]
+        content = [tables.search_table(result), picture(figure, "searches", _report_text("caption.searches"))]
     profiles = {name.partition(".")[2]: table for name, table in series.items() if name.startswith("profile.")}
     pictures = [
-        picture(profile_figure(table, name), f"profile{k}", f"{name}. {_text('caption.profile')}", kind="narrow")
+        picture(profile_figure(table, name), f"profile{k}", f"{name}. {_report_text('caption.profile')}", kind="narrow")
         for k, (name, table) in enumerate(profiles.items())
     ]
     contour = ""
     if "contour" in series:
-        contour = picture(contour_figure(series["contour"]), "contour", _text("caption.contour"))
+        contour = picture(contour_figure(series["contour"]), "contour", _report_text("caption.contour"))
     return [
         Section("Searches", content),
         Section("Profiles", pictures),
@@ -177,8 +185,11 @@ def _search_sections(result: Result) -> list[Section]:
     ]
 
 
-def _channel(result: Result, index: int, trace: figures.Trace) -> str:
-    """Return the heading and the figure of a channel, with a caption that explains its bands."""
+def _channel_content(result: Result, index: int, trace: figures.Trace) -> str:
+    """Return the heading, the figure and the caption for one channel.
+
+    `index` is the index of the channel. The caption explains the bands.
+    """
     unit = figures.residual_unit(trace)
 
     def size(value: float) -> str:
@@ -204,7 +215,7 @@ def _channel(result: Result, index: int, trace: figures.Trace) -> str:
             caption += " For white residuals, 95 % of the autocorrelations are within the band."
     curve, ratio, outliers = None, None, list[float]()
     if trace.name.endswith("effective_conductance"):
-        caption += f" {_text('caption.conductance')}"
+        caption += f" {_report_text('caption.conductance')}"
         curve = figures.flow_curve(result, trace)
         ratio = next((e for key, e in result.parameters.items() if key.rpartition(".")[2] == "critical_ratio"), None)
         outliers = [float(note.facts["ratio"]) for note in result.remarks if note.code == "flow.outlier"]
@@ -214,9 +225,9 @@ def _channel(result: Result, index: int, trace: figures.Trace) -> str:
     return heading + picture(figure, f"channel{index}", caption)
 
 
-def _text(code: str, **facts: float | str) -> str:
-    """Return a text of the report by its message code.
+def _report_text(code: str, **facts: float | str) -> str:
+    """Return a text of the report from the message catalogue.
 
-    `facts` are the values that are inserted into the text.
+    `code` is the code of the message. Keyword arguments are the facts that are inserted.
     """
     return sentence(f"identification.{code}", facts)

@@ -89,7 +89,10 @@ _MAIN_PARAMETERS = ("sonic_conductance", "effective_area", "critical_ratio", "wa
 
 
 def value_text(value: float, si_unit: str) -> str:
-    """Return a value with a readable unit."""
+    """Return a value as text with a readable unit.
+
+    `si_unit` is its SI unit.
+    """
     if not math.isfinite(value):
         return number(value)
     unit = readable_unit(si_unit, value)
@@ -97,18 +100,21 @@ def value_text(value: float, si_unit: str) -> str:
 
 
 def error_text(value: float, error: float, si_unit: str) -> str:
-    """Return a value with its standard error and a readable unit."""
+    """Return a value as text with its standard error and a readable unit.
+
+    `si_unit` is the SI unit of both.
+    """
     unit = readable_unit(si_unit, value)
     return with_unit(value_with_error(value, error, si_unit, unit), unit)
 
 
 def verdict_word(verdict: str) -> Markup:
-    """Return a verdict as an HTML element with a colour."""
+    """Return a verdict as HTML with a colour that depends on the verdict."""
     return Markup(f'<span class="verdict {verdict.replace(" ", "-")}">{html.escape(verdict)}</span>')
 
 
 def estimate_text(e: Estimate) -> str:
-    """Return an estimate with its standard error and a readable unit."""
+    """Return an estimate as text: value, standard error and readable unit."""
     unit = _unit_of(e)
     text = value_with_error(e.value, e.standard_error, e.unit, unit)
     return with_unit(text, unit) if math.isfinite(e.value) else text
@@ -121,7 +127,7 @@ def _unit_of(e: Estimate) -> str:
 
 
 def parameter_table(parameters: Mapping[str, Estimate]) -> ReportTable:
-    """Return a row for every parameter: value, confidence interval and verdict."""
+    """Return a table of the parameters: value, confidence interval and verdict."""
     estimate, start = numeric("value ± error", "95 % interval"), numeric("relative", "start")
     columns: list[Column | str] = ["parameter", "verdict", *estimate, "unit", *start]
     rows = []
@@ -145,7 +151,10 @@ def parameter_table(parameters: Mapping[str, Estimate]) -> ReportTable:
 
 
 def residual_table(result: Result) -> ReportTable:
-    """Return statistics of the residuals (model minus measurement) of every channel."""
+    """Return a table of statistics of the residuals of each channel.
+
+    A residual is model minus measurement.
+    """
     noise, validation = (result.conditions.get(key, default) for key, default in (("noise", {}), ("validation", [])))
     rows = []
     for name, r in result.residuals.items():
@@ -159,7 +168,10 @@ def residual_table(result: Result) -> ReportTable:
 
 
 def _residual_text(value: float, si_unit: str, rms: float, unit: str = "") -> str:
-    """Return a value with its unit, with the decimals at which the rms has three digits."""
+    """Return a residual as text with its unit.
+
+    The number of decimals is that with which the rms value has three digits.
+    """
     unit = unit or readable_unit(si_unit, rms)
     places = decimals(scaled(rms, si_unit, unit))
     text = number(scaled(value, si_unit, unit), None if places is None else places + 1)
@@ -167,7 +179,10 @@ def _residual_text(value: float, si_unit: str, rms: float, unit: str = "") -> st
 
 
 def comparison_table(result: Result) -> ReportTable:
-    """Return AICc and residuals of this model and of the model with which it is compared."""
+    """Return a table that compares two models by AICc and residuals.
+
+    They are this model and the one with which the fit was compared.
+    """
     c = result.comparison
     rows = [
         [result.title, f"{c['aicc']:.1f}", str(c.get("free_numbers", "-"))],
@@ -183,7 +198,7 @@ def comparison_table(result: Result) -> ReportTable:
 
 
 def condition_table(result: Result) -> ReportTable:
-    """Return the conditions of the tests and the settings of the fit."""
+    """Return a table of the test conditions and of the settings of the fit."""
     rows = [
         (_LABELS.get(key, key.replace("_", " ").capitalize()), _condition(result, key, value))
         for key, value in result.conditions.items()
@@ -217,7 +232,10 @@ def _condition(result: Result, name: str, value: Any) -> str:
 
 
 def plain_text(value: Any, unit: str) -> str:
-    """Return a value as text: numbers with a readable unit, truth values as `yes` or `no`."""
+    """Return a condition of a test as text.
+
+    Numbers have a readable unit. Truth values become `yes` or `no`.
+    """
     if isinstance(value, Number):
         text = value.display()
         return ": ".join(filter(None, (f"{text}, {value.source.kind}", value.source.locator)))
@@ -227,18 +245,18 @@ def plain_text(value: Any, unit: str) -> str:
 
 
 def main_parameters(result: Result) -> list[str]:
-    """Return the addresses of up to four parameters for tables of searches and optima.
+    """Return the addresses of the parameters that tables of searches and optima show.
 
-    If none of the preferred parameters was fitted, they are the first parameters of the result.
+    There are at most four. If none of the usual parameters was fitted, they are the first parameters of the result.
     """
     names = [name for name in result.parameters if name.rpartition(".")[2] in _MAIN_PARAMETERS]
     return (names or list(result.parameters))[:4]
 
 
 def search_table(result: Result) -> ReportTable:
-    """Return a row for every search: start point, end point and increase in chi-square.
+    """Return a table of the searches: start point, end point and chi-square.
 
-    The increase is relative to the best search.
+    The increase in chi-square is relative to the best search.
     """
     searches, names = result.conditions["searches"], main_parameters(result)
     min_cost = min(search["cost"] for search in searches)
@@ -254,7 +272,7 @@ def search_table(result: Result) -> ReportTable:
 
 
 def optimum_table(result: Result) -> ReportTable:
-    """Return a row for every equivalent optimum: values with confidence intervals."""
+    """Return a table of the equivalent optima: values and confidence intervals."""
     names, rows = main_parameters(result), []
     for index, optimum in enumerate(result.optima, 1):
         cells = [f"{index}, from {str(optimum['name']).replace('_', ' ')}", f"{2.0 * optimum['excess']:.2g}"]
@@ -266,7 +284,7 @@ def optimum_table(result: Result) -> ReportTable:
 
 
 def alternative_table(result: Result) -> ReportTable:
-    """Return a row for every alternative model: difference in AICc, and estimates.
+    """Return a table of the alternative models: difference in AICc, and estimates.
 
     An alternative model has other free parameters.
     """
@@ -284,7 +302,10 @@ def _interval_cell(value: float, low: float, high: float, si_unit: str) -> Marku
 
 
 def law_table(result: Result) -> ReportTable:
-    """Return a row for every thermal law: AICc above the best law, and estimates."""
+    """Return a table with a row for each thermal law.
+
+    A row contains AICc relative to the best law, and the estimates.
+    """
     laws, names = result.comparison["thermal_laws"], main_parameters(result)
     min_aicc = min(float(law["aicc"]) for law in laws.values())
     channels = list(next(iter(laws.values()))["rms"])
@@ -303,7 +324,7 @@ def law_table(result: Result) -> ReportTable:
 
 
 def statistics_table(result: Result) -> ReportTable:
-    """Return the statistical tests on the residuals.
+    """Return a table of the statistical tests on the residuals.
 
     The table is empty if the method made only one test.
     """
@@ -322,7 +343,7 @@ def _statistic(value: Any) -> str:
 
 
 def correlation_sentence(correlation: Mapping[str, Mapping[str, float]]) -> str:
-    """Return a sentence on the correlation of the first pair of estimates.
+    """Return a sentence on the correlation between the first two parameters.
 
     The text is empty without correlations.
     """

@@ -27,7 +27,7 @@ _STANDARD_UNITS = {
 
 
 class MethodReport(NamedTuple):
-    """Sections, references and kind of summary for one identification method."""
+    """Sections and references that one identification method adds to its report."""
 
     models: Callable[[Result], Sequence[Section]] = lambda result: ()  # before the section of the fit
     evidence: Callable[[Result], Sequence[Section]] = lambda result: ()  # after the tests of the fit
@@ -36,7 +36,7 @@ class MethodReport(NamedTuple):
 
 
 def _steady_sections(result: Result) -> list[Section]:
-    """Return the sections on a flow bench or a valve characteristic: the results of each test."""
+    """Return the sections on each test of a flow bench or valve characteristic."""
     stroke_rows = [
         (str(name), plain_text(stroke, "m"), error_text(c, u_c, _CONDUCTANCE), error_text(b, u_b, "1"))
         for name, (stroke, c, b, u_c, u_b) in result.conditions.get("tests", {}).items()
@@ -62,7 +62,10 @@ def _steady_sections(result: Result) -> list[Section]:
 
 
 def _budget_sections(result: Result) -> list[Section]:
-    """Return the section on the uncertainty budget, the largest source of each parameter first."""
+    """Return the section on the uncertainty budget.
+
+    The largest source of each parameter comes first.
+    """
     budget_rows = []
     for name, budget in result.comparison.get("uncertainty", {}).items():
         si_unit = result.parameters[name].unit if name in result.parameters else "1"
@@ -77,7 +80,10 @@ def _budget_sections(result: Result) -> list[Section]:
 
 
 def _force_sections(result: Result) -> list[Section]:
-    """Return the section on the force laws of a muscle, the best law first."""
+    """Return the section on the force laws of a muscle.
+
+    The best law comes first.
+    """
     axes = result.comparison.get("held_out_by", ())
     rows = [
         (
@@ -99,7 +105,10 @@ def _force_sections(result: Result) -> list[Section]:
 
 
 def _friction_sections(result: Result) -> list[Section]:
-    """Return the sections on friction: laws, recordings, and the part for a circuit file."""
+    """Return the sections on friction.
+
+    They contain the laws, the recordings, and the text of the part for a circuit file.
+    """
     c = result.comparison
     coordinate = COORDINATES[c["body"]]
     unit, effort = coordinate.effort_unit, coordinate.effort

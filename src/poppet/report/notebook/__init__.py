@@ -20,7 +20,7 @@ CARDS = {
 def html_of(value: Any) -> str | None:
     """Return an object as HTML for a notebook.
 
-    The result is None if the plain text of the object suffices.
+    The result is None if the plain text of the object is sufficient.
 
     Examples
     --------

@@ -69,9 +69,9 @@ _SCALE = 1.12
 
 
 def card(title: str, lead: str, *blocks: Content) -> str:
-    """Return the HTML output of one object in a notebook.
+    """Return the HTML with which a notebook shows one object.
 
-    `title` and `lead` are text; `blocks` are HTML or tables.
+    `title` and `lead` are text. `blocks` contains HTML or tables.
 
     Examples
     --------
@@ -86,14 +86,14 @@ def card(title: str, lead: str, *blocks: Content) -> str:
 def note_list(notes: Iterable[Note]) -> str:
     """Return notes as an HTML list.
 
-    A long list is folded: the reader can unfold it.
+    The reader can unfold a long list.
     """
     texts = grouped(notes)
     return folded(plural(len(texts), "note"), items(texts), is_open=len(texts) <= 3)
 
 
 def plural(count: int, noun: str) -> str:
-    """Return a count with its noun in singular or plural, such as `2 notes`."""
+    """Return a number with its noun, in singular or plural, such as `2 notes`."""
     return f"{count} {noun}{'s' * (count != 1)}"
 
 
@@ -133,7 +133,10 @@ def _drawing(circuit: BaseCircuit) -> str:
 
 
 def recording_card(recording: Recording) -> str:
-    """Return a recording as HTML: plot, and first, last and extreme values of every output."""
+    """Return a recording as HTML: a plot, and a table of its outputs.
+
+    The table contains first, last and extreme values.
+    """
     rows, columns = recording.time.size, len(recording)
     span = f"{recording.time[0]:.6g} ... {recording.time[-1]:.6g} s" if rows else "no samples"
     lead = f"Recording: {rows} rows, {columns} series, {span}. {recording.outcome}".rstrip()
@@ -162,7 +165,7 @@ def _series_table(recording: Recording, names: Sequence[str]) -> ReportTable:
 
 
 def linear_card(linear: LinearModel) -> str:
-    """Return a linear model as HTML: numbers of states, inputs and outputs, modes, operating point."""
+    """Return a linear model as HTML: sizes, modes and operating point."""
     from poppet.report.result_tables import mode_table
 
     sample_time = getattr(linear, "sample_time", 0.0)
@@ -233,7 +236,10 @@ def limits_card(result: LimitsResult) -> str:
 
 
 def plot(recording: Columns) -> str:
-    """Return an SVG plot of the outputs that change, or an empty text if all are constant."""
+    """Return an SVG plot of all outputs that change.
+
+    The text is empty if all outputs are constant.
+    """
     if recording.time.size < 2:
         return ""
     pairs = zip(recording.names, recording.units, strict=True)
@@ -250,12 +256,15 @@ def plot(recording: Columns) -> str:
     start, end = float(recording.time[0]), float(recording.time[-1])
     unit, size = time_unit(end - start)
     times = "".join(f"<span>{text}</span>" for text in (f"{start / size:.5g}", f"time [{unit}]", f"{end / size:.5g}"))
-    body = "".join(_panel(panel, panel_colours(panel, homes), (start, end)) for panel in panels)
+    body = "".join(_panel_html(panel, panel_colours(panel, homes), (start, end)) for panel in panels)
     return f'{body}<div class="poppet-time">{times}</div>' if body else ""
 
 
-def _panel(panel: Panel, colours: dict[str, str], span: tuple[float, float]) -> str:
-    """Return one panel of the plot as HTML: legend, limits of the scale and lines."""
+def _panel_html(panel: Panel, colours: dict[str, str], span: tuple[float, float]) -> str:
+    """Return one panel of the notebook plot as HTML.
+
+    It contains legend, limits of the scale and lines. `span` contains both ends of the time axis.
+    """
     # First the first lines of all parts, then the second lines.
     counts: dict[str, int] = {}
     ranks: dict[str, int] = {}
@@ -279,22 +288,25 @@ def _panel(panel: Panel, colours: dict[str, str], span: tuple[float, float]) -> 
     return (
         f'<div class="poppet-panel"><div class="poppet-key"><b>{html.escape(panel.quantity)}</b> '
         f'{html.escape(axis_unit(panel))}{"".join(keys)}</div><div class="poppet-plot"><div class="poppet-ends">'
-        f"<span>{_end(high, high - low)}</span><span>{_end(low, high - low)}</span></div>"
+        f"<span>{_end_of_scale(high, high - low)}</span><span>{_end_of_scale(low, high - low)}</span></div>"
         f'<svg role="img" aria-label="{label}" viewBox="0 -2 {WIDTH} {HEIGHT + 4}" preserveAspectRatio="none">'
         f"{''.join(paths)}</svg></div></div>"
     )
 
 
-def _end(value: float, span: float) -> str:
-    """Return the value at one end of a scale as text, rounded to about a thousandth of the span."""
+def _end_of_scale(value: float, span: float) -> str:
+    """Return the value at one end of a scale as text.
+
+    The value is rounded to about a thousandth of `span`.
+    """
     decimals = 3 - math.floor(math.log10(span)) if span > 0.0 else 6
     return f"{round(value, decimals):z.6g}"
 
 
 def path(series: Series, span: tuple[float, float], scale: tuple[float, float]) -> str:
-    """Return a line as the attribute `d` of an SVG path.
+    """Return a line as the text of an SVG path.
 
-    Abscissas are in thousandths of the width. NaN interrupts the line.
+    Horizontal positions are in thousandths of the width. NaN interrupts the line.
 
     Examples
     --------

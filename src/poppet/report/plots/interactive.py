@@ -39,7 +39,7 @@ _BASELINE = {"top": "top", "center": "middle", "bottom": "bottom", "baseline": "
 def plot_data(figure: Figure) -> dict[str, Any] | None:
     """Return the data of a figure for an interactive plot.
 
-    The result is None for maps, drawings and other figures without curves.
+    The result is None for figures without curves, such as maps and drawings.
 
     Examples
     --------
@@ -62,12 +62,12 @@ def plot_data(figure: Figure) -> dict[str, Any] | None:
     if not figure.axes:
         return None
     columns, width = _PixelColumns(), float(figure.get_size_inches()[0])
-    lefts = sorted({round(_box(figure, axes)[0], 3) for axes in figure.axes})
+    lefts = sorted({round(_axes_position(figure, axes)[0], 3) for axes in figure.axes})
     edges = [0.0, *(left - lefts[0] for left in lefts[1:]), width]
     panels = []
     # Reading order: from top to bottom, from left to right.
-    for axes in sorted(figure.axes, key=lambda panel: [round(v, 2) for v in _box(figure, panel)[1::-1]]):
-        box = _box(figure, axes)
+    for axes in sorted(figure.axes, key=lambda panel: [round(v, 2) for v in _axes_position(figure, panel)[1::-1]]):
+        box = _axes_position(figure, axes)
         column = lefts.index(round(box[0], 3))
         # A panel across several columns has the full width.
         free = not any(left > box[0] and left < box[0] + box[2] for left in lefts)
@@ -77,15 +77,18 @@ def plot_data(figure: Figure) -> dict[str, Any] | None:
     return {"columns": columns.series, "panels": panels, "notes": [" ".join(notes.split())] * bool(notes.strip())}
 
 
-def _box(figure: Figure, axes: Any) -> list[float]:
-    """Return the position of axes in a figure: left, top, width and height [in]."""
+def _axes_position(figure: Figure, axes: Any) -> list[float]:
+    """Return the position of axes in a figure [in]: left, top, width and height."""
     width, height = figure.get_size_inches()
     box = axes.get_position()
     return [float(v) for v in (box.x0 * width, (1.0 - box.y1) * height, box.width * width, box.height * height)]
 
 
 class _PixelColumns:
-    """Collection of distinct columns of numbers, to which the plots refer by index."""
+    """Collection of different columns of numbers.
+
+    The plots of a page refer to the columns by their indices.
+    """
 
     def __init__(self) -> None:
         self.series: list[Any] = []
@@ -126,9 +129,9 @@ def _panel(axes: Any, columns: _PixelColumns) -> dict[str, Any]:
     group = min(panels.index(panel) for panel in axes.get_shared_x_axes().get_siblings(axes) if panel in panels)
     panel: dict[str, Any] = {"group": group, "x": _axis(axes, "x"), "y": _axis(axes, "y")}
     title = axes.get_title(loc="left") or axes.get_title()
-    panel["lines"], panel["rules"] = _lines(axes, columns)
-    panel["bands"], panel["boxes"], panel["segments"] = _filled(axes, columns)
-    panel["texts"], panel["rows"] = _texts(axes)
+    panel["lines"], panel["rules"] = _curves_and_lines(axes, columns)
+    panel["bands"], panel["boxes"], panel["segments"] = _filled_shapes(axes, columns)
+    panel["texts"], panel["rows"] = _panel_texts(axes)
     if panel["rows"]:
         title = title or next((t.get_text().replace("\n", " ") for t in axes.texts if t.get_position()[0] < 0.0), "")
     panel["title"] = title
@@ -175,8 +178,8 @@ def _colour(value: Any, alpha: float | None = None) -> dict[str, Any]:
     return {"colour": to_hex(value)} | ({"alpha": round(float(opacity), 3)} if opacity < 1.0 else {})
 
 
-def _lines(axes: Any, columns: _PixelColumns) -> tuple[list[dict[str, Any]], list[dict[str, Any]]]:
-    """Return the lines of a panel, and the straight lines that cross the whole panel."""
+def _curves_and_lines(axes: Any, columns: _PixelColumns) -> tuple[list[dict[str, Any]], list[dict[str, Any]]]:
+    """Return the curves of a panel, and straight lines that cross the whole panel."""
     lines, rules = [], []
     for line in axes.lines:
         stroke = line.get_linestyle()
@@ -208,8 +211,11 @@ def _lines(axes: Any, columns: _PixelColumns) -> tuple[list[dict[str, Any]], lis
     return lines, rules
 
 
-def _filled(axes: Any, columns: _PixelColumns) -> tuple[list[Any], list[Any], list[Any]]:
-    """Return the filled shapes of a panel: bands between two lines, and boxes; and its separate segments."""
+def _filled_shapes(axes: Any, columns: _PixelColumns) -> tuple[list[Any], list[Any], list[Any]]:
+    """Return filled shapes of a panel, and its separate line segments.
+
+    The shapes are bands between two lines, and boxes.
+    """
     from matplotlib.collections import LineCollection
     from matplotlib.patches import Rectangle
 
@@ -248,7 +254,7 @@ def _flat(values: Sequence[Any]) -> list[float | None]:
     return [None if v is None or not math.isfinite(v) else float(f"{v:.7g}") for v in values]
 
 
-def _texts(axes: Any) -> tuple[list[Any], list[Any]]:
+def _panel_texts(axes: Any) -> tuple[list[Any], list[Any]]:
     """Return the texts inside a panel, and the labels at its right edge."""
     texts, rows = [], []
     for text in axes.texts:
@@ -280,7 +286,10 @@ def data_element(data: dict[str, Any]) -> str:
 
 @cache
 def script() -> str:
-    """Return the JavaScript of the plots: the library uPlot and the script that uses it."""
+    """Return the JavaScript program of the interactive plots.
+
+    It contains the library uPlot.
+    """
     folder = files("poppet.report.plots")
     plots = minify((folder / "plots.js").read_text(encoding="utf-8"))
     library = (folder / "uplot" / "uPlot.iife.min.js").read_text(encoding="utf-8")
@@ -301,9 +310,9 @@ def style() -> str:
 
 
 def policy(*scripts: str, computes: bool = False) -> str:
-    """Return a content security policy that permits only the given scripts.
+    """Return a content security policy (CSP) that permits only the given scripts.
 
-    With `computes`, the policy also permits WebAssembly.
+    If `computes` is True, the policy also permits WebAssembly.
     """
     hashes = (base64.b64encode(hashlib.sha256(text.encode()).digest()).decode() for text in scripts)
     allowed = " ".join(f"'sha256-{digest}'" for digest in hashes) or "'none'"

@@ -49,7 +49,10 @@ _TANKS = (
 
 
 class Verdict(enum.Enum):
-    """Verdict on a statement of the paper; the value is the printed text."""
+    """Verdict on a statement of the paper.
+
+    The value is the text of the verdict.
+    """
 
     HOLDS = "holds"
     FAILS = "does not hold"
@@ -58,9 +61,10 @@ class Verdict(enum.Enum):
 
 @dataclass(frozen=True)
 class Statement:
-    """Statement of the paper: code, truth, and the values in the text of the finding.
+    """Statement of the paper, with the result of its check.
 
-    The truth is None if the statement cannot be decided. The values are in the units of the text.
+    `holds` is True if the statement holds, and None if it cannot be checked. `facts` contains the values in the text of
+    the finding, in the units of that text.
     """
 
     code: str
@@ -84,13 +88,16 @@ class Statement:
 
     @property
     def finding(self) -> str:
-        """Text on the simulation result that supports the verdict."""
+        """Text on the simulation result from which the verdict follows."""
         return sentence(f"{self.code}.finding", self.facts)
 
 
 @dataclass(frozen=True)
 class PaperResult:
-    """Results of `write_paper`: findings, tables, statements and written files."""
+    """Result of a reproduction of the paper by `write_paper`.
+
+    It contains findings, tables, statements and written files.
+    """
 
     folder: Path
     files: tuple[Path, ...]  # `report.html` first
@@ -99,7 +106,7 @@ class PaperResult:
     statements: tuple[Statement, ...]  # with their verdicts
 
     def table(self) -> str:
-        """Return the tables and the statements as text for a terminal."""
+        """Return all tables and statements of the reproduction as text for a terminal."""
         tables = [f"{table.caption}\n\n{table.text()}" for name, table in self.tables.items() if name != "statements"]
         width = max(len(item.verdict.value) for item in self.statements)
         lines = [f"{item.verdict.value:<{width}}  {item.text} ({item.place})" for item in self.statements]
@@ -138,7 +145,7 @@ def write_paper(folder: str | Path = FOLDER, progress: Callable[[str], Any] = la
         tables = {table.name: table for table in _tables(results, checked)}
         pictures = dict(_figures(results))
         svgs = {f"{name}.svg": figure_bytes(figure, "svg", name) for name, figure in pictures.items()}
-        files = {"report.html": _page(results, pictures, tables, checked).encode()}
+        files = {"report.html": _report_html(results, pictures, tables, checked).encode()}
         files["results.json"] = (json.dumps(_numbers(results, checked), indent=1) + "\n").encode()
         for name, figure in pictures.items():
             files[f"{name}.svg"] = svgs[f"{name}.svg"]
@@ -234,16 +241,16 @@ def statements(results: runs.Findings) -> Iterator[Statement]:
     yield Statement("paper.polytropic", is_near, times | {"exponent": results.exponent})
     slow, constant = results.slow_time, results.slow_time_constant
     yield Statement("paper.precise", slow > 1.1 * constant, {"slow": slow, "constant": constant})
-    lowest, highest, miss = _staircase(results)
+    lowest, highest, miss = _pressure_range_and_error(results)
     facts = {"low": lowest, "high": highest, "miss": 100.0 * miss}
     yield Statement("paper.staircase", miss < 1e-2 and lowest > 0.999 and highest < 5.5, facts)
     yield Statement("paper.works_well", None, {})  # the points of fig. 6 are not in the text
 
 
-def _staircase(results: runs.Findings) -> tuple[float, float, float]:
-    """Return the minimum and the maximum pressure [bar], and the maximum relative error at the end of a step.
+def _pressure_range_and_error(results: runs.Findings) -> tuple[float, float, float]:
+    """Return smallest and largest pressure [bar], and the largest setpoint error, of a run.
 
-    They are taken over all tanks.
+    The error is the relative difference from the setpoint at the end of a step. All tanks are included.
     """
     run = results.staircase
     required = run["required.pressure"]
@@ -301,8 +308,11 @@ def _tables(results: runs.Findings, checked: Sequence[Statement]) -> Iterator[Re
 # --- Page ---
 
 
-def _headline(results: runs.Findings, checked: Sequence[Statement]) -> str:
-    """Return the number of statements by verdict, and the main results, as HTML."""
+def _first_paragraphs(results: runs.Findings, checked: Sequence[Statement]) -> str:
+    """Return the first paragraphs of the report as HTML.
+
+    They contain the number of statements for each verdict, and the main results.
+    """
     counts, times = Counter(item.verdict for item in checked), results.fillings
     tally = {"holds": counts[Verdict.HOLDS], "fails": counts[Verdict.FAILS], "unknown": counts[Verdict.OPEN]}
     facts = {
@@ -316,7 +326,7 @@ def _headline(results: runs.Findings, checked: Sequence[Statement]) -> str:
     return paragraph(counts_text, css_class="headline") + paragraph(sentence("paper.page.main", facts))
 
 
-def _page(
+def _report_html(
     results: runs.Findings,
     pictures: Mapping[str, Figure],
     tables: Mapping[str, ReportTable],
@@ -335,7 +345,7 @@ def _page(
         for name, figure in pictures.items()
     }
     sections = [
-        Section("", head(texts["title"], texts["source"]) + _headline(results, checked)),
+        Section("", head(texts["title"], texts["source"]) + _first_paragraphs(results, checked)),
         Section("The three figures of the paper", [figures["fig3"], figures["fig4"], figures["fig6"]]),
         Section("Statements of the paper", statement_table),
         Section("Flow characteristic", tables["strokes"]),
@@ -393,7 +403,10 @@ def figure_4() -> Figure:
 
 
 def figure_6(findings: runs.Findings) -> Figure:
-    """Draw tank pressure versus time on the axes of fig. 6, and the temperature of the gas."""
+    """Draw the tank pressure over time as in fig. 6 of the paper.
+
+    The gas temperature is drawn below it.
+    """
     figure = new_figure(7.4, 5.9)
     upper = axes_in(figure, 0.75, 0.15, 6.45, 3.3)
     lower = axes_in(figure, 0.75, 3.65, 6.45, 1.7, sharex=upper)

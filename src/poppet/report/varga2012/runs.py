@@ -49,7 +49,7 @@ _SETTLED = 0.02  # settling band relative to the travel
 
 @dataclass(frozen=True)
 class Filling:
-    """Result of filling the tank from 1 to 5 bar under one thermal law of the tank."""
+    """Result of filling the tank from 1 to 5 bar with one thermal law."""
 
     law: str
     time: float  # to 5 bar [s]
@@ -60,7 +60,7 @@ class Filling:
 
 @dataclass(frozen=True)
 class WallConductance:
-    """Wall conductances at which the temperature rise is as reported, for one supply pressure."""
+    """Wall conductances that explain the reported temperature rise, for one supply pressure."""
 
     supply: float  # absolute [Pa]
     for_peak: float  # if the rise is the maximum [W/K]
@@ -70,7 +70,7 @@ class WallConductance:
 
 @dataclass(frozen=True)
 class Findings:
-    """All values that the report states.
+    """All values that the report on the paper states.
 
     `results.json` contains most of them under the same names.
     """
@@ -100,7 +100,7 @@ class Findings:
 
     @property
     def wall(self) -> WallConductance:
-        """Wall conductances at the supply pressure that the report assumes."""
+        """Wall conductances for the supply pressure that the report assumes."""
         return next(wall for wall in self.walls if wall.supply == SUPPLY)
 
 
@@ -140,14 +140,14 @@ def find(progress: Callable[[str], Any]) -> Findings:
     return Findings(
         **_curve_findings(),
         downstream_error=(START_TEMPERATURE / fillings["adiabatic"].end_temperature) ** 0.5 - 1.0,
-        leak=float(_filled(stroke=0.0)["valve.mass_flow_rate"][0]),
+        leak=float(_simulate_filling(stroke=0.0)["valve.mass_flow_rate"][0]),
         fillings=fillings,
         walls=walls,
         exponent=exponent,
         pressure_drop=float(TARGET - end_pressure),
-        slow_time=float(_filled(stroke=0.1e-3, thermal="isothermal").time[-1]),
+        slow_time=float(_simulate_filling(stroke=0.1e-3, thermal="isothermal").time[-1]),
         slow_time_constant=fillings["isothermal"].time,
-        settling_time=_settling_time(),
+        settling_time=_stroke_settling_time(),
         open_end=(float(open_ends[0]), float(open_ends[1])),
         exhaust_strokes=tuple(map(float, emptying)),
         stroke_printed=float(stage.simulate(0.1)["valve.stroke"][-1]),
@@ -160,18 +160,18 @@ def find(progress: Callable[[str], Any]) -> Findings:
 
 
 def filling(supply: float = SUPPLY, stroke: float = STROKE, **tank: Any) -> BaseCircuit:
-    """Return the circuit of a tank filling: a supply, the main stage at a fixed stroke, and the tank.
+    """Return a circuit that fills a tank through a main stage.
 
-    It is the right half of fig. 5 of the paper.
+    The stroke of the main stage is constant. The circuit is the right half of fig. 5 of the paper.
     """
     valve = Orifice(from_="supply", to="tank", characteristic="varga2012", stroke=stroke)
     return _between(supply, valve, tank, "Filling at a fixed stroke")
 
 
 def staged(mode: str, pilot: Signal | None = None, **tank: Any) -> BaseCircuit:
-    """Return a circuit of a supply, the main stage with its mechanics, and the tank.
+    """Return a circuit with a supply, a main stage with moving parts, and the tank.
 
-    Port 3 is connected to the ambient. `mode` is the model of the mechanics.
+    Port 3 is connected to the ambient. `mode` is the model of the moving parts, and `pilot` the pilot pressure.
     """
     valve = MainStage(supply="supply", outlet="tank", exhaust="ambient", data="varga2012", mode=mode)
     signals = {} if pilot is None else {"valve.pilot_pressure": pilot}
@@ -191,7 +191,10 @@ def _between(
 
 
 def staircase_circuit(**tank: Any) -> BaseCircuit:
-    """Return the circuit of fig. 6: the pilot pressure sets the required value of the regulator."""
+    """Return the circuit of fig. 6 of the paper.
+
+    The pilot pressure determines the pressure that the regulator maintains.
+    """
     valve: Any = staged("regulator").parts["valve"]
     springs = valve.upper_spring, valve.lower_spring
     # The pilot pressure also balances the springs: the valve closes at the required outlet pressure.
@@ -202,7 +205,7 @@ def staircase_circuit(**tank: Any) -> BaseCircuit:
 def suspected() -> Characteristic:
     """Return the printed polynomials with one changed digit of the coefficient k5.
 
-    The curves of fig. 3 suggest this misprint.
+    The axis range of fig. 3 suggests this misprint.
     """
     changed = assumed(SUSPECTED_K5, "m^3/(s Pa)", "one digit changed from the printed -2.2269e-6")
     return library.characteristic("varga2012").with_numbers({"sonic_conductance.k5": changed})
@@ -227,19 +230,19 @@ def _curve_findings() -> dict[str, Any]:
     return {
         "conductances": conductances,
         "ratios": ratios,
-        "largest": _extreme(curve.sonic_conductance_at, -1.0),
-        "smallest_ratio": _extreme(curve.critical_ratio_at, 1.0),
+        "largest": _extremum(curve.sonic_conductance_at, -1.0),
+        "smallest_ratio": _extremum(curve.critical_ratio_at, 1.0),
         "conductance_beyond": float(polynomial(1.2e-3)),
         "zero_beyond": _root(polynomial, 1e-3, 1.2e-3),
-        "suspected_largest": _extreme(suspected().sonic_conductance_at, -1.0)[1],
+        "suspected_largest": _extremum(suspected().sonic_conductance_at, -1.0)[1],
         "law_deviation": deviation,
     }
 
 
-def _extreme(curve: Callable[[FloatArray], FloatArray], sign: float) -> tuple[float, float]:
-    """Return stroke [m] and value at a minimum or maximum of a curve, for strokes from 0 to 1 mm.
+def _extremum(curve: Callable[[FloatArray], FloatArray], sign: float) -> tuple[float, float]:
+    """Return stroke [m] and value at an extremum of a curve.
 
-    It is the minimum if `sign` is 1, the maximum if it is -1.
+    The extremum is that for strokes from 0 to 1 mm: a minimum if `sign` is 1, and a maximum if it is -1.
     """
     strokes = np.linspace(0.0, 1e-3, 100_001)
     values = np.asarray(curve(strokes))
@@ -256,8 +259,8 @@ def _root(function: Callable[[float], Any], low: float, high: float, **tolerance
 # --- Filling at a fixed stroke ---
 
 
-def _filled(**options: Any) -> Recording:
-    """Run `filling` until the tank pressure is 5 bar."""
+def _simulate_filling(**options: Any) -> Recording:
+    """Simulate the filling of the tank until its pressure is 5 bar."""
     return _run_to_target(filling(**options))
 
 
@@ -279,7 +282,7 @@ def _fillings(wall: float, exponent: float) -> dict[str, Filling]:
             {"thermal": "polytropic", "polytropic_exponent": exponent},
         ),
     }
-    return {key: _filling_of(law, _filled(**options)) for key, (law, options) in laws.items()}
+    return {key: _filling_of(law, _simulate_filling(**options)) for key, (law, options) in laws.items()}
 
 
 def _filling_of(law: str, recording: Recording) -> Filling:
@@ -304,8 +307,11 @@ def _wall_conductance(supply: float) -> WallConductance:
 # --- Main stage ---
 
 
-def _settling_time() -> float:
-    """Return the time after which the stroke stays within 2 % of its travel from the final value."""
+def _stroke_settling_time() -> float:
+    """Return the settling time of the stroke.
+
+    After this time, the stroke stays within 2 % of its travel from the final value.
+    """
     run = staged("paper", Steps([0.0], [4e5])).simulate(0.05, 1e-5, 1e-6)
     stroke = run["valve.stroke"]
     away = np.abs(stroke - stroke[-1]) > _SETTLED * np.abs(stroke[-1] - stroke[0])

@@ -28,7 +28,11 @@ _MIN_RESPONSE = 3.0  # [K]
 
 
 def late_input(item: InputChannel, channels: Sequence[Channel]) -> list[Note]:
-    r"""Return a note if a mass flow was recorded late or early compared with a pressure.
+    r"""Return a note if a recorded mass flow is late or early.
+
+    The flow is compared with pressures. The list is empty if they agree. The check fits the pressure changes by the
+    mass flow for a series of delays d.
+
 
     .. math:: \Delta p \approx a\, \Delta m + b\, \Delta\!\int m\,dt + c\, \Delta\!\int p\,dt + e, \qquad
         m(t) = \int q(t + d)\,dt
@@ -40,18 +44,23 @@ def late_input(item: InputChannel, channels: Sequence[Channel]) -> list[Note]:
     0.4 s in simulated tanks of 7.5 litres. The function reports delays of 5 to 39 samples. Recordings of more than
     2000 samples are averaged first.
     """
-    pressures = [_thinned(channel) for channel in channels if channel.unit == "Pa" and channel.time.size > 3 * _WINDOW]
+    pressures = [
+        _averaged_channel(channel) for channel in channels if channel.unit == "Pa" and channel.time.size > 3 * _WINDOW
+    ]
     if item.unit != "kg/s" or not pressures or not np.ptp(item.values):
         return []
     item = replace(item, time=item.time - (item.delay or 0.0))
 
     def explained_fraction(candidate: Channel) -> float:
-        """Return the fraction of the pressure changes that the flow explains at the best delay."""
-        change, _, misfits = _misfits(item, candidate, stride=5)
+        """Return the fraction of the pressure changes that the flow explains.
+
+        The delay of the flow is the one with the best fit. `candidate` is the channel of the pressure.
+        """
+        change, _, misfits = _fit_for_delays(item, candidate, stride=5)
         return 1.0 - float(np.min(misfits)) / max(float(np.mean(np.abs(change - np.median(change)))), _TINY)
 
     channel = max(pressures, key=explained_fraction)
-    _, delays, misfits = _misfits(item, channel)
+    _, delays, misfits = _fit_for_delays(item, channel)
     k = int(np.argmin(misfits))
     delay, ratio = float(delays[k]), float(misfits[k] / max(misfits[_MAX_DELAY], _TINY))
     # The smallest residual at the end of the tested range is not a minimum.
@@ -73,19 +82,19 @@ def late_input(item: InputChannel, channels: Sequence[Channel]) -> list[Note]:
     return [Note("suspicion.recorded_late" if delay > 0.0 else "suspicion.recorded_early", item.address, **facts)]
 
 
-def _thinned(channel: Channel) -> Channel:
-    """Average consecutive samples so that at most `_MAX_SAMPLES` samples remain."""
+def _averaged_channel(channel: Channel) -> Channel:
+    """Average neighbouring samples of a channel, so that it has at most `_MAX_SAMPLES` samples."""
     count = -(-channel.time.size // _MAX_SAMPLES)
     length = channel.time.size // count * count
     time, values = (row[:length].reshape(-1, count).mean(axis=1) for row in (channel.time, channel.values))
     return replace(channel, time=time, values=values)
 
 
-def _misfits(item: InputChannel, channel: Channel, stride: int = 1) -> tuple[FloatArray, FloatArray, FloatArray]:
-    """Fit the pressure changes for a series of delays of the flow.
+def _fit_for_delays(item: InputChannel, channel: Channel, stride: int = 1) -> tuple[FloatArray, FloatArray, FloatArray]:
+    """Fit the pressure changes by the flow for a series of delays of the flow.
 
-    The result contains the pressure changes, the delays [s] and the mean residual of each robust fit. `stride` is the
-    distance of the delays in samples.
+    `item` is the flow and `channel` the pressure. The delays are multiples of `stride` samples. The result contains the
+    pressure changes, the delays [s], and the mean residual of the robust fit for each delay.
     """
     step = float(np.median(np.diff(channel.time)))
     times, span = channel.time[:-_WINDOW], _WINDOW * step
@@ -125,9 +134,9 @@ def _changes(time: FloatArray, values: FloatArray, times: FloatArray, span: floa
 
 
 def slow_sensor(channel: Channel, channels: Sequence[Channel]) -> list[Note]:
-    r"""Return a note if a temperature sensor is slower than the gas.
+    r"""Return a note if a temperature sensor reacts more slowly than the gas.
 
-    The check uses fast changes of the pressure.
+    The check uses fast changes of the pressure in `channels`, for which the gas is adiabatic.
 
     .. math:: \Delta T = \frac{\kappa - 1}{\kappa}\, T\, \Delta \ln p
 

@@ -78,7 +78,7 @@ def read_measurement(
     name: str, table: Mapping[str, Any], folder: Path, *, ambient_pressure: float, other_fields: Sequence[str] = (),
     source: Table | None = None,
 ) -> Measurement:  # fmt: skip
-    """Read a `[recordings.NAME]` table and the files to which it refers.
+    """Read one table `[recordings.NAME]` and the data files that it names.
 
     `other_fields` are further valid fields of the table, which error messages can suggest for a misspelt field.
     `source` is a table that contains the columns of channels and inputs without a `file` field.
@@ -105,7 +105,7 @@ def read_measurement(
 
 @dataclass(frozen=True)
 class _MappedColumn:
-    """Column of a file with its assignment to a signal.
+    """Column of a file, with the channel or input to which it is assigned.
 
     `delay` or `lag` is None if it is a free parameter of a fit.
     """
@@ -125,9 +125,9 @@ class _MappedColumn:
 
 
 class _MeasurementReader:
-    """Reader of one `[recordings.NAME]` table, whose address is `location`.
+    """Reader of one table `[recordings.NAME]`, whose address is `location`.
 
-    It continues after an error and reports all errors together.
+    It continues after an error, so all errors are reported together.
     """
 
     def __init__(
@@ -191,9 +191,9 @@ class _MeasurementReader:
         )  # fmt: skip
 
     def recording(self, title: str) -> Recording:
-        """Return the channels as a recording over the union of their times.
+        """Return all channels as one recording with a common time base.
 
-        A value is NaN if a channel has no sample at that time.
+        The time base contains the times of all channels. A value is NaN if a channel has no sample at that time.
         """
         columns = self._columns(self.table, _OF_CHANNEL, self.location)
         self._refuse_all()
@@ -279,9 +279,10 @@ class _MeasurementReader:
         return self.files[key]
 
     def _named(self, table: Table, column: str | int, location: str) -> int | None:
-        """Return the index of the requested numeric column of a table.
+        """Return the index of the column that a field of the mapping names.
 
-        The result is None if this causes an error, which the reader collects.
+        `column` is the name or the index, and `location` the address of the field. If there is no such numeric column,
+        an error is collected and the result is None.
         """
         index = self._attempt(location, lambda: table.index(column))
         if index is not None and np.isnan(table.columns[index]).all():
@@ -292,7 +293,7 @@ class _MeasurementReader:
             return None
         return index
 
-    def _time(self, table: Table, value: Any, location: str) -> Any:
+    def _time(self, table: Table, value: Any, location: str) -> FloatArray | None:
         """Return the times of all samples of a table [s].
 
         `value` is the field `time`, and `location` its address in error messages.
@@ -328,9 +329,9 @@ class _MeasurementReader:
         )
 
     def _refuse_slips(self, column: _MappedColumn, time: FloatArray, values: FloatArray) -> None:
-        """Add an error if samples exceed the plausibility limit of their quantity.
+        """Collect an error if samples exceed the plausible range of their quantity.
 
-        Such samples are typing errors or faults of the recorder and would dominate a fit.
+        Such samples are typing errors or faults of the recorder, and would dominate a fit.
         """
         largest = sizes_of(column.unit)[1]
         slips = np.flatnonzero(np.abs(values) > largest)
@@ -339,7 +340,10 @@ class _MeasurementReader:
             self.errors.add("measured.too_large", column.location, largest=largest, count=int(slips.size), **facts)
 
     def _deviation(self, column: _MappedColumn, key: str) -> float | None:
-        """Return the standard deviation in the field `key` of a channel, or None without this field."""
+        """Return the standard deviation that a channel states in the field `key`.
+
+        The result is None if the channel has no such field.
+        """
         location, raw = f"{column.location}.{key}", column.fields.get(key)
         if raw is None:
             return None
@@ -347,9 +351,9 @@ class _MeasurementReader:
         return self._attempt(location, lambda: float(field.read(raw, location)))
 
     def _offset(self, column: _MappedColumn) -> tuple[float, float | None]:
-        """Return the mean and the standard deviation of the sensor offset that a channel states.
+        """Return mean and standard deviation of the sensor offset of a channel.
 
-        The standard deviation is None if the field is absent, and infinite for a free offset without prior.
+        The standard deviation is None if no offset is stated, and infinite for a free offset without a prior.
         """
         raw, location = column.fields.get("offset"), f"{column.location}.offset"
         if raw == "free":
@@ -428,9 +432,10 @@ def read_recording(
 
 
 def _column_fields(column: str | int | Mapping[str, str], source: Table) -> Mapping[str, Any]:
-    """Return the fields `column` and `unit` for a column of a file.
+    """Return the name and the unit of a column, from one text.
 
-    The text `p [bar g]` means the column `p` with the unit `bar g`, unless a column has the complete text as its name.
+    The text `p [bar g]` means the column `p` with the unit `bar g`, unless the heading of a column in `source` is equal
+    to the complete text.
     """
     if not isinstance(column, str) or column in source.names:
         return column if isinstance(column, Mapping) else {"column": column}
@@ -439,9 +444,10 @@ def _column_fields(column: str | int | Mapping[str, str], source: Table) -> Mapp
 
 
 def _si_unit(address: str, written: str) -> str:
-    """Return the SI unit of a signal.
+    """Return the SI unit of a channel.
 
-    The ending of the address determines the unit; otherwise the unit in the file (`written`) does.
+    The ending of the address determines the unit, for example `.pressure`. For other endings, the unit in the file,
+    `written`, determines it.
     """
     check_unit(written)
     ending = next((ending for ending in _SI_BY_ENDING if address.endswith(ending)), None)

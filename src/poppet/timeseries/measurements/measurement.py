@@ -15,7 +15,10 @@ from poppet.timeseries.checks import FloatArray
 
 @dataclass(frozen=True, eq=False)
 class Channel:
-    """Measured signal with which the model is compared, in SI units with absolute pressures."""
+    """Measured signal with which an output of the model is compared.
+
+    The values are in SI units, and pressures are absolute.
+    """
 
     address: str  # `tank.pressure`
     time: FloatArray  # (n,), strictly increasing, from 0 at the first used sample of the recording [s]
@@ -31,7 +34,10 @@ class Channel:
 
 @dataclass(frozen=True, eq=False)
 class InputChannel:
-    """Measured signal that drives the model, in SI units with absolute pressures."""
+    """Measured signal that drives an input of the model.
+
+    The values are in SI units, and pressures are absolute.
+    """
 
     address: str  # `inlet.mass_flow_rate`
     # (n,), on the clock of the channels; samples before their first used sample have negative times [s]
@@ -45,7 +51,7 @@ class InputChannel:
 
 @dataclass(frozen=True, eq=False)
 class Measurement:
-    """Measured channels and inputs of one test, with initial values and notes."""
+    """Recording of one test: channels and inputs, initial values and notes."""
 
     name: str
     channels: tuple[Channel, ...]  # compared with the model
@@ -69,9 +75,9 @@ _CUT = math.sqrt(
 
 
 def quantum_of(values: FloatArray) -> float:
-    """Estimate the resolution (smallest step) of recorded values.
+    """Estimate the resolution (the smallest step) of recorded values.
 
-    The result is 0 if the differences between the values have no common step.
+    The result is 0 if no common step of the values is found.
 
     Examples
     --------
@@ -133,7 +139,7 @@ LEAST_SAMPLES = 8  # with fewer samples, noise and curvature cannot be distingui
 
 @dataclass(frozen=True, eq=False)
 class Samples:
-    """Finite samples of a column, with notes on merged and omitted samples."""
+    """Finite samples of a column, with notes on samples that were merged or omitted."""
 
     time: FloatArray  # (n,), strictly increasing [s]
     values: FloatArray  # (n,)
@@ -141,9 +147,9 @@ class Samples:
 
 
 def ordered(time: FloatArray, values: FloatArray) -> Samples:
-    """Return the finite samples of a column in strictly increasing time.
+    """Return the finite samples of a column, with strictly increasing times.
 
-    Samples with equal times are replaced by their mean. Times that decrease are an error.
+    Samples with equal times are replaced by their mean. Times that decrease raise an error.
 
     Examples
     --------
@@ -171,9 +177,9 @@ def ordered(time: FloatArray, values: FloatArray) -> Samples:
 
 
 def from_first(samples: list[Samples], skip: float, end: float = math.inf) -> tuple[float, list[Samples]]:
-    """Cut the samples of all channels to the used time window, and set its start to zero.
+    """Restrict all channels to a time window, and count time from its start.
 
-    `skip` and `end` are relative to the first sample of all channels [s]. The result contains the removed time origin
+    `skip` and `end` are relative to the first sample of all channels [s]. The result contains the original start time
     and the samples.
     """
     first = min(float(column.time[0]) for column in samples)

@@ -32,7 +32,7 @@ _LONG_STEP, _MANY_STAMPS = 5.0, 30  # integer times with such steps [s] can be m
 def verdicts(
     channels: Sequence[Channel], inputs: Sequence[InputChannel], ambient_pressure: float, gauge: frozenset[str]
 ) -> list[Note]:
-    """Run all plausibility checks of a recording and return their notes.
+    """Check a recording for implausible values, and return notes.
 
     `gauge` contains the addresses of the pressures that were recorded as gauge pressures.
     """
@@ -64,7 +64,9 @@ def verdicts(
 
 
 def heading_verdicts(address: str, name: str, heading: str, unit: str) -> list[Note]:
-    """Return a note if the unit in a column heading differs from the specified unit.
+    """Return a note if a column heading states another unit than the user.
+
+    `unit` is the unit that the user states for the column `name`.
 
     Examples
     --------
@@ -83,7 +85,10 @@ def _scale(first: str, second: str) -> float:
 
 
 def pressure_verdicts(channel: Channel, ambient_pressure: float, *, is_gauge: bool) -> list[Note]:
-    """Check a pressure for a confusion of gauge and absolute, and for implausible values."""
+    """Check whether a pressure is plausible, and return notes.
+
+    A typical error is a confusion of gauge and absolute pressure.
+    """
     lowest, highest, address = float(np.min(channel.values)), float(np.max(channel.values)), channel.address
     # The median of the lowest samples is robust to single noisy samples.
     level = float(np.median(np.sort(channel.values)[: max(3, int(_LOWEST * channel.values.size))]))
@@ -103,9 +108,10 @@ def pressure_verdicts(channel: Channel, ambient_pressure: float, *, is_gauge: bo
 
 
 def is_evacuated(values: FloatArray, ambient_pressure: float) -> bool:
-    """Return True if the pressure rises from a vacuum at the start of the recording.
+    """Return True if a recording starts with a vacuum from which the pressure rises.
 
-    Then the first value is too high for a gauge reading of 0, or no value clearly exceeds the ambient pressure.
+    This is the case if the first value is too high for a gauge reading of 0, or if no value clearly exceeds the ambient
+    pressure.
 
     Examples
     --------
@@ -120,7 +126,7 @@ def is_evacuated(values: FloatArray, ambient_pressure: float) -> bool:
 
 
 def value_verdicts(channel: Channel) -> list[Note]:
-    """Check whether the values of a channel are constant, clipped or coarsely resolved."""
+    """Check whether a channel is constant, clipped or coarsely resolved, and return notes."""
     values, address, unit = channel.values, channel.address, channel.unit
     if float(np.ptp(values)) == 0.0:
         return [Note("suspicion.constant", address, value=float(values[0]), unit=unit, samples=values.size)]
@@ -147,9 +153,10 @@ def _runs(values: FloatArray, level: float) -> list[tuple[int, int]]:
 
 
 def stays_in_noise(values: FloatArray, level: float, quantum: float) -> bool:
-    """Return True if a noisy series is exactly constant at a level for a long time.
+    """Return True if a noisy series has exactly one value for a long time.
 
-    This indicates a clipped series. A level of zero is regular and gives False.
+    `level` is this value, and `quantum` the resolution. Such a section indicates a clipped series. The result for the
+    level 0 is False, because zero is a usual value.
     """
     runs = _runs(values, level)
     if not runs or level == 0.0:
@@ -164,7 +171,7 @@ def stays_in_noise(values: FloatArray, level: float, quantum: float) -> bool:
 def cuts_a_peak(values: FloatArray, run: tuple[int, int], step: float) -> bool:
     """Return True if a constant section between two steep flanks indicates a clipped peak.
 
-    `run` is the start and end index of the section, and `step` the resolution of the values.
+    `run` contains the first index of the section and the index after its end. `step` is the resolution of the values.
     """
     start, stop = run
     if start == 0 or stop == values.size:
@@ -173,9 +180,10 @@ def cuts_a_peak(values: FloatArray, run: tuple[int, int], step: float) -> bool:
 
 
 def time_verdicts(channels: Sequence[Channel]) -> list[Note]:
-    """Check the sample times for gaps, uneven steps and milliseconds read as seconds.
+    """Check the sample times of all channels, and return notes.
 
-    Channels with the same times are checked once.
+    The notes report gaps, uneven steps, and milliseconds that were read as seconds. Channels with the same times are
+    checked once.
     """
     notes: list[Note] = []
     clocks: dict[bytes, Channel] = {}

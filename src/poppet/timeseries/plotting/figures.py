@@ -5,7 +5,7 @@ from __future__ import annotations
 import io
 import warnings
 from collections.abc import Iterator, Sequence
-from contextlib import contextmanager
+from contextlib import AbstractContextManager, contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -52,23 +52,24 @@ _DOTS_PER_INCH = 150
 _HINTED = 1.05  # maximum width of letters that are fitted to pixels, relative to their outlines
 
 
-def style(purpose: str, path: str | Path | None = None) -> Any:
+def style(purpose: str, path: str | Path | None = None) -> AbstractContextManager[None]:
     """Return a context manager that applies the common style of all figures.
 
-    `purpose` is what needs Matplotlib, for the error message if it is not installed. The suffix of `path`, the file of
-    the figure, is checked before the figure is drawn.
+    `purpose` describes the task, for the error message if Matplotlib is not installed. `path` is the file of the
+    figure, whose suffix is checked before the figure is drawn.
     """
     if path is not None:
         check_format(path)
     with needed("matplotlib", purpose, "plot"):
         import matplotlib as mpl
-    return mpl.rc_context(_STYLE)
+    context: AbstractContextManager[None] = mpl.rc_context(_STYLE)
+    return context
 
 
 def new_figure(width: float, height: float) -> Figure:
-    """Return an empty figure of given width and height [in].
+    """Return an empty figure with a given width and height [in].
 
-    The figure has no window and does not use the global state of pyplot.
+    The figure has no window and does not change the global state of pyplot.
     """
     from matplotlib.backends.backend_agg import FigureCanvasAgg
     from matplotlib.figure import Figure
@@ -80,9 +81,9 @@ def new_figure(width: float, height: float) -> Figure:
 
 
 def axes_in(figure: Figure, left: float, top: float, width: float, height: float, **options: Any) -> Any:
-    """Add axes to a figure at a given position.
+    """Add axes to a figure at a given position [in].
 
-    All lengths are in inches. `left` and `top` are distances from the upper left corner.
+    `left` and `top` are distances from the upper left corner of the figure.
     """
     figure_width, figure_height = figure.get_size_inches()
     box = (left / figure_width, 1.0 - (top + height) / figure_height, width / figure_width, height / figure_height)
@@ -90,10 +91,10 @@ def axes_in(figure: Figure, left: float, top: float, width: float, height: float
 
 
 @contextmanager
-def _boxes() -> Iterator[None]:
-    """Suppress warnings on characters that the font does not contain.
+def _without_font_warnings() -> Iterator[None]:
+    """Suppress warnings about characters that the font does not contain.
 
-    Matplotlib draws such characters as boxes.
+    Matplotlib draws such characters as empty boxes.
     """
     with warnings.catch_warnings():
         warnings.filterwarnings("ignore", "Glyph .* missing from font", UserWarning)
@@ -112,7 +113,7 @@ def text_width(text: str, size: float, *, bold: bool = False) -> float:
     if not text.strip():
         return 0.0
     font = FontProperties(family="DejaVu Sans", weight="bold" if bold else "normal")
-    with _boxes():
+    with _without_font_warnings():
         outline = TextPath((0.0, 0.0), text.replace("$", r"\$"), size=size, prop=font)
     # `get_extents` of the outline takes 100 times longer, because it evaluates each curve separately.
     x, codes = outline.vertices[:, 0], outline.codes
@@ -126,7 +127,7 @@ def text_width(text: str, size: float, *, bold: bool = False) -> float:
 
 
 def widest(texts: Sequence[str], size: float) -> float:
-    """Return the width of the widest of several lines of text [in].
+    """Return the width of the longest of several lines of text [in].
 
     `size` is the font size in points.
     """
@@ -139,9 +140,9 @@ def check_format(path: str | Path) -> None:
 
 
 def save_figure(figure: Figure, path: str | Path | None) -> Figure:
-    """Write a figure to a file if `path` is set, and return the figure; equal figures give identical bytes.
+    """Return a figure, after writing it to a file if a path is given.
 
-    The function replaces an existing file completely or not at all.
+    Equal figures give identical bytes. An existing file is replaced completely or not at all.
     """
     if path is not None:
         check_format(path)
@@ -152,15 +153,15 @@ def save_figure(figure: Figure, path: str | Path | None) -> Figure:
 
 
 def figure_bytes(figure: Figure, file_format: str, name: str) -> bytes:
-    """Return the content of a figure file in the given format.
+    """Return the content of a figure file in a given format.
 
-    `name` makes the identifiers of SVG elements unique on a page.
+    `name` makes the identifiers of SVG elements unique if a page contains several figures.
     """
     import matplotlib as mpl
 
     stream = io.BytesIO()
     # Names of SVG elements are hashes; the salt makes them unique on a page.
-    with mpl.rc_context(_STYLE | {"svg.hashsalt": f"poppet {name}"}), _boxes():
+    with mpl.rc_context(_STYLE | {"svg.hashsalt": f"poppet {name}"}), _without_font_warnings():
         figure.savefig(stream, format=file_format, dpi=_DOTS_PER_INCH, metadata=_METADATA[file_format])
     content = stream.getvalue()
     # The SVG file has the texts as comments next to their outlines.

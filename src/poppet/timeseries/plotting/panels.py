@@ -42,9 +42,9 @@ STILL = 1e-6  # range of a series, relative to its own or usual size, below whic
 
 @dataclass(frozen=True)
 class Series:
-    """Series of a recording in the unit for drawing.
+    """One series of a recording, in the unit in which it is drawn.
 
-    `source` is the index of the recording, and `rank` the position of the quantity in the order of the panels.
+    `source` is the index of the recording. `rank` is the position of its physical quantity in the order of the panels.
     """
 
     name: str
@@ -57,7 +57,7 @@ class Series:
 
     @property
     def is_still(self) -> bool:
-        """True if the series is constant except for noise of the solver."""
+        """True if the series is constant, except for numerical noise of the solver."""
         finite = self.values[np.isfinite(self.values)]
         if not finite.size:
             return True
@@ -73,7 +73,7 @@ class Series:
 
 @dataclass(frozen=True)
 class Panel:
-    """Series that are drawn on the same axes."""
+    """Group of series that are drawn on the same axes."""
 
     quantity: str
     unit: str
@@ -91,7 +91,7 @@ class Panel:
 
 
 def chosen_names(recordings: Sequence[Columns], select: str | Iterable[str] | None) -> tuple[str, ...] | None:
-    """Return the names of all series that match the patterns.
+    """Return the names of all series that match the patterns in `select`.
 
     The result is None if `select` is None.
     """
@@ -102,7 +102,8 @@ def chosen_names(recordings: Sequence[Columns], select: str | Iterable[str] | No
     for pattern in [select] if isinstance(select, str) else select:
         matches = [name for name in names if name == pattern or fnmatchcase(name, pattern)]
         if not matches:
-            raise InputError("drawing.unknown", name=pattern, near=NameSuggestion(pattern, names))
+            near = NameSuggestion(pattern, names)
+            raise InputError("names.unknown", pattern, meaning="an output of any recording", near=near)
         selected.update(dict.fromkeys(matches))
     return tuple(selected)
 
@@ -110,9 +111,9 @@ def chosen_names(recordings: Sequence[Columns], select: str | Iterable[str] | No
 def shown_series(
     recordings: Sequence[Columns], names: tuple[str, ...] | None, units: Mapping[str, str] | Sequence[str] | str | None
 ) -> list[Series]:
-    """Return the series to draw, converted to the usual or requested units.
+    """Return the series to draw, in their usual or requested units.
 
-    `names` are the selected names; None selects all series.
+    `names` are the selected names; None selects all series. `units` are the requested units.
     """
     # Pairs of a pattern and its requested unit; an empty pattern matches the whole quantity.
     if isinstance(units, Mapping):
@@ -135,7 +136,7 @@ def shown_series(
 
 
 def bodies_of(recordings: Sequence[Columns]) -> set[str]:
-    """Return the names of all moving bodies that have a position and an acceleration."""
+    """Return the names of all bodies for which position and acceleration are recorded."""
     names = (name for recording in recordings for name in recording.names)
     bodies = {name.rpartition(".")[0] for name in names if name.endswith(".acceleration")}
     return {body for body in bodies if any(f"{body}.position" in recording for recording in recordings)}
@@ -144,10 +145,10 @@ def bodies_of(recordings: Sequence[Columns]) -> set[str]:
 def panels_of(
     series: Sequence[Series], *, keep_still: bool = False, bodies: Collection[str] = ()
 ) -> tuple[list[Panel], list[Series]]:
-    """Group series by quantity and unit into panels; omit constant series.
+    """Group series of the same quantity and unit into panels.
 
-    `bodies` are the names of moving bodies, whose positions and velocities have the first panels. If `keep_still` is
-    True, constant series are not omitted.
+    `bodies` are the names of moving bodies, whose positions and velocities are in the first panels. Constant series are
+    omitted unless `keep_still` is True.
     """
     moving = {item.name for item in series if keep_still or not item.is_still}
     moving = moving or {item.name for item in series}  # if all series are constant, all are drawn
@@ -178,7 +179,7 @@ def panels_of(
 
 
 def thinned(time: FloatArray, values: FloatArray, columns: int) -> NDArray[np.int64]:
-    """Return the indices of the samples to draw when there are more samples than pixels.
+    """Return the indices of the samples that are sufficient for drawing a line.
 
     `columns` is the number of pixel columns. For each column, the first, last, lowest and highest sample remain.
 
@@ -205,9 +206,9 @@ def thinned(time: FloatArray, values: FloatArray, columns: int) -> NDArray[np.in
 
 
 def draw_thinned(axes: Any, x: FloatArray, y: FloatArray, indices: NDArray[np.int64], **options: Any) -> None:
-    """Draw a line through the samples `indices`.
+    """Draw a line through the samples with the given indices.
 
-    The line object also stores all samples, for figures that can be enlarged.
+    The line object also stores all other samples, for figures that can be enlarged.
     """
     (line,) = axes.plot(x[indices], y[indices], **options)
     if len(indices) < len(x):
@@ -215,15 +216,16 @@ def draw_thinned(axes: Any, x: FloatArray, y: FloatArray, indices: NDArray[np.in
 
 
 def whole_of(line: Any) -> tuple[FloatArray, FloatArray]:
-    """Return all samples of a drawn line, including those that are not drawn."""
+    """Return all samples of a drawn line, including those that were not drawn."""
     samples: tuple[FloatArray, FloatArray] = getattr(line, "whole", None) or line.get_data()
     return samples
 
 
 def readable(names: Sequence[str], quantity: str) -> dict[str, str]:
-    """Return legend labels without the words that the axis label contains.
+    """Return short legend labels for the series of one quantity.
 
-    A label consists of the name of the part and, if necessary, the rest of the series name.
+    A label consists of the name of the part and, if necessary, the rest of the series name. Words that the axis label
+    contains are omitted.
 
     Examples
     --------
@@ -278,7 +280,7 @@ _CONTACT_COLOURS = {-2: "#7a4b1e", -1: "#d9822b", 0: "#dfe2e7", 1: "#3d9a5f", 2:
 
 @dataclass(frozen=True)
 class CodeStyle:
-    """Text, colour and hatching that represent a code in the timeline."""
+    """Text, colour and hatching with which the timeline shows a state code."""
 
     text: str
     colour: str
@@ -301,7 +303,7 @@ BANDS = (("friction", FRICTION_LOOKS), ("flow\nregime", REGIME_LOOKS), ("contact
 
 @dataclass(frozen=True)
 class Span:
-    """Time interval of a constant code, with start and width [s]."""
+    """Time interval in which a state code is constant, with its start and width [s]."""
 
     start: float
     width: float
@@ -310,9 +312,9 @@ class Span:
 
 @dataclass(frozen=True)
 class Band:
-    """Row of the timeline for one series of codes.
+    """Row of the timeline that shows one series of state codes.
 
-    `is_thinned` is True if the codes change faster than the figure can resolve.
+    `is_thinned` is True if the codes change faster than the figure can show.
     """
 
     name: str
@@ -324,9 +326,9 @@ class Band:
 
 
 def looks_of(name: str, unit: str, values: FloatArray) -> dict[int, CodeStyle] | None:
-    """Return the style of each code of a series.
+    """Return the style of each state code in a series.
 
-    The result is None if the series does not consist of codes.
+    The result is None if the values of the series are not codes.
     """
     last = name.rpartition(".")[2]
     styles = {"contact": CONTACT_LOOKS, "regime": REGIME_LOOKS}.get(last.rpartition("_")[2])
@@ -338,9 +340,9 @@ def looks_of(name: str, unit: str, values: FloatArray) -> dict[int, CodeStyle] |
 
 
 def bands_of(recordings: Sequence[Columns], names: tuple[str, ...] | None, columns: int) -> list[Band]:
-    """Return the rows of the timeline, ordered by kind of code, series and recording.
+    """Return the rows of the timeline.
 
-    `columns` is the number of pixel columns.
+    They are ordered by kind of code, series and recording. `columns` is the number of pixel columns.
     """
     bands = []
     for source, recording in enumerate(recordings):
@@ -357,9 +359,9 @@ def bands_of(recordings: Sequence[Columns], names: tuple[str, ...] | None, colum
 
 
 def at_rest(recording: Columns, name: str) -> FloatArray:
-    """Return the codes of a series, in which negligible flows count as no flow.
+    """Return the codes of a flow regime, in which negligible flows count as no flow.
 
-    Near equal pressures, solver noise would otherwise switch between flow regimes.
+    Near equal pressures, numerical noise would otherwise switch between regimes. `name` is the name of the series.
 
     Examples
     --------
@@ -377,7 +379,7 @@ def at_rest(recording: Columns, name: str) -> FloatArray:
 
 
 def spans_of(time: FloatArray, codes: FloatArray, columns: int) -> tuple[tuple[Span, ...], bool]:
-    """Convert a series of codes to time intervals.
+    """Convert a series of state codes to time intervals of constant code.
 
     A code is valid from its sample to the next one. The second item of the result is True if the codes change faster
     than `columns` pixel columns can show.

@@ -50,7 +50,9 @@ def plot_recordings(
     recordings: Mapping[str, Columns], path: str | Path | None = None, *, select: str | Iterable[str] | None = None,
     units: Mapping[str, str] | Sequence[str] | str | None = None, title: str = "", inner: bool = False,
 ) -> Figure:  # fmt: skip
-    """Draw recordings over one time axis: one panel per quantity, and a timeline of regimes.
+    """Draw recordings over a common time axis.
+
+    There is one panel for each quantity, and a timeline for flow regimes and other codes.
 
     Notes
     -----
@@ -99,10 +101,10 @@ _TIME_UNITS = ((1.0, "ms", 1e-3), (1800.0, "s", 1.0), (14400.0, "min", 60.0), (f
 
 
 class Sheet:
-    """Layout and content of one figure of recordings.
+    """Figure of one or several recordings: its content and its layout.
 
-    `select` contains names or patterns of the series to draw. `units` maps names or patterns to units, or is a list of
-    units. If `inner` is True, internal outputs are drawn as well.
+    `select` contains names or patterns of the series to draw. `units` maps names or patterns to units, or is a list
+    of units, each for all series of its quantity. If `inner` is True, internal outputs are drawn as well.
     """
 
     def __init__(
@@ -206,9 +208,9 @@ class Sheet:
             top += _KEY_ROW
 
     def _row(self, handles: Sequence[Any], texts: Sequence[str], y: float, handlelength: float) -> None:
-        """Draw a legend of one line at the height `y`, outside the axes.
+        """Draw a legend outside the axes, with all entries in one row at the height `y`.
 
-        `handles` are the drawn symbols, and `handlelength` is their length.
+        `handles` are the drawn symbols, `texts` their labels, and `handlelength` is the length of a symbol.
         """
         options = {"bbox_to_anchor": (_LEFT / self.across, y), "handlelength": handlelength}
         _legend(self.figure, handles, texts, **options, ncols=len(texts), columnspacing=1.4)
@@ -218,7 +220,7 @@ class Sheet:
 
         height = self.figure.get_size_inches()[1]
         for styles in keys:
-            patches = [Patch(**_fill(style)) for style in styles]
+            patches = [Patch(**_fill_options(style)) for style in styles]
             self._row(patches, [style.text for style in styles], 1.0 - top / height, handlelength=1.6)
             top += _KEY_ROW
         for note in notes:
@@ -289,7 +291,7 @@ class Sheet:
                 spans = [span for span in band.spans if span.code == code]
                 times = [(span.start / self.time_size, span.width / self.time_size) for span in spans]
                 if times:
-                    axes.broken_barh(times, (row - 0.36, 0.72), label=code_style.text, **_fill(code_style))
+                    axes.broken_barh(times, (row - 0.36, 0.72), label=code_style.text, **_fill_options(code_style))
             right = 1.0 + self._legend_gap() / self.width
             options = {"x": right, "y": row, "transform": axes.get_yaxis_transform()}
             axes.text(**options, s=label, va="center", fontsize=_TEXT, parse_math=False)
@@ -308,7 +310,7 @@ class Sheet:
 def home_colours(panels: Sequence[Panel]) -> dict[str, str]:
     """Assign a colour to each part of the circuit.
 
-    A part has the same colour in all panels, and the parts of a panel have different colours.
+    The part keeps its colour in all panels, and the parts of one panel have different colours.
     """
     together = [dict.fromkeys(name.partition(".")[0] for name in panel.names) for panel in panels]
     homes: dict[str, str] = {}
@@ -322,7 +324,8 @@ def home_colours(panels: Sequence[Panel]) -> dict[str, str]:
 def panel_colours(panel: Panel, homes: Mapping[str, str]) -> dict[str, str]:
     """Return the colour of each series in a panel.
 
-    The first series of a part has the colour of the part (`homes`). Further series have unused colours.
+    `homes` contains the colour of each part. The first series of a part has this colour, and its other series have
+    unused colours.
     """
     colours: dict[str, str] = {}
     remaining = []
@@ -341,15 +344,15 @@ def _legend(owner: Any, handles: Sequence[Any], texts: Sequence[str], **options:
         text.set_parse_math(False)  # a name can contain dollar signs
 
 
-def _fill(style: CodeStyle) -> dict[str, Any]:
-    """Return the Matplotlib options for the area of a code in the timeline."""
+def _fill_options(style: CodeStyle) -> dict[str, Any]:
+    """Return the Matplotlib options for the area of a state code in the timeline."""
     if style.is_hatched:
         return {"facecolor": style.colour, "edgecolor": "white", "linewidth": 0.0, "hatch": "////"}
     return {"facecolor": style.colour, "edgecolor": "none", "linewidth": 0.0}
 
 
 def time_unit(span: float) -> tuple[str, float]:
-    """Return the unit of a time axis and the size of this unit [s].
+    """Return the unit of a time axis, and the length of this unit in seconds.
 
     `span` is the length of the time axis [s].
     """
@@ -357,7 +360,10 @@ def time_unit(span: float) -> tuple[str, float]:
 
 
 def axis_unit(panel: Panel) -> str:
-    """Return the unit of a panel in brackets; for absolute pressures, the text includes "absolute"."""
+    """Return the text of an axis label for the unit of a panel, in brackets.
+
+    For absolute pressures, the text includes the word "absolute".
+    """
     if panel.unit in ("1", ""):
         return "[1]"
     is_pressure = panel.quantity == "pressure" and not panel.unit.endswith("g")
@@ -370,11 +376,10 @@ WIDTH, HEIGHT = 7.0, 2.2  # width of the figure and height of a panel [in]
 def plot_fitted_series(
     tables: Mapping[str, Mapping[str, Any]], path: str | Path | None = None, *, title: str = ""
 ) -> Figure:
-    """Draw measured and fitted series, with one panel for each table.
+    """Draw measured and fitted series.
 
-    Each table contains `measured` and `model` over `time` or `x`.
-
-    The optional series `low` and `high` of a table are the limits of a band about the model.
+    Each table has a panel of its own. It contains `measured` and `model` over `time` or `x`. The optional columns `low`
+    and `high` are the limits of a band around the model.
 
     Examples
     --------

@@ -6,7 +6,8 @@ import inspect
 import json
 from collections.abc import Callable, Iterator, Mapping
 from pathlib import Path
-from typing import Any, TypeVar
+from types import ModuleType
+from typing import TYPE_CHECKING, Any, TypeVar
 
 import numpy as np
 
@@ -18,6 +19,10 @@ from poppet.core.units import LARGEST
 from poppet.timeseries.checks import METADATA, FloatArray
 from poppet.timeseries.tables import text
 from poppet.timeseries.tables.table import Table, groups_of, seconds, table_of
+
+if TYPE_CHECKING:
+    import pyarrow
+    from numpy.typing import NDArray
 
 __all__ = ["Table", "read_table", "read_with"]
 
@@ -100,7 +105,7 @@ def read_mdf(path: Path, *, group: str | int | None = None) -> Table:
 
 
 def known(metadata: Any) -> dict[str, Any]:
-    """Return the metadata of a poppet recording as a dictionary.
+    """Return the metadata of a recording that poppet has written, as a dictionary.
 
     The result is empty if another program wrote the file.
     """
@@ -132,7 +137,7 @@ def read_mat(path: Path) -> Table:
     return table_of(columns, {}, meta=meta)
 
 
-def _hdf5_item(item: Any) -> Any:
+def _hdf5_item(item: Any) -> dict[str, Any] | NDArray[Any] | None:
     if hasattr(item, "items"):
         return {name: _hdf5_item(inner) for name, inner in item.items()}
     if item.dtype.kind not in "iufb" or item.attrs.get("MATLAB_class", b"") in (b"char", b"cell"):
@@ -155,18 +160,19 @@ def _vectors(content: Mapping[str, Any], prefix: str = "") -> Iterator[tuple[str
                     yield f"{prefix}{name}(:,{k})", column.astype(float)
 
 
-def arrow() -> Any:
-    """Import and return the package pyarrow."""
+def arrow() -> ModuleType:
+    """Import the package pyarrow, and return it."""
     with needed("pyarrow", "A Parquet file", "data"):
         import pyarrow
         import pyarrow.parquet
-    return pyarrow
+    package: ModuleType = pyarrow
+    return package
 
 
-def table_in(path: Path, columns: list[str] | None = None) -> Any:
-    """Return the pyarrow table of a Parquet file.
+def table_in(path: Path, columns: list[str] | None = None) -> pyarrow.Table:
+    """Return the content of a Parquet file as a pyarrow table.
 
-    `columns` selects columns; the default is all columns.
+    `columns` selects columns. The default is all columns.
     """
     package = arrow()
     path.open("rb").close()  # gives the usual error for a missing file
@@ -247,7 +253,7 @@ def read_table(
 
 
 def read_with(reader: Callable[[Path], Found], path: Path) -> Found:
-    """Call a reader with a path, and add the name of the file to each error."""
+    """Call the function `reader` with a path, and add the file name to each error."""
     try:
         return reader(path)
     except OSError as problem:

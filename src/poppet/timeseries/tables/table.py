@@ -37,7 +37,7 @@ _SPELLINGS = {
 
 
 def unit_of(spelling: str) -> str:
-    """Convert the unit of an instrument, such as `PSI`, to the spelling of poppet.
+    """Convert a unit as written by an instrument, such as `PSI`, for poppet.
 
     The result is empty if the text is not a unit.
 
@@ -54,9 +54,9 @@ def unit_of(spelling: str) -> str:
 
 
 def heading_of(text: str) -> tuple[str, str]:
-    """Split a column heading of a file into name and unit.
+    """Split the heading of a column into name and unit.
 
-    The unit is empty if the heading has none.
+    The unit is empty if the heading contains none.
 
     Examples
     --------
@@ -75,7 +75,7 @@ def heading_of(text: str) -> tuple[str, str]:
 
 @dataclass(frozen=True, eq=False)
 class Table:
-    """Numeric columns of a file with names, units and notes."""
+    """Numeric columns of a data file, with names, units and notes."""
 
     names: tuple[str, ...]  # without units; `column 0` and so on if the file has no names
     columns: tuple[FloatArray, ...]  # each (n,), in its unit; NaN for an empty cell
@@ -85,9 +85,9 @@ class Table:
     lines: Sequence[int] = ()  # of a text file: line of each sample, counted from 1
 
     def index(self, column: str | int) -> int:
-        """Return the index of a column.
+        """Return the index of the column with a given heading or index.
 
-        The argument is the heading or the index. An unknown column is an error.
+        A column that does not exist raises an error.
         """
         if isinstance(column, int):
             if 0 <= column < len(self.names):
@@ -108,9 +108,10 @@ def table_of(
     columns: Mapping[str, FloatArray], units: Mapping[str, str], notes: Sequence[Note] = (),
     meta: Mapping[str, Any] | None = None,
 ) -> Table:  # fmt: skip
-    """Return a table of named columns; NaN extends short columns to equal length.
+    """Return a table of named columns with equal lengths.
 
-    `units` maps names to units in the spelling of the file, and `meta` is the metadata of a poppet recording.
+    NaN is added at the end of shorter columns. `units` maps names to units in the spelling of the file, and `meta` is
+    the metadata of a poppet recording.
     """
     longest = max((column.size for column in columns.values()), default=0)
     if not longest:
@@ -149,10 +150,10 @@ def seconds(column: np.ndarray[tuple[int, ...], np.dtype[np.datetime64]]) -> Flo
 
 
 def groups_of(groups: Mapping[str, Mapping[str, FloatArray]], group: str | int | None) -> dict[str, FloatArray]:
-    """Return the columns of the selected group.
+    """Return the columns of one group of a file.
 
-    If `group` is None and there are several groups, the result contains all columns. Each name then begins with the
-    name of the group.
+    `group` is the name or the index of the group. If it is None and the file has several groups, the result contains
+    all columns, and each name begins with the name of the group.
 
     Examples
     --------

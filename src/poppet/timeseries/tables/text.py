@@ -56,7 +56,7 @@ class _TextLayout:
         return any(map(self.is_number, self.cells(text)))
 
     def is_sample(self, text: str) -> bool:
-        """Return True if a line contains a sample and not a heading.
+        """Return True if a line contains a sample, and False for a heading.
 
         A sample has a number in its first cell, or in all numeric columns.
 
@@ -77,9 +77,9 @@ def read(
 ) -> Table:
     """Read the columns of a text file.
 
-    The function guesses the options that are None and adds notes on the guesses.
+    Options that are None are detected from the text, and notes report the detected values.
     """
-    text, bad_line = _text(path)
+    text, bad_line = _decoded_text(path)
     notes = [Note("table.latin_1")] if bad_line else []
     lines = _lines(text)
     comments = [line for line in lines if line[1].lstrip().startswith("#")]
@@ -94,7 +94,7 @@ def read(
         separators = [_WORDS.get(separator.strip().lower(), separator)]
         if len(separators[0]) != 1:
             raise InputError("table.separator", "separator", value=separator)
-    layout = _guess(rest_lines, separators, (".", ",") if decimal is None else (decimal,))
+    layout = _guess_layout(rest_lines, separators, (".", ",") if decimal is None else (decimal,))
     if header_rows is not None and (isinstance(header_rows, bool) or header_rows < 0):
         raise InputError("table.header_rows", "header_rows", value=header_rows)
     if header_rows is None:
@@ -107,7 +107,7 @@ def read(
     if first is None or first == len(rest_lines):
         raise InputError("table.no_samples")
     head, body = rest_lines[:first], rest_lines[first:]
-    names, units, heading_notes = _headings(head, comments, layout, body)
+    names, units, heading_notes = _column_headings(head, comments, layout, body)
     if separator is None or decimal is None:
         separator_name = _SAID.get(layout.separator, repr(layout.separator))
         notes.append(Note("table.guessed", separator=separator_name, decimal=layout.decimal))
@@ -127,11 +127,12 @@ def read(
 
 
 def read_exact(path: Path) -> Table:
-    """Read the CSV file of a recording: UTF-8 with a heading line and a number in every cell.
+    """Read a CSV file that poppet has written, without guessing its layout.
 
-    The names in the table are the complete headings with their units. The function omits and guesses nothing.
+    The file is UTF-8, with a heading line and a number in each cell. The names in the table are the complete headings
+    with their units.
     """
-    text, bad_line = _text(path)
+    text, bad_line = _decoded_text(path)
     if bad_line:
         raise InputError("table.not_utf_8", line=bad_line)
     lines = _lines(text)
@@ -155,10 +156,10 @@ def read_exact(path: Path) -> Table:
     return Table(tuple(names), tuple(table), ("",) * len(names), lines=[number for number, _ in body])
 
 
-def _text(path: Path) -> tuple[str, int]:
-    """Return the text of a file, and the number of the first line that is not UTF-8.
+def _decoded_text(path: Path) -> tuple[str, int]:
+    """Return the text of a file, and its first line that is not UTF-8.
 
-    The number is 0 if the file is UTF-8 or UTF-16. Otherwise, the text is decoded as Latin-1.
+    The line number is 0 if the whole file is UTF-8 or UTF-16. Otherwise the text is decoded as Latin-1.
     """
     with path.open("rb") as file:
         content = file.read(LARGEST_TEXT + 1)  # a device has no size and can be endless
@@ -180,10 +181,11 @@ def _lines(text: str) -> list[Line]:
     return [(k, line) for k, line in enumerate(ends, start=1) if line.strip()]
 
 
-def _guess(lines: Sequence[Line], separators: Sequence[str], decimals: Sequence[str]) -> _TextLayout:
-    """Return the layout (separator and decimal sign) with which most cells are numbers.
+def _guess_layout(lines: Sequence[Line], separators: Sequence[str], decimals: Sequence[str]) -> _TextLayout:
+    """Return the layout with which most cells of the lines are numbers.
 
-    If several layouts are equally good, the result is the one with the most columns.
+    A layout consists of column separator and decimal sign, from `separators` and `decimals`. If several are equally
+    good, the one with the most columns is returned.
     """
     sample = [text for _, text in (*lines[:: 1 + len(lines) // _BETWEEN], *lines[-_LAST:])]
     choices = [(s, d) for s in separators for d in decimals if s != d]
@@ -212,13 +214,13 @@ def _guess(lines: Sequence[Line], separators: Sequence[str], decimals: Sequence[
     return best_layout
 
 
-def _headings(
+def _column_headings(
     head: list[Line], comments: list[Line], layout: _TextLayout, body: list[Line]
 ) -> tuple[list[str], list[str], list[Note]]:
-    """Return the names and units of the columns, with notes.
+    """Return the names and the units of all columns, with notes.
 
-    Names are in the last header line. If the last header line contains only units, names are in the line above.
-    Without suitable header lines, the names come from a comment line or are generated.
+    The names are in the last line above the values (`body`). If that line contains only units, the names are in the
+    line above it. Without such lines, the names come from a comment, or are generated.
     """
     rows = [layout.cells(text) for _, text in head]
     units = [unit_of(cell.strip("[]()")) for cell in rows[-1]] if len(rows) > 1 else []
@@ -261,10 +263,10 @@ def _columns(body: list[Line], layout: _TextLayout, names: list[str]) -> tuple[l
 
 
 def _all_numbers(texts: list[str], delimiter: str | None, width: int) -> FloatArray | None:
-    """Convert lines that contain only numbers to columns, shape (width, n).
+    """Convert lines that contain only numbers to columns, (width, n).
 
-    The function is fast, so the readers try it first. The result is None if a cell is empty or is not a number, or if
-    the number of columns is not `width`.
+    This fast function is tried first. The result is None if a cell is empty or is not a number, or if a line does not
+    have `width` cells.
     """
     try:
         table = np.loadtxt(texts, delimiter=delimiter, comments=None, quotechar='"', ndmin=2)

@@ -32,7 +32,7 @@ LONGEST_DAYS = 31.0
 
 
 def convert_stamps(lines: Sequence[tuple[int, str]]) -> tuple[list[tuple[int, str]], str]:
-    """Replace the time stamps of lines by seconds since the first one.
+    """Replace the time stamps in text lines with seconds since the first stamp.
 
     Returns
     -------
@@ -47,7 +47,7 @@ def convert_stamps(lines: Sequence[tuple[int, str]]) -> tuple[list[tuple[int, st
     start, first, converted = None, "", []
     for number, text in lines:
         match = _STAMP.search(text)
-        nanoseconds = None if match is None else _nanoseconds(match)
+        nanoseconds = None if match is None else _time_in_nanoseconds(match)
         if match is None or nanoseconds is None:
             converted.append((number, text))
             continue
@@ -57,8 +57,11 @@ def convert_stamps(lines: Sequence[tuple[int, str]]) -> tuple[list[tuple[int, st
     return converted, first
 
 
-def _nanoseconds(match: re.Match[str]) -> int | None:
-    """Return the time of a stamp since 1970 [ns]; None if there is no such date."""
+def _time_in_nanoseconds(match: re.Match[str]) -> int | None:
+    """Return the time of a stamp since 1970 [ns].
+
+    `match` is the match of the stamp with its pattern. The result is None if the date does not exist.
+    """
     year, month, day = (
         int(match[name] or match[other])
         for name, other in (("year", "year_last"), ("month", "month_second"), ("day", "day_first"))
@@ -80,7 +83,9 @@ def _nanoseconds(match: re.Match[str]) -> int | None:
 
 
 def is_serial(column: FloatArray) -> bool:
-    """Return True if the times of a column without a unit are serial numbers of Excel, in days.
+    """Return True if a column of times seems to contain day numbers of Excel.
+
+    Such a column has no unit.
 
     Examples
     --------
