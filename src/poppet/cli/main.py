@@ -116,7 +116,24 @@ def split_command(arguments: list[str]) -> tuple[str, list[str]]:
 
 def _dispatch(arguments: list[str]) -> int:
     if not arguments or arguments[0].startswith("-"):
-        return _run_program(arguments)
+        parser, commands = CommandParser("", PROGRAM), all_commands()
+        width = max(map(len, commands))
+        lines = (f"{name:<{width}}  {command.summary}" for name, command in commands.items())
+        group = parser.add_argument_group("commands", "\n".join(lines))
+        group.add_argument("command", nargs="?", help="see poppet COMMAND --help")
+        try:
+            options = parser.read(arguments)
+        except SystemExit:
+            return 0
+        if options.version:
+            from poppet import __version__
+
+            print(f"poppet {__version__}")
+            return 0
+        if options.command:
+            raise InputError("cli.command.late", argument=arguments[0], command=options.command)
+        parser.print_help(sys.stderr)
+        return WRONG_INPUT
     name, rest = split_command(arguments)
     if name not in COMMANDS and name not in (commands := all_commands()):
         raise InputError("names.unknown", name, meaning="a command of poppet", near=NameSuggestion(name, commands))
@@ -130,31 +147,6 @@ def _dispatch(arguments: list[str]) -> int:
     execute: Callable[[argparse.Namespace], int | None] = import_object(f"poppet.cli.{declaration.function}")
     with contextlib.redirect_stdout(io.StringIO()) if options.quiet else contextlib.nullcontext():
         return execute(options) or 0
-
-
-def _run_program(arguments: list[str]) -> int:
-    """Run poppet without a command: print the help or the version.
-
-    The result is the exit code.
-    """
-    parser, commands = CommandParser("", PROGRAM), all_commands()
-    width = max(map(len, commands))
-    lines = (f"{name:<{width}}  {command.summary}" for name, command in commands.items())
-    group = parser.add_argument_group("commands", "\n".join(lines))
-    group.add_argument("command", nargs="?", help="see poppet COMMAND --help")
-    try:
-        options = parser.read(arguments)
-    except SystemExit:
-        return 0
-    if options.version:
-        from poppet import __version__
-
-        print(f"poppet {__version__}")
-        return 0
-    if options.command:
-        raise InputError("cli.command.late", argument=arguments[0], command=options.command)
-    parser.print_help(sys.stderr)
-    return WRONG_INPUT
 
 
 def _print_error(text: str, code: int, prefix: str = "error: ") -> int:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import argparse
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from poppet.cli.assignments import (
     OutputSelection,
@@ -29,10 +29,6 @@ from poppet.cli.summary import (
 from poppet.core.errors import InputError, SimulationError
 from poppet.core.note_groups import grouped
 from poppet.core.number_format import aligned
-
-if TYPE_CHECKING:
-    from poppet.circuit.circuit import BaseCircuit
-    from poppet.timeseries.recording import Recording
 
 ZERO = 1e-12
 """Magnitude up to which an eigenvalue of a sampled model counts as zero."""
@@ -82,18 +78,6 @@ def execute(options: argparse.Namespace) -> int:
         except SimulationError as error:
             failure, recording = error, error.recording
     print_notes([*notes, *recording.remarks])
-    _write_outputs(recording, selection, options, circuit)
-    if failure is not None:
-        if failure.note.code == "run.ended.interrupted":
-            failure.exit_code = INTERRUPTED  # as shells expect after Ctrl-C
-        raise failure
-    return 0
-
-
-def _write_outputs(
-    recording: Recording, selection: OutputSelection, options: argparse.Namespace, circuit: BaseCircuit
-) -> None:
-    """Write the output files of a simulation, and print the summary of the run."""
     selected = selection.apply(recording)
     if options.output and not selected.time.size:
         text = f"{options.output}: not written, there are no rows. {recording.outcome}"
@@ -114,6 +98,11 @@ def _write_outputs(
         write_run(circuit, recording, options.report, **plot_settings)
         text += f"\n{options.report}: written."
     print(text)
+    if failure is not None:
+        if failure.note.code == "run.ended.interrupted":
+            failure.exit_code = INTERRUPTED  # as shells expect after Ctrl-C
+        raise failure
+    return 0
 
 
 def plot_files(options: argparse.Namespace) -> None:

@@ -196,7 +196,19 @@ def compare(
             # The metrics need steps: a ramp has no rise time.
             if not isinstance(circuit.signals.get(f"{prefix}setpoint"), Steps):
                 errors.add("control.no_staircase", f"{prefix}setpoint", circuit=name)
-        _check_varied(errors, first, controller_name, ranges)
+        numbers, relative_range = first.numbers(), NumberRange(unit="1", above=0.0, below=1.0)
+        sensor = {f"{controller_name}.sensor.lag", f"{controller_name}.sensor.offset"}
+        for address, size in ranges.items():
+            if address not in numbers:
+                near = NameSuggestion(address, numbers)
+                errors.add("names.unknown", address, meaning="a parameter of this circuit", near=near)
+            elif address.startswith(f"{controller_name}.") and address not in sensor:
+                errors.add("control.vary.of_controller", address)
+            elif first.parameters.get(address, 0.0) == 0.0:  # the range is relative to the value
+                errors.add("control.vary.zero", address)
+            else:
+                with errors.collecting():
+                    relative_range.check_range(address, size, f"{size:g}", "relative range")
         with errors.collecting():
             NumberRange(unit="1", low=0.0).check_range("draws", draws, str(draws), "count of random runs")
     count = draws if ranges else 0
@@ -270,19 +282,3 @@ def _properties_to_compare(circuit: BaseCircuit, plant: Plant) -> dict[str, Any]
         },
         "duration": None if circuit.run.duration is None else float(circuit.run.duration),  # type: ignore[arg-type]
     }  # fmt: skip
-
-
-def _check_varied(errors: ErrorCollector, circuit: BaseCircuit, controller: str, ranges: Mapping[str, float]) -> None:
-    numbers, relative_range = circuit.numbers(), NumberRange(unit="1", above=0.0, below=1.0)
-    sensor = {f"{controller}.sensor.lag", f"{controller}.sensor.offset"}
-    for address, size in ranges.items():
-        if address not in numbers:
-            near = NameSuggestion(address, numbers)
-            errors.add("names.unknown", address, meaning="a parameter of this circuit", near=near)
-        elif address.startswith(f"{controller}.") and address not in sensor:
-            errors.add("control.vary.of_controller", address)
-        elif circuit.parameters.get(address, 0.0) == 0.0:  # the range is relative to the value
-            errors.add("control.vary.zero", address)
-        else:
-            with errors.collecting():
-                relative_range.check_range(address, size, f"{size:g}", "relative range")

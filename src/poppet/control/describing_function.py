@@ -191,20 +191,6 @@ class Sticking(NamedTuple):
         return amplitude > _SLIDES * self.deflection and amplitude * angular_frequency > _FAST * self.velocity
 
 
-def _sticking_of(circuit: BaseCircuit, measurement: str) -> Sticking:
-    """Return the limits of sticking of the body whose motion is measured."""
-    name = measurement.partition(".")[0]
-    part: Any = circuit.parts.get(name)
-    friction = getattr(part, "friction", None)
-    if not isinstance(part, Mass | Joint) or friction is None or friction.kind not in DRY_LAWS:
-        return Sticking()
-    values = part.parameters(circuit.surroundings)
-    if friction.kind == "stribeck":
-        return Sticking((f"{name}.position",), 0.0, values["friction.transition_velocity"])
-    level = max(values[f"friction.{kind}_{part.effort}"] for kind in ("coulomb", "static"))
-    return Sticking((f"{name}.position",), level / values["friction.bristle_stiffness"])
-
-
 @dataclass(frozen=True, eq=False)
 class SettledPlant:
     """Plant at a steady state, to whose command sines are added.
@@ -471,10 +457,22 @@ def make_measured_loop(
         largest = 0.5 * (numbers["upper_limit"] - numbers["lower_limit"])
     field = Field(unit=unit, above=0.0, high=largest, meaning="amplitude, limited by the command,")
     sizes = sorted(field.read(amplitude, "amplitude") for amplitude in amplitudes)
+    name = loop.measurement.partition(".")[0]
+    part: Any = loop.circuit.parts.get(name)
+    friction = getattr(part, "friction", None)
+    if not isinstance(part, Mass | Joint) or friction is None or friction.kind not in DRY_LAWS:
+        sticking = Sticking()
+    else:
+        values = part.parameters(loop.circuit.surroundings)
+        if friction.kind == "stribeck":
+            sticking = Sticking((f"{name}.position",), 0.0, values["friction.transition_velocity"])
+        else:
+            level = max(values[f"friction.{kind}_{part.effort}"] for kind in ("coulomb", "static"))
+            sticking = Sticking((f"{name}.position",), level / values["friction.bristle_stiffness"])
     return MeasuredLoop(
         circuit.instance, loop.controller, loop.part, loop.measurement, loop.commands, loop.begins,
         loop=loop, amplitudes=tuple(sizes), report_progress=progress or (lambda text: None),
-        sticking=_sticking_of(loop.circuit, loop.measurement),
+        sticking=sticking,
     )  # fmt: skip
 
 

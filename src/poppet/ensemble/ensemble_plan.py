@@ -274,7 +274,19 @@ def read_plan(circuit: BaseCircuit, ensemble: Any, requirements: Any, folder: Pa
         read.get("levels", LEVELS), tuple(metrics.values()), tuple(required), keep,
         curves if keep != "metrics" else (), indices, notes,
     )  # fmt: skip
-    return _with_run_count(plan, read.get("runs"))
+    runs = read.get("runs")
+    n = len(plan.addresses)
+    fixed = plan.levels**n if plan.sampling == "grid" else len(plan.table[1]) if plan.table is not None else runs
+    if fixed is None:
+        raise InputError("ensemble.no_runs", "ensemble.runs")
+    if runs is not None and runs != fixed:
+        raise InputError("ensemble.runs_follow", "ensemble.runs", runs=runs, fixed=fixed, sampling=plan.sampling)
+    replace(FIELDS["runs"], high=2**30 if plan.sampling == "sobol" else MAX_RUNS).read(fixed, "ensemble.runs")
+    if plan.sampling == "sobol" and n > MAX_SOBOL:
+        raise OutOfRangeError("ensemble.dimensions", "ensemble.sampling", dimensions=n, most=MAX_SOBOL)
+    if plan.indices and plan.table is not None:
+        raise InputError("ensemble.indices_of_file", "ensemble.indices")
+    return replace(plan, runs=fixed)
 
 
 RESERVED = ("run", "done", "outcome", "notes", "balance")
@@ -290,26 +302,6 @@ def _identifier(name: str, address: str, reserved: tuple[str, ...]) -> str:
     if name in reserved:
         raise InputError("ensemble.name_taken", address, name=name)
     return name
-
-
-def _with_run_count(plan: EnsemblePlan, runs: int | None) -> EnsemblePlan:
-    """Return the plan with the number of runs.
-
-    If the parameter values form a grid or come from a file, their number is the number of runs. Otherwise the argument
-    `runs` is used.
-    """
-    n = len(plan.addresses)
-    fixed = plan.levels**n if plan.sampling == "grid" else len(plan.table[1]) if plan.table is not None else runs
-    if fixed is None:
-        raise InputError("ensemble.no_runs", "ensemble.runs")
-    if runs is not None and runs != fixed:
-        raise InputError("ensemble.runs_follow", "ensemble.runs", runs=runs, fixed=fixed, sampling=plan.sampling)
-    replace(FIELDS["runs"], high=2**30 if plan.sampling == "sobol" else MAX_RUNS).read(fixed, "ensemble.runs")
-    if plan.sampling == "sobol" and n > MAX_SOBOL:
-        raise OutOfRangeError("ensemble.dimensions", "ensemble.sampling", dimensions=n, most=MAX_SOBOL)
-    if plan.indices and plan.table is not None:
-        raise InputError("ensemble.indices_of_file", "ensemble.indices")
-    return replace(plan, runs=fixed)
 
 
 class _ParameterReader:

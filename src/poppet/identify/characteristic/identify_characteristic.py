@@ -207,11 +207,16 @@ def identify_characteristic(
             e = estimates[name]
             verdict_of_both = "weak" if e.verdict == "determined" else e.verdict
             estimates[name] = replace(e, low=min(e.low, twin.low), high=max(e.high, twin.high), verdict=verdict_of_both)
+    summaries = {}
+    for index, name in enumerate(NUMBERS):
+        strokes, measured, _ = determined_values(evidence, index)
+        summaries[f"tests.{name}"] = ResidualSummary.of(fit.curve(index, strokes), measured, UNITS[name])
+
     return Result(
         method="characteristic",
         title=title,
         parameters=estimates,
-        residuals=_residual_statistics(fit, evidence),
+        residuals=summaries,
         comparison=_comparison(fit, evidence, verdict),
         remarks=(*replace_uncertain_findings(remarks, estimates), *notes_of(notes)),
         conditions=_conditions(options, fit, evidence, fit is not by_test, common),
@@ -338,15 +343,6 @@ def _estimate(value: float, unit: str, error: float, coverage: float, limits: tu
     half, is_at_bound = coverage * error, value <= limits[0] or value >= limits[1] * (1.0 - BOUND)
     verdict = "at bound" if is_at_bound else judged(half, abs(value))
     return Estimate(value, unit, error, max(limits[0], value - half), min(limits[1], value + half), verdict)
-
-
-def _residual_statistics(fit: CurveFit, evidence: Sequence[TestEvidence]) -> dict[str, ResidualSummary]:
-    """Return statistics of the differences between the curves and the tests."""
-    summaries = {}
-    for index, name in enumerate(NUMBERS):
-        strokes, measured, _ = determined_values(evidence, index)
-        summaries[f"tests.{name}"] = ResidualSummary.of(fit.curve(index, strokes), measured, UNITS[name])
-    return summaries
 
 
 def _comparison(fit: CurveFit, evidence: Sequence[TestEvidence], verdict: MonotoneVerdict | None) -> dict[str, Any]:

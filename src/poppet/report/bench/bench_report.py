@@ -299,11 +299,31 @@ def bench_page(result: BenchResult, other: BenchResult | None = None) -> str:
     """
     with style("A report of a bench"):
         tests = [test for test in TESTS if test in result.rows]
+        c = result.conditions
+        unit = str(c.get("setpoint_unit", ""))
+        formats: tuple[tuple[str, str, Callable[[Any], str]], ...] = (
+            ("setpoint_range", "setpoint range", lambda ends: _range(ends, unit)),
+            ("full_scale", "full scale", lambda ends: f"{_range(ends, 'Pa')}, absolute"),
+            ("supply_pressure", "supply pressure", lambda value: f"{value_text(value, 'Pa')}, absolute"),
+            ("volumes", "volumes at the outlet", lambda values: ", ".join(value_text(v, "m^3") for v in values)),
+            ("circuit", "circuit", str),
+            ("valve", "valve", str),
+            ("changed", "changed", ", ".join),
+        )
+        rows = [(heading, text(c[key])) for key, heading, text in formats if key in c]
+        rows += [(f"recordings, {test}", ", ".join(names)) for test, names in c.get("recordings", {}).items()]
+        sweep, flow = c.get("characteristic", {}), c.get("flow", {})
+        if "sweep_rate" in sweep:
+            branches = f"{sweep['branches_up']} up, {sweep['branches_down']} down"
+            rows.append(("sweep of the setpoint", f"{sweep['sweep_rate']:.3g} % FS/s, {branches}"))
+        directions = ("flow_drawn", "out"), ("flow_fed", "in")
+        rows += [(f"rated flow {text}", value_text(flow[key], "kg/s")) for key, text in directions if key in flow]
+        condition_table = ReportTable(("", ""), rows)
         sections = [
             Section("", _head(result, other, tests)),
             Section("Characteristic values", figure_table(result, other)),
             *(Section(DESCRIPTIONS[test].title, _test_section(result, other, test)) for test in tests),
-            Section("Conditions", _condition_table(result)),
+            Section("Conditions", condition_table),
             Section("About the standard", _STANDARD),
         ]
     return document(result.title, sections, style=stylesheet("bench"))
@@ -384,30 +404,6 @@ def figure_table(result: BenchResult, reference: BenchResult | None = None) -> R
 def _on_one_line(text: str) -> str:
     """Return a text that stays on one line, with non-breaking spaces."""
     return text.replace(" ", "\N{NO-BREAK SPACE}")
-
-
-def _condition_table(result: BenchResult) -> ReportTable:
-    """Return the conditions under which the tests were made."""
-    c = result.conditions
-    unit = str(c.get("setpoint_unit", ""))
-    formats: tuple[tuple[str, str, Callable[[Any], str]], ...] = (
-        ("setpoint_range", "setpoint range", lambda ends: _range(ends, unit)),
-        ("full_scale", "full scale", lambda ends: f"{_range(ends, 'Pa')}, absolute"),
-        ("supply_pressure", "supply pressure", lambda value: f"{value_text(value, 'Pa')}, absolute"),
-        ("volumes", "volumes at the outlet", lambda values: ", ".join(value_text(v, "m^3") for v in values)),
-        ("circuit", "circuit", str),
-        ("valve", "valve", str),
-        ("changed", "changed", ", ".join),
-    )
-    rows = [(heading, text(c[key])) for key, heading, text in formats if key in c]
-    rows += [(f"recordings, {test}", ", ".join(names)) for test, names in c.get("recordings", {}).items()]
-    sweep, flow = c.get("characteristic", {}), c.get("flow", {})
-    if "sweep_rate" in sweep:
-        branches = f"{sweep['branches_up']} up, {sweep['branches_down']} down"
-        rows.append(("sweep of the setpoint", f"{sweep['sweep_rate']:.3g} % FS/s, {branches}"))
-    directions = ("flow_drawn", "out"), ("flow_fed", "in")
-    rows += [(f"rated flow {text}", value_text(flow[key], "kg/s")) for key, text in directions if key in flow]
-    return ReportTable(("", ""), rows)
 
 
 def _range(ends: Any, unit: str) -> str:

@@ -146,7 +146,19 @@ class _Schematic:
     def __init__(self, circuit: BaseCircuit, counts: Mapping[str, int] | None = None, min_width: float = 0.0) -> None:
         self.circuit, self.counts, self.min_width = circuit, counts or {}, min_width
         self.empty_lines: list[tuple[str, float, float, float]] = []  # centres and widths [in]
-        self.graph = _graph_of_circuit(circuit)
+        edges = []
+        for name, part in circuit.parts.items():
+            for port, store in part.ports().items():
+                if isinstance(part, Tube) and store in part.outer_ports():
+                    continue  # the port that names the tube has this edge
+                owner = store.partition(".")[0]
+                edges.append((name, port, f"{AMBIENT} at {name}.{port}" if store == AMBIENT else owner))
+            body = part.body_name()
+            edges += [] if body is None else [(name, BODY, body)]
+        passages = tuple(dict.fromkeys(edge[0] for edge in edges))
+        stores = [name for name in circuit.parts if name not in passages]
+        ends = [edge[2] for edge in edges if edge[2] not in passages]  # a tube is a gas node and a flow path
+        self.graph = Graph(tuple(dict.fromkeys([*stores, *ends])), passages, tuple(edges))
         parts = {name: circuit.parts.get(name) for name in self.graph.stores}  # None: the ambient
         sources = [name for name, part in parts.items() if part is None or isinstance(part, Reservoir | Controller)]
         layers = assign_layers(self.graph, sources)
@@ -361,26 +373,6 @@ class _Schematic:
     def _text(self, x: float, y: float, text: str, size: float, **options: Any) -> None:
         properties: dict[str, Any] = {"ha": "center", "va": "center", "color": INK, "zorder": 4} | options
         self.axes.text(x, y, text, fontsize=size, parse_math=False, **properties)
-
-
-def _graph_of_circuit(circuit: BaseCircuit) -> Graph:
-    """Return the parts of a circuit as a graph for the layout.
-
-    Each connection to the ambient is a separate gas node.
-    """
-    edges = []
-    for name, part in circuit.parts.items():
-        for port, store in part.ports().items():
-            if isinstance(part, Tube) and store in part.outer_ports():
-                continue  # the port that names the tube has this edge
-            owner = store.partition(".")[0]
-            edges.append((name, port, f"{AMBIENT} at {name}.{port}" if store == AMBIENT else owner))
-        body = part.body_name()
-        edges += [] if body is None else [(name, BODY, body)]
-    passages = tuple(dict.fromkeys(edge[0] for edge in edges))
-    stores = [name for name in circuit.parts if name not in passages]
-    ends = [edge[2] for edge in edges if edge[2] not in passages]  # a tube is a gas node and a flow path
-    return Graph(tuple(dict.fromkeys([*stores, *ends])), passages, tuple(edges))
 
 
 def _port_label(port: str) -> str:

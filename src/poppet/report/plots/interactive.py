@@ -131,7 +131,16 @@ def _panel(axes: Any, columns: _PixelColumns) -> dict[str, Any]:
     title = axes.get_title(loc="left") or axes.get_title()
     panel["lines"], panel["rules"] = _curves_and_lines(axes, columns)
     panel["bands"], panel["boxes"], panel["segments"] = _filled_shapes(axes, columns)
-    panel["texts"], panel["rows"] = _panel_texts(axes)
+    texts, rows = [], []
+    for text in axes.texts:
+        x, y = (float(v) for v in text.get_position())
+        in_x, in_y = text.get_transform().contains_branch_seperately(axes.transData)
+        if in_x and in_y:
+            alignment = _ALIGN[text.get_ha()], _BASELINE.get(text.get_va(), "alphabetic")
+            texts.append([x, y, text.get_text(), _colour(text.get_color())["colour"], *alignment])
+        elif in_y and x > 1.0:
+            rows.append([y, text.get_text()])
+    panel["texts"], panel["rows"] = texts, rows
     if panel["rows"]:
         title = title or next((t.get_text().replace("\n", " ") for t in axes.texts if t.get_position()[0] < 0.0), "")
     panel["title"] = title
@@ -252,20 +261,6 @@ def _filled_shapes(axes: Any, columns: _PixelColumns) -> tuple[list[Any], list[A
 
 def _flat(values: Sequence[Any]) -> list[float | None]:
     return [None if v is None or not math.isfinite(v) else float(f"{v:.7g}") for v in values]
-
-
-def _panel_texts(axes: Any) -> tuple[list[Any], list[Any]]:
-    """Return the texts inside a panel, and the labels at its right edge."""
-    texts, rows = [], []
-    for text in axes.texts:
-        x, y = (float(v) for v in text.get_position())
-        in_x, in_y = text.get_transform().contains_branch_seperately(axes.transData)
-        if in_x and in_y:
-            alignment = _ALIGN[text.get_ha()], _BASELINE.get(text.get_va(), "alphabetic")
-            texts.append([x, y, text.get_text(), _colour(text.get_color())["colour"], *alignment])
-        elif in_y and x > 1.0:
-            rows.append([y, text.get_text()])
-    return texts, rows
 
 
 def data_element(data: dict[str, Any]) -> str:
