@@ -95,6 +95,17 @@ class TubeSegment(Passage):
             flow, outputs = iso_flow(scope, "mass_flow_rate", ("from", "to"), (first, second), size)
             return PassageFlows((flow,), outputs)
         mass, air = scope.states["mass_flow_rate"], scope.surroundings
+        temperature, loss = self._temperature_and_loss(scope, mass, first, second)
+        area = 0.25 * math.pi * scope["bore"] ** 2
+        rate = area / scope["length"] * (first.pressure - second.pressure - loss)
+        flow = Flow("mass_flow_rate", "from", "to", mass, air.heat_capacity_pressure * temperature * mass)
+        return PassageFlows((flow,), {"mass_flow_rate": (mass, "kg/s")}, {"mass_flow_rate": rate})
+
+    def _temperature_and_loss(self, scope: Scope, mass: Any, first: GasState, second: GasState) -> tuple[Any, Any]:
+        """Return the stagnation temperature of the flow, and its pressure loss.
+
+        `mass` is the mass flow rate. `first` and `second` are the gas states of both cells.
+        """
         pressures, surroundings = (first.pressure, second.pressure), scope.surroundings
         conductance, ratio = surroundings.capacity_in_circuit_gas(scope["sonic_conductance"], scope["critical_ratio"])
         # Times the square root of the temperature, which follows.
@@ -113,11 +124,7 @@ class TubeSegment(Passage):
             coefficient = maximum(pipe.darcy_coefficient(mass, *tube, scope["roughness"]), smallest)
         reynolds = pipe.reynolds_number(mass, scope["bore"], scope["viscosity"])
         laminar, turbulent = pipe.laminar_resistance(*tube) * mass, coefficient * mass * abs(mass)
-        temperature, loss = temperature, pipe.between_laminar_and_turbulent(reynolds, laminar, turbulent)
-        area = 0.25 * math.pi * scope["bore"] ** 2
-        rate = area / scope["length"] * (first.pressure - second.pressure - loss)
-        flow = Flow("mass_flow_rate", "from", "to", mass, air.heat_capacity_pressure * temperature * mass)
-        return PassageFlows((flow,), {"mass_flow_rate": (mass, "kg/s")}, {"mass_flow_rate": rate})
+        return temperature, pipe.between_laminar_and_turbulent(reynolds, laminar, turbulent)
 
 
 @dataclass(frozen=True)

@@ -198,6 +198,26 @@ def _read_object(code: bytes) -> _Object:
     if _GLOBAL in wasm_object.sections or _TABLE in wasm_object.sections or _ELEMENT in wasm_object.sections:
         raise LinkError("defines globals, tables or elements")
     wasm_object.addresses = [address for address, _ in _iterate_segments(wasm_object)]
+    _read_symbols(wasm_object)
+    return wasm_object
+
+
+def _iterate_segments(wasm_object: _Object) -> Iterator[tuple[int, bytes]]:
+    """Yield address and content of each data segment in an object file."""
+    reader = _ByteReader(bytes(wasm_object.sections.get(_DATA, b"\0")))
+    for _ in range(reader.number()):
+        if reader.byte() != 0 or reader.byte() != 0x41:
+            raise LinkError("a data segment without a constant address")
+        address = reader.signed()
+        reader.byte()
+        yield address, reader.bytes(reader.number())
+
+
+def _read_symbols(wasm_object: _Object) -> None:
+    """Return all symbols of an object file.
+
+    A symbol has a kind, a name, and the index of its function or the address of its data.
+    """
     reader = _ByteReader(wasm_object.linking)
     if reader.number() != 2:
         raise LinkError("unsupported version of the conventions")
@@ -218,18 +238,6 @@ def _read_object(code: bytes) -> _Object:
                 name = reader.name() if kind != 3 and (not flags & _UNDEFINED or flags & _EXPLICIT) else ""
             wasm_object.symbols.append((kind, name, number))
         reader.position = end
-    return wasm_object
-
-
-def _iterate_segments(wasm_object: _Object) -> Iterator[tuple[int, bytes]]:
-    """Yield address and content of each data segment in an object file."""
-    reader = _ByteReader(bytes(wasm_object.sections.get(_DATA, b"\0")))
-    for _ in range(reader.number()):
-        if reader.byte() != 0 or reader.byte() != 0x41:
-            raise LinkError("a data segment without a constant address")
-        address = reader.signed()
-        reader.byte()
-        yield address, reader.bytes(reader.number())
 
 
 def _encode_unsigned(value: int) -> bytes:

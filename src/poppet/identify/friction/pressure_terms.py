@@ -72,6 +72,18 @@ def term_statistic(
     # A recording whose whole friction is 1 % higher has 1 % more of each term. With a common coefficient of the
     # nuisances, its column would absorb a part of their difference, and less of the scatter than of the trend.
     candidates += [nuisance * record for nuisance in nuisances for record in records]
+    between = _statistic_between_recordings(rows, candidates, column, records)
+    return min(statistic, between, key=abs)
+
+
+def _statistic_between_recordings(
+    rows: SlidingRows, candidates: Sequence[FloatArray], column: FloatArray, records: Sequence[FloatArray]
+) -> float:
+    """Return the significance of a pressure dependence between recordings.
+
+    A coefficient is fitted in each recording. The result is the slope of the coefficient over pressure, divided by its
+    half width.
+    """
     root = np.sqrt(rows.weight)
     matrix = np.column_stack([*(column * record for record in records), *candidates]) * root[:, None]
     norms = np.linalg.norm(matrix, axis=0)
@@ -80,12 +92,10 @@ def term_statistic(
     solution = np.linalg.lstsq(matrix, rows.friction * root, rcond=1e-10)[0] / np.where(norms > 0.0, norms, 1.0)
     values, pressure = solution[: len(records)], np.array([np.average(rows.pressure, weights=r) for r in records])
     if np.ptp(pressure) <= 0.0:
-        between = 0.0
-    else:
-        line, freedom = np.column_stack([np.ones_like(pressure), pressure / np.max(pressure)]), len(records) - 2
-        slope = np.linalg.lstsq(line, values, rcond=None)[0]
-        errors = values - line @ slope
-        variance = float(errors @ errors) / freedom * np.linalg.inv(line.T @ line)[1, 1]
-        half = coverage_factor(float(freedom), CONFIDENCE) * math.sqrt(variance)
-        between = float(slope[1]) / half if half > 0.0 else math.copysign(math.inf, float(slope[1]))
-    return min(statistic, between, key=abs)
+        return 0.0
+    line, freedom = np.column_stack([np.ones_like(pressure), pressure / np.max(pressure)]), len(records) - 2
+    slope = np.linalg.lstsq(line, values, rcond=None)[0]
+    errors = values - line @ slope
+    variance = float(errors @ errors) / freedom * np.linalg.inv(line.T @ line)[1, 1]
+    half = coverage_factor(float(freedom), CONFIDENCE) * math.sqrt(variance)
+    return float(slope[1]) / half if half > 0.0 else math.copysign(math.inf, float(slope[1]))

@@ -197,16 +197,22 @@ class TableCurve(Curve):
     def evaluate(self, x: Any, parameters: Mapping[str, Any]) -> Any:
         value = 0.0 * x + parameters["y0"]
         for i in range(len(self.strokes) - 1):
-            left, right = parameters[f"x{i}"], parameters[f"x{i + 1}"]
-            width = right - left
-            # At a knot, the derivatives of both neighbours must add up to one derivative. CasADi halves it at ties
-            # (old versions assign it to the first argument). This order of arguments is correct in both cases.
-            t = maximum(0.0, minimum((x - left) / width, 1.0))
-            chord = parameters[f"y{i + 1}"] - parameters[f"y{i}"]
-            start, end = width * parameters[f"d{i}"], width * parameters[f"d{i + 1}"]
-            rise = t * (start + t * (3.0 * chord - 2.0 * start - end + t * (start + end - 2.0 * chord)))
-            value = value + rise
+            value = value + self._rise(i, x, parameters)
         return value
+
+    def _rise(self, i: int, x: Any, parameters: Mapping[str, Any]) -> Any:
+        """Return the part of the value at `x` that segment `i` contributes.
+
+        It is 0 to the left of the segment. To the right, it is the difference between the end values of the segment.
+        """
+        left, right = parameters[f"x{i}"], parameters[f"x{i + 1}"]
+        width = right - left
+        # At a knot, the derivatives of both neighbours must add up to one derivative. CasADi halves it at ties
+        # (old versions assign it to the first argument). This order of arguments is correct in both cases.
+        t = maximum(0.0, minimum((x - left) / width, 1.0))
+        chord = parameters[f"y{i + 1}"] - parameters[f"y{i}"]
+        start, end = width * parameters[f"d{i}"], width * parameters[f"d{i + 1}"]
+        return t * (start + t * (3.0 * chord - 2.0 * start - end + t * (start + end - 2.0 * chord)))
 
     def turning_points(self, low: float, high: float) -> tuple[float, ...]:
         return tuple(x for x in self.strokes if low < x < high)
