@@ -93,23 +93,23 @@ def test_every_example_can_be_parsed(name):
 
 
 @pytest.mark.parametrize(
-    ("arguments", "code", "nearest"),
+    ("arguments", "code", "address", "nearest"),
     [
-        (("simualte", "x.toml"), "cli.command.unknown", "simulate"),
-        (("frobnicate",), "cli.command.unknown", ""),
-        (("simulate", "x.toml", "--duratoin", "5 s"), "cli.option.unknown", "--duration"),
-        (("simulate", "--hepl"), "cli.option.unknown", "--help"),
-        (("simulate", "x.toml", "--dur", "5 s"), "cli.option.unknown", "--duration"),
-        (("--verison",), "cli.option.unknown", "--version"),
-        (("simulate",), "cli.usage", ""),
-        (("simulate", "x.toml", "-o"), "cli.usage", ""),
-        (("simulate", "x.toml", "y.toml"), "cli.argument.extra", ""),
+        (("simualte", "x.toml"), "names.unknown", "simualte", "simulate"),
+        (("frobnicate",), "names.unknown", "frobnicate", ""),
+        (("simulate", "x.toml", "--duratoin", "5 s"), "names.unknown", "--duratoin", "--duration"),
+        (("simulate", "--hepl"), "names.unknown", "--hepl", "--help"),
+        (("simulate", "x.toml", "--dur", "5 s"), "names.unknown", "--dur", "--duration"),
+        (("--verison",), "names.unknown", "--verison", "--version"),
+        (("simulate",), "cli.usage", "", ""),
+        (("simulate", "x.toml", "-o"), "cli.usage", "", ""),
+        (("simulate", "x.toml", "y.toml"), "cli.argument.extra", "", ""),
     ],
 )
-def test_a_misspelt_name_has_a_suggestion(poppet, arguments, code, nearest):
+def test_a_misspelt_name_has_a_suggestion(poppet, arguments, code, address, nearest):
     answer = poppet(*arguments)
     assert answer.code == 2
-    assert answer.errors == [(code, "", None, nearest)]
+    assert answer.errors == [(code, address, None, nearest)]
 
 
 def test_the_version_needs_no_command(poppet):

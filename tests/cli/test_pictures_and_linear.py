@@ -70,7 +70,7 @@ def test_plot_recognises_internal_outputs_of_a_csv_file(poppet, fill, tmp_path):
     [
         (("missing.csv",), "files.unreadable"),
         (("fill.csv", "-o", "fill.txt"), "files.suffix"),
-        (("fill.csv", "--select", "high.presure"), "drawing.unknown"),
+        (("fill.csv", "--select", "high.presure"), "names.unknown"),
         (("fill.csv", "--units", "bra"), "unit.misspelt"),
         (("tanks.toml",), "files.suffix"),
     ],

@@ -257,7 +257,7 @@ def test_plot(poppet, tanks, tmp_path, suffix):
         (("--units", "bra"), "unit.misspelt", "", ""),
         (("--units", "V"), "series.no_such_quantity", "", ""),
         (("--units", "high.pressure=K"), "series.other_quantity", "", ""),
-        (("--select", "high.presure"), "series.unknown", "", "high.pressure"),
+        (("--select", "high.presure"), "names.unknown", "high.presure", "high.pressure"),
         (("--start-from", "missing.csv"), "files.unreadable", "", ""),
     ],
 )

@@ -119,7 +119,7 @@ def _dispatch(arguments: list[str]) -> int:
         return _run_program(arguments)
     name, rest = split_command(arguments)
     if name not in COMMANDS and name not in (commands := all_commands()):
-        raise InputError("cli.command.unknown", name=name, near=NameSuggestion(name, commands))
+        raise InputError("names.unknown", name, meaning="a command of poppet", near=NameSuggestion(name, commands))
     parser = command_parser(name)
     try:
         options = parser.read(rest)

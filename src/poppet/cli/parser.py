@@ -77,7 +77,7 @@ class CommandParser(argparse.ArgumentParser):
             # Before argparse, which would first report an argument that is missing because of the misspelling.
             elif name.startswith("--") and name not in names:
                 near = NameSuggestion(name, [option for option in names if option.startswith("--")])
-                raise InputError("cli.option.unknown", option=name, program=self.prog, near=near)
+                raise InputError("names.unknown", name, meaning=f"an option of `{self.prog}`", near=near)
             present.append(f"{name}{equals}{value}")
         # `parse_args` would end the program with its own message.
         options, rest = self.parse_known_args(present)

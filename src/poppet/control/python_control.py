@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import importlib
 from types import ModuleType
 from typing import TYPE_CHECKING, Any
 
@@ -20,7 +19,9 @@ _ROUNDING = 1e-6
 
 def _package() -> ModuleType:
     with needed("control", "python-control", "control"):
-        return importlib.import_module("control")
+        import control
+    package: ModuleType = control
+    return package
 
 
 def plant_to_control(plant: SampledPlant) -> control.StateSpace:

@@ -195,7 +195,8 @@ class Columns(HtmlMixin):
             kind = "time" if name == "time" else type(name).__name__
             if kind in _NO_NAMES:
                 raise InputError(f"series.key.{kind}", key=repr(name))
-            raise InputError("series.unknown", name=str(name), near=NameSuggestion(str(name), self.names))
+            near = NameSuggestion(str(name), self.names)
+            raise InputError("names.unknown", str(name), meaning="an output of the recording", near=near)
         return row
 
     def unit(self, name: str) -> str:

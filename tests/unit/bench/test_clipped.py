@@ -112,8 +112,8 @@ def test_clipped_flow_record_is_not_evaluated(noise, series, ends):
 
 
 def test_other_setpoints_bound_clipped_flow_values():
-    other = recorded(flow_trial(VOLTS, 1e-3, 75.0, 30.0, 2.0, 1.0), 200.0)
-    evaluation, _ = evaluated(recorded(DRAWN, 200.0, "flow", 0.0, 0.008), other)
+    clipped_flow = recorded(flow_trial(VOLTS, 1e-3, 75.0, 30.0, 2.0, 1.0), 200.0)
+    evaluation, _ = evaluated(recorded(DRAWN, 200.0, "flow", 0.0, 0.008), clipped_flow)
     assert {name: figure.bound for name, figure in evaluation.figures.items()} == {
         "flow_droop": "at least", "flow_capacity": "at most"
     }  # fmt: skip

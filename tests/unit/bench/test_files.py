@@ -200,8 +200,8 @@ def write_staircase(folder: Path, outlet: float = 0.6) -> None:
     """Write a recording of a staircase of 1 V with an outlet that lags by 20 ms."""
     time = np.arange(0.0, 42.0, 0.01)
     setpoint = np.minimum(np.floor(time / 2.0), 20.0 - np.floor(time / 2.0))
-    moved = np.diff(setpoint, prepend=0.0)
-    behind = setpoint - np.convolve(moved, np.exp(-np.arange(200) / 2.0))[: time.size]
+    changes = np.diff(setpoint, prepend=0.0)
+    behind = setpoint - np.convolve(changes, np.exp(-np.arange(200) / 2.0))[: time.size]
     columns = np.stack([time, setpoint, outlet * behind], axis=1)
     np.savetxt(folder / "a.csv", columns, "%.6g", ",", header="t,w,p", comments="")
 
@@ -355,12 +355,12 @@ def test_result_without_codes_has_notes(tmp_path):
 
 
 def test_comparison_reports_different_conditions():
-    other = BenchResult(
+    reference = BenchResult(
         "b", "recordings",
         {"delay": CharacteristicValue(0.02, "s", "d"), "hysteresis": CharacteristicValue(0.4, "% FS", "d")},
         conditions={"full_scale": [1e5, 5e5], "volumes": [1e-3]},
     )  # fmt: skip
-    comparison = compared(RESULT, other)
+    comparison = compared(RESULT, reference)
     assert comparison["figures"]["delay"]["difference"] == pytest.approx(-0.01)
     assert "difference" not in comparison["figures"]["hysteresis"]
     assert comparison["figures"]["hysteresis"]["value_bound"] == "at most"

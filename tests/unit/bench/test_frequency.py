@@ -39,9 +39,9 @@ def test_sines_of_different_frequencies_are_separated():
     time = np.arange(0.0, 14.0, 0.002)
     turn = np.where(time < 6.0, time, 6.0 + 2.5 * (time - 6.0))
     noise = np.random.default_rng(1).normal(0.0, 0.3, time.size)
-    found = sines(time, 50.0 + 5.0 * np.sin(2.0 * np.pi * turn) + noise)
-    assert len(found) == 2
-    ends = [time[index] for part in found for index in (part.start, part.stop - 1)]
+    windows = sines(time, 50.0 + 5.0 * np.sin(2.0 * np.pi * turn) + noise)
+    assert len(windows) == 2
+    ends = [time[index] for part in windows for index in (part.start, part.stop - 1)]
     assert ends == pytest.approx([0.0, 6.0, 6.0, 14.0], abs=0.05)
     assert sines(time, np.full(time.size, 50.0)) == []
 
@@ -50,10 +50,10 @@ def test_wave_is_fitted_to_uneven_samples_with_drift():
     random = np.random.default_rng(2)
     time = np.sort(random.uniform(0.0, 5.0, 3000))
     turn = 2.0 * np.pi * 1.3 * time
-    found = wave(time, 3.0 + 0.2 * time + 2.0 * np.sin(turn + 0.4) + 0.3 * np.sin(3.0 * turn), 1.3)
-    assert abs(found.value) == pytest.approx(2.0, rel=1e-3)
-    assert math.atan2(found.value.imag, found.value.real) == pytest.approx(0.4, abs=1e-3)
-    assert found.distortion == pytest.approx(0.15, rel=1e-2)
+    fitted = wave(time, 3.0 + 0.2 * time + 2.0 * np.sin(turn + 0.4) + 0.3 * np.sin(3.0 * turn), 1.3)
+    assert abs(fitted.value) == pytest.approx(2.0, rel=1e-3)
+    assert math.atan2(fitted.value.imag, fitted.value.real) == pytest.approx(0.4, abs=1e-3)
+    assert fitted.distortion == pytest.approx(0.15, rel=1e-2)
 
 
 def test_gain_and_phase_of_each_row():
@@ -99,8 +99,8 @@ def test_sines_without_evaluation_are_reported():
     shaken = record(noisy.time, noisy.setpoint, 50.0 + np.random.default_rng(3).normal(0.0, 1.0, noisy.time.size))
     assert "lost" in codes(evaluated(shaken))
     coarse = sine(1.0)
-    few = record(coarse.time[::20], coarse.setpoint[::20], SCALE.percent(coarse.outlet)[::20])
-    assert "few_samples" in codes(evaluated(few))
+    sparse = record(coarse.time[::20], coarse.setpoint[::20], SCALE.percent(coarse.outlet)[::20])
+    assert "few_samples" in codes(evaluated(sparse))
 
 
 def test_only_steady_periods_are_evaluated():
@@ -128,15 +128,15 @@ def test_interpolated_bandwidth_of_first_order(spacing):
 def test_few_clean_periods_are_steady(count, phase):
     """All periods count as steady at any initial phase."""
     time = np.arange(0.0, count, 0.01)
-    x, y = (50.0 + size * np.sin(2.0 * np.pi * time + phase - late) for size, late in ((5.0, 0.0), (4.0, 0.5)))
-    found = evaluated(record(time, x, y))
-    assert [(row["periods"], round(row["gain"], 6)) for row in found.rows] == [(count, 0.8)]
-    assert not any(note.code.startswith("bench.frequency.") for note in found.notes)
+    x, y = (50.0 + size * np.sin(2.0 * np.pi * time + phase - lag) for size, lag in ((5.0, 0.0), (4.0, 0.5)))
+    evaluation = evaluated(record(time, x, y))
+    assert [(row["periods"], round(row["gain"], 6)) for row in evaluation.rows] == [(count, 0.8)]
+    assert not any(note.code.startswith("bench.frequency.") for note in evaluation.notes)
 
 
 def test_transient_leaves_too_few_steady_periods():
     time = np.arange(0.0, 3.0, 0.01)
     x = 50.0 + 5.0 * np.sin(2.0 * np.pi * time)
-    found = evaluated(record(time, x, x - 4.0 * np.exp(-3.0 * time)))
-    (note,) = (note for note in found.notes if note.code == "bench.frequency.unsteady")
+    evaluation = evaluated(record(time, x, x - 4.0 * np.exp(-3.0 * time)))
+    (note,) = (note for note in evaluation.notes if note.code == "bench.frequency.unsteady")
     assert (note.facts["count"], note.facts["total"], str(note)[:1]) == (2, 3, "r")

@@ -148,11 +148,15 @@ class TestPlan:
 
     def test_ideal_parts_have_parameters_changed_by_ten(self):
         plan = limits_plan(valve_circuit())
-        before = plan.case(1e-3).parameters
+        nominal = plan.case(1e-3).parameters
         changed = {}
         for part in PARTS:
-            after = plan.case(1e-3, ideal(plan, part)).parameters
-            changed[part] = {key: after[key] / before[key] for key in after if after[key] != before[key]}
+            ideal_parameters = plan.case(1e-3, ideal(plan, part)).parameters
+            changed[part] = {
+                key: ideal_parameters[key] / nominal[key]
+                for key in ideal_parameters
+                if ideal_parameters[key] != nominal[key]
+            }
         v, e = "valve.main_stage.", "valve.electronics."
         assert changed["solenoids"] == pytest.approx(
             {f"valve.pilot.{n}.sonic_conductance": 10.0 for n in ("fill", "vent")}
@@ -164,28 +168,28 @@ class TestPlan:
         lags = ("outlet_sensor.lag", "pilot_sensor.lag", "outer.sample_time", "inner.sample_time")
         assert changed["sensors and sampling"] == pytest.approx({f"{e}{name}": 0.1 for name in lags})
         curve = plan.case(1e-3, ideal(plan, "sonic conductance")).parts["valve"].members["main_stage"].curve
-        own = valve_circuit().parts["valve"].members["main_stage"].curve
+        main_curve = valve_circuit().parts["valve"].members["main_stage"].curve
         for stroke in (1e-5, 2e-4, 9e-4):
-            assert curve.sonic_conductance_at(stroke) == pytest.approx(10.0 * own.sonic_conductance_at(stroke))
-            assert curve.critical_ratio_at(stroke) == own.critical_ratio_at(stroke)
+            assert curve.sonic_conductance_at(stroke) == pytest.approx(10.0 * main_curve.sonic_conductance_at(stroke))
+            assert curve.critical_ratio_at(stroke) == main_curve.critical_ratio_at(stroke)
 
     def test_other_springs_keep_the_preload_forces(self):
         plan = limits_plan(valve_circuit())
-        before, after = (plan.case(1e-3, c).parameters for c in ({}, stage_changes(plan, 4.0, 0.5)))
+        nominal, changed = (plan.case(1e-3, c).parameters for c in ({}, stage_changes(plan, 4.0, 0.5)))
         for name in ("upper", "lower"):
             path = f"valve.main_stage.{name}_spring"
-            assert after[f"{path}.rate"] == 4.0 * before[f"{path}.rate"]
-            force = before[f"{path}.rate"] * before[f"{path}.preload"]
-            assert after[f"{path}.rate"] * after[f"{path}.preload"] == pytest.approx(force)
-        assert after["valve.main_stage.damping"] == 0.5 * before["valve.main_stage.damping"]
+            assert changed[f"{path}.rate"] == 4.0 * nominal[f"{path}.rate"]
+            force = nominal[f"{path}.rate"] * nominal[f"{path}.preload"]
+            assert changed[f"{path}.rate"] * changed[f"{path}.preload"] == pytest.approx(force)
+        assert changed["valve.main_stage.damping"] == 0.5 * nominal["valve.main_stage.damping"]
 
 
 class TestCrossing:
     @pytest.mark.parametrize("guess", [0.02, 3.0, 50.0, 1e5])
     def test_bandwidth_of_low_pass(self, guess):
         """A first order with a corner at 7 Hz falls by 3 dB at 7 sqrt(10^0.3 - 1) Hz."""
-        found = crossing(lambda f: 1.0 / math.hypot(1.0, f / 7.0), GAIN, guess, 0.1, 1000.0)
-        assert found == pytest.approx(7.0 * math.sqrt(10.0**0.3 - 1.0), rel=0.01)
+        frequency = crossing(lambda f: 1.0 / math.hypot(1.0, f / 7.0), GAIN, guess, 0.1, 1000.0)
+        assert frequency == pytest.approx(7.0 * math.sqrt(10.0**0.3 - 1.0), rel=0.01)
 
     def test_crossing_outside_the_range(self):
         def low_pass(f: float) -> float:
@@ -197,10 +201,10 @@ class TestCrossing:
     def test_fundamental_with_offset_drift_and_harmonic(self):
         t = np.arange(800) / 100.0
         y = 7.0 + 0.01 * t + 2.0 * np.sin(2 * np.pi * t + 0.7) + 0.6 * np.sin(6 * np.pi * t)
-        wave, mean, rest = fundamental(t, y, 1.0)
+        wave, mean, residual = fundamental(t, y, 1.0)
         assert wave == pytest.approx(2.0 * np.exp(0.7j), rel=2e-3)
         assert mean == pytest.approx(7.04, abs=0.01)
-        assert rest == pytest.approx(0.3, abs=0.01)
+        assert residual == pytest.approx(0.3, abs=0.01)
 
 
 class TestPoints:
@@ -272,17 +276,17 @@ def result_with_points(outcome: str = "done") -> LimitsResult:
 
 class TestResult:
     def test_findings_name_the_parts(self):
-        found = {(note.code, note.address): note.facts for note in result_with_points().findings}
-        solenoids, load = (found["limits.part", name] for name in ("solenoids", "load volume"))
+        facts = {(note.code, note.address): note.facts for note in result_with_points().findings}
+        solenoids, load = (facts["limits.part", name] for name in ("solenoids", "load volume"))
         assert (solenoids["count"], solenoids["known"], solenoids["gain"]) == (1, 3, 2.5)
         assert (solenoids["volumes"], solenoids["amplitudes"], solenoids["best"]) == ((1e-3,), (5e3,), (1e-3, 5e3))
         assert (load["count"], load["gain"]) == (1, 3.0)
-        assert found["limits.controller", ""]["amplitudes"] == (5e4,)
-        assert found["limits.agreement", ""] == {"count": 3, "known": 3}
-        unstable = found["limits.unstable", ""]
+        assert facts["limits.controller", ""]["amplitudes"] == (5e4,)
+        assert facts["limits.agreement", ""] == {"count": 3, "known": 3}
+        unstable = facts["limits.unstable", ""]
         assert (unstable["count"], unstable["largest"], unstable["frequency"]) == (1, 1e-3, 280.0)
         assert unstable["pole"] == pytest.approx(1800.0 / (2.0 * math.pi))
-        assert found["limits.hunts", ""]["points"] == 2
+        assert facts["limits.hunts", ""]["points"] == 2
 
     def test_findings_as_text(self):
         text = " ".join(map(str, result_with_points().findings))
@@ -358,13 +362,13 @@ def test_interruption_keeps_completed_points(monkeypatch):
         return point
 
     monkeypatch.setattr(room, "bandwidth_point", found)
-    told = []
-    result = find_limits(result_with_points().plan, lambda *each: told.append(each))
+    progress_calls = []
+    result = find_limits(result_with_points().plan, lambda *progress: progress_calls.append(progress))
     assert result.outcome == "interrupted"
     assert list(result.points) == [(1e-3, 5e3), (1e-3, 5e4)]
     assert calls == [None, 40.0, None]
-    assert told[0] == (0, 8, "bandwidth at 1 l, 5 kPa")
-    assert told[-1] == (2, 8, "done")
+    assert progress_calls[0] == (0, 8, "bandwidth at 1 l, 5 kPa")
+    assert progress_calls[-1] == (2, 8, "done")
     assert math.isnan(result.content()["bandwidth"]["gain_frequency"][1][0])
 
 

@@ -40,8 +40,8 @@ SETTINGS = BenchSettings(
 
 @pytest.fixture(scope="module")
 def result(other) -> BenchResult:
-    found = run_bench(VALVE, SETTINGS, source="stand-in", notes=("a note & more",))
-    return replace(found, comparison=compared(found, other(found)))
+    bench_result = run_bench(VALVE, SETTINGS, source="stand-in", notes=("a note & more",))
+    return replace(bench_result, comparison=compared(bench_result, other(bench_result)))
 
 
 @pytest.fixture(scope="module")
@@ -85,17 +85,17 @@ def test_report_is_complete_and_self_contained(result, other):
     assert [address for address in page.addresses if not address.startswith("#")] == []
     needs_nothing_else(text)
     assert len(plots(text)) == text.count("<figure") == text.count("<svg") > 3
-    words = page.words.replace("\xa0", " ")
-    assert "a <first> valve" in words
-    assert "a note & more" in words
-    assert "Compared with: second" in words
+    page_text = page.words.replace("\xa0", " ")
+    assert "a <first> valve" in page_text
+    assert "a note & more" in page_text
+    assert "Compared with: second" in page_text
     for test in TESTS:
-        assert DESCRIPTIONS[test].title in words
+        assert DESCRIPTIONS[test].title in page_text
     for name, figure in result.figures.items():
-        assert figure_text(figure) in words, name
-        assert figure.definition in words
-    assert all(str(note) in words for notes in result.notes.values() for note in grouped(notes))
-    assert "verify against the standard" in words
+        assert figure_text(figure) in page_text, name
+        assert figure.definition in page_text
+    assert all(str(note) in page_text for notes in result.notes.values() for note in grouped(notes))
+    assert "verify against the standard" in page_text
     assert text.count("<svg") == 6
 
 
@@ -109,18 +109,18 @@ def test_equal_results_give_equal_reports(result, tmp_path):
 
 def test_result_from_file_gives_the_same_report(result, tmp_path):
     result.save(tmp_path / "r.toml")
-    again = read_bench_result(tmp_path / "r.toml")
-    assert [verdict(again, test) for test in TESTS] == [verdict(result, test) for test in TESTS]
-    Page(bench_page(again))
+    restored = read_bench_result(tmp_path / "r.toml")
+    assert [verdict(restored, test) for test in TESTS] == [verdict(result, test) for test in TESTS]
+    Page(bench_page(restored))
 
 
 def test_report_without_values_and_curves():
     empty = BenchResult(
         "nothing", "recordings", {}, {test: [] for test in TESTS}, notes={"step": (Note("said", text="not done."),)}
     )
-    words = Page(bench_page(empty)).words
-    assert "not done." in words
-    assert "nan" not in words
+    page_text = Page(bench_page(empty)).words
+    assert "not done." in page_text
+    assert "nan" not in page_text
     assert "The bench was interrupted." in Page(bench_page(replace(empty, outcome="interrupted"))).words
 
 

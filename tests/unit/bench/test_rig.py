@@ -66,26 +66,26 @@ def test_supply_from_chamber_or_signal():
 
 
 def test_test_valve_is_selected():
-    one = circuit()
-    assert valve_of(one) == "valve"
+    single = circuit()
+    assert valve_of(single) == "valve"
     two = Circuit(
-        {**one.parts, "second": MainStage(supply="supply", outlet="tank", exhaust="ambient", data="varga2012")}
+        {**single.parts, "second": MainStage(supply="supply", outlet="tank", exhaust="ambient", data="varga2012")}
     )
     with pytest.raises(InputError) as caught:
         valve_of(two)
     assert caught.value.code == "rig.several_valves"
     assert caught.value.facts["valves"] == ("valve", "second")
-    plain = Circuit(
+    two_valves = Circuit(
         {
             "a": Chamber(volume="1 l"),
             "hole": Orifice(from_="a", to="ambient", sonic_conductance=1e-9, critical_ratio=0.3),
         }
     )
     with pytest.raises(InputError) as caught:
-        valve_of(plain)
+        valve_of(two_valves)
     assert caught.value.code == "rig.no_valve"
     with pytest.raises(InputError) as caught:
-        valve_of(one, "tank")
+        valve_of(single, "tank")
     assert (caught.value.code, caught.value.address) == ("names.unknown", "tank")
     assert caught.value.facts["near"].valid_names == ["valve"]
 
@@ -103,11 +103,11 @@ def test_record_begins_in_steady_state_after_the_lead():
 def test_consumption_equals_the_stored_mass():
     rig = rig_of(circuit(), "valve")
     record = rig.respond(step_trial(rig.scale, 2e-3, 40.0, 2.0))
-    inside = record.time < 2.0
-    drawn = np.trapezoid(record.consumption[inside], record.time[inside])
+    in_window = record.time < 2.0
+    consumed = np.trapezoid(record.consumption[in_window], record.time[in_window])
     # Mass at the end less that at the start, the gas warmed by at most its compression.
-    isothermal = np.ptp(record.outlet[inside]) * 2e-3 / (287.05 * 293.15)
-    assert isothermal / 1.4 < drawn < 1.02 * isothermal
+    isothermal = np.ptp(record.outlet[in_window]) * 2e-3 / (287.05 * 293.15)
+    assert isothermal / 1.4 < consumed < 1.02 * isothermal
     still = rig.respond(leakage_trial(rig.scale, 2e-3, 50.0, 1.0))
     assert abs(np.mean(still.consumption)) < 1e-6
 
@@ -156,7 +156,7 @@ def test_interruption_and_failure_have_different_outcomes(monkeypatch):
     solve = module.solve
     rig = rig_of(circuit(), "valve")
     for outcome, error in ((Outcome.INTERRUPTED, KeyboardInterrupt), (Outcome.TOO_MANY, SimulationError)):
-        monkeypatch.setattr(module, "solve", lambda p, o=outcome, **more: replace(solve(p, **more), outcome=o))
+        monkeypatch.setattr(module, "solve", lambda p, o=outcome, **options: replace(solve(p, **options), outcome=o))
         with pytest.raises(error):
             rig.respond(leakage_trial(rig.scale, 2e-3, 50.0, 0.5))
 
@@ -164,12 +164,12 @@ def test_interruption_and_failure_have_different_outcomes(monkeypatch):
 def test_load_is_adapted_to_the_valve():
     rig = rig_of(circuit(), "valve")
     result = run_bench(rig, SETTINGS, ("flow",))
-    drawn = next(row for row in result.rows["flow"] if "largest_drawn" in row)
+    flow_row = next(row for row in result.rows["flow"] if "largest_drawn" in row)
     fed = next(row for row in result.rows["flow"] if "largest_fed" in row)
-    assert drawn["largest_drawn"] > 5.0 * abs(drawn["droop"]) * 1e-6
+    assert flow_row["largest_drawn"] > 5.0 * abs(flow_row["droop"]) * 1e-6
     seat = library.characteristic("varga2012.closed").sonic_conductance_at(np.linspace(0.0, 1e-3, 101))
-    assert 0.3 < drawn["largest_drawn"] / (float(np.max(seat)) * 7e5 * 1.185) < 1.05  # the volume empties a little
-    assert 0.0 < fed["largest_fed"] < drawn["largest_drawn"]
+    assert 0.3 < flow_row["largest_drawn"] / (float(np.max(seat)) * 7e5 * 1.185) < 1.05  # the volume empties a little
+    assert 0.0 < fed["largest_fed"] < flow_row["largest_drawn"]
     assert result.figures["relief_rise"].value > 0.0
 
 

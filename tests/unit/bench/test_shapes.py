@@ -12,16 +12,16 @@ RANDOM = np.random.default_rng(7)
 
 
 def triangle(cycles: int, noise: float) -> np.ndarray:
-    one = np.concatenate([np.linspace(0.0, 100.0, 500), np.linspace(100.0, 0.0, 500)])
-    return np.tile(one, cycles) + RANDOM.normal(0.0, noise, 1000 * cycles)
+    period = np.concatenate([np.linspace(0.0, 100.0, 500), np.linspace(100.0, 0.0, 500)])
+    return np.tile(period, cycles) + RANDOM.normal(0.0, noise, 1000 * cycles)
 
 
 @pytest.mark.parametrize("noise", [0.0, 0.5])
 def test_branches_of_a_triangle(noise):
-    found = branches(triangle(3, noise), 5.0)
-    assert [branch.sign for branch in found] == [1, -1, 1, -1, 1, -1]
-    assert np.allclose([branch.first for branch in found], np.arange(6) * 500, atol=20)
-    assert found[-1].end == pytest.approx(3000, abs=20)
+    detected = branches(triangle(3, noise), 5.0)
+    assert [branch.sign for branch in detected] == [1, -1, 1, -1, 1, -1]
+    assert np.allclose([branch.first for branch in detected], np.arange(6) * 500, atol=20)
+    assert detected[-1].end == pytest.approx(3000, abs=20)
 
 
 def test_small_reversal_does_not_end_a_branch():
@@ -95,9 +95,9 @@ def test_no_lag_without_a_sufficient_hold():
     time = np.arange(0.0, 120.0, 0.05)
     x = 100.0 - np.abs(time - 60.0) * 100.0 / 60.0
     assert lag_of(time, x, x, *branches(x, 5.0)) is None
-    held = np.interp(time, [0.0, 60.0, 120.0], [0.0, 100.0, 100.0])
-    collapsed = np.where(time < 60.5, held, 20.0)
-    assert lag_of(time, held, collapsed, Branch(0, time.size, 1), None) is None
+    setpoint = np.interp(time, [0.0, 60.0, 120.0], [0.0, 100.0, 100.0])
+    collapsed = np.where(time < 60.5, setpoint, 20.0)
+    assert lag_of(time, setpoint, collapsed, Branch(0, time.size, 1), None) is None
 
 
 def test_limit_cycle_is_distinguished_from_noise_and_settling():
@@ -113,8 +113,8 @@ def test_limit_cycle_is_distinguished_from_noise_and_settling():
 
 def test_noise_is_rarely_detected_as_limit_cycle():
     time = np.arange(0.0, 1.0, 0.001)
-    found = [hum_of(time, np.random.default_rng(seed).normal(0.0, 1.0, time.size)) for seed in range(300)]
-    assert [hum for hum in found if hum is not None] == []
+    hums = [hum_of(time, np.random.default_rng(seed).normal(0.0, 1.0, time.size)) for seed in range(300)]
+    assert [hum for hum in hums if hum is not None] == []
 
 
 def test_amplitude_of_non_sinusoidal_limit_cycle():

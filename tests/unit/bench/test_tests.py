@@ -182,9 +182,9 @@ def test_missing_flow_and_missing_return_are_reported():
     assert note_of(evaluation, "flow.no_return")
     assert evaluation.figures["flow_droop"].value == pytest.approx(5.0, rel=1e-3)
     assert evaluation.figures["flow_capacity"].value == pytest.approx(0.02, rel=1e-2)
-    beyond = evaluated("flow", record("flow", time, 50.0, 50.0 - 500.0 * flow, flow=flow), rated_flow=0.5)
-    assert note_of(beyond, "flow.below_rated").facts["rated"] == 0.5
-    assert "flow_droop" not in beyond.figures
+    rated_evaluation = evaluated("flow", record("flow", time, 50.0, 50.0 - 500.0 * flow, flow=flow), rated_flow=0.5)
+    assert note_of(rated_evaluation, "flow.below_rated").facts["rated"] == 0.5
+    assert "flow_droop" not in rated_evaluation.figures
 
 
 def test_flow_limit_does_not_count_as_hysteresis():

@@ -74,7 +74,7 @@ def test_falling_scaling_is_one_error():
 def test_all_errors_of_a_member_are_reported():
     with pytest.raises(InputErrors) as caught:
         circuit().with_values({"valve.pilot.volum": 1.0, "valve.pilot.fill.frequenzy": 1.0, "valve.pilot.volume": 1e-6})
-    assert [each.address for each in caught.value.problems] == [
+    assert [problem.address for problem in caught.value.problems] == [
         "valve.pilot.volum",
         "valve.pilot.fill.frequenzy",
     ]

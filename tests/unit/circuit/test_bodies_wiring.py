@@ -15,12 +15,12 @@ SIDE = {"dead_volume": "5 cm^3"}
 SIZE: dict[str, Any] = {"bore": "25 mm", "stroke_length": "160 mm"}
 
 
-def cylinder(**more: Any) -> Cylinder:
-    return Cylinder(**{"body": "slide", **SIZE, "cap": SIDE, "rod": SIDE, **more})
+def cylinder(**fields: Any) -> Cylinder:
+    return Cylinder(**{"body": "slide", **SIZE, "cap": SIDE, "rod": SIDE, **fields})
 
 
-def circuit(body: Any = None, signals: Any = None, **more: Any) -> Circuit:
-    return Circuit({"slide": body or Mass(mass=1.0), "cylinder": cylinder(), **more}, signals or {})
+def circuit(body: Any = None, signals: Any = None, **parts: Any) -> Circuit:
+    return Circuit({"slide": body or Mass(mass=1.0), "cylinder": cylinder(), **parts}, signals or {})
 
 
 def test_a_closed_cylinder_is_a_circuit():

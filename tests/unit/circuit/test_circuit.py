@@ -65,7 +65,7 @@ def mistakes_of(*arguments: Any) -> list[tuple[str, str | None]]:
 
 class TestWiring:
     def test_all_errors_are_reported_together(self):
-        found = mistakes_of(
+        errors = mistakes_of(
             {
                 "supply": Reservoir(pressure="7 bar"),
                 "fill": Orifice(from_="supply", to="tnk", **SIZE),
@@ -78,7 +78,7 @@ class TestWiring:
             },
             {"fill.openin": Constant(0.5), "supply.pressure": Constant(-1.0)},
         )
-        assert found == [
+        assert errors == [
             ("wiring.reserved", "parts.run"),
             ("wiring.no_name", "parts.2nd"),
             ("fields.not_an_option", "parts.fill.to"),
@@ -94,8 +94,8 @@ class TestWiring:
     def test_valve_with_its_outlet_at_its_supply_is_rejected(self, other):
         ports = {"supply": "supply", "outlet": "tank", "exhaust": "ambient"}
         valve = DirectionalValve(**{**ports, other: "tank"}, **SIZE)
-        found = mistakes_of({**filling().parts, "valve": valve})
-        assert found == [("wiring.joined_twice", "parts.valve")]
+        errors = mistakes_of({**filling().parts, "valve": valve})
+        assert errors == [("wiring.joined_twice", "parts.valve")]
 
     def test_supply_and_exhaust_can_be_the_same_node(self):
         valve = DirectionalValve(supply="ambient", outlet="tank", exhaust="ambient", **SIZE)
@@ -262,10 +262,10 @@ class TestWithValues:
         assert (caught.value.code, caught.value.address) == ("wiring.signal_outside", "signals.valve.setpoint")
 
     def test_only_changed_parts_are_evaluated_again(self, monkeypatch):
-        circuit, asked = valve_circuit(Constant(3e5)), []
-        monkeypatch.setattr(Part, "numbers", lambda part: asked.append(type(part)) or {})
+        circuit, evaluated = valve_circuit(Constant(3e5)), []
+        monkeypatch.setattr(Part, "numbers", lambda part: evaluated.append(type(part)) or {})
         changed = circuit.with_values({"tank.volume": "1 l"})
-        assert asked == [Chamber]
+        assert evaluated == [Chamber]
         assert changed._drive is circuit._drive
 
 
@@ -310,8 +310,8 @@ class TestStructure:
     )
     def test_changed_options_and_wiring_are_compiled_again(self, compiled, changes):
         circuit = Circuit({**filling().parts, "bleed": Orifice(from_="tank", to="supply", **SIZE)})
-        before = circuit.kernel
-        assert circuit.with_values(changes).kernel is not before
+        first_kernel = circuit.kernel
+        assert circuit.with_values(changes).kernel is not first_kernel
         assert len(compiled) == 2
 
     def test_changed_mode_and_friction_are_compiled_again(self, compiled):
@@ -320,9 +320,9 @@ class TestStructure:
         assert len(compiled) == 3
 
     def test_changed_parameter_changes_the_result(self):
-        one, two = filling(), filling().with_values({"tank.volume": "20 l"})
-        assert one.structure == two.structure
-        assert two.simulate()["tank.pressure"][20] < one.simulate()["tank.pressure"][20]
+        small, large = filling(), filling().with_values({"tank.volume": "20 l"})
+        assert small.structure == large.structure
+        assert large.simulate()["tank.pressure"][20] < small.simulate()["tank.pressure"][20]
 
 
 class TestResumed:
@@ -343,19 +343,19 @@ class TestResumed:
     )
     def test_split_run_equals_one_run(self, tank):
         circuit = filling(**tank)
-        whole = circuit.simulate("6 s")
+        full_run = circuit.simulate("6 s")
         first = circuit.simulate("2 s")
         second = circuit.simulate("4 s", start=first)
         for name in ("tank.pressure", "tank.temperature", "tank.mass"):
-            assert second[name][-1] == pytest.approx(whole[name][-1], rel=2e-6)
+            assert second[name][-1] == pytest.approx(full_run[name][-1], rel=2e-6)
             assert second[name][0] == pytest.approx(first[name][-1], rel=1e-12)
 
     def test_valve_continues_its_motion(self):
         circuit = valve_circuit(Constant(4e5))
-        whole, first = circuit.simulate(4e-3), circuit.simulate(1e-3)
+        full_run, first = circuit.simulate(4e-3), circuit.simulate(1e-3)
         assert abs(first["valve.velocity"][-1]) > 1e-2
         second = circuit.simulate(3e-3, start=first)
-        assert second["valve.stroke"][-1] == pytest.approx(whole["valve.stroke"][-1], rel=1e-4)
+        assert second["valve.stroke"][-1] == pytest.approx(full_run["valve.stroke"][-1], rel=1e-4)
         assert second["valve.velocity"][0] == first["valve.velocity"][-1]
 
     def test_spool_at_its_end_stop(self):
@@ -373,8 +373,8 @@ class TestResumed:
     def test_other_units_are_converted(self):
         circuit = filling()
         first = circuit.simulate("2 s")
-        shown = first.converted(["bar g", "degC", "g"])
-        assert circuit.resumed(shown).parameters == pytest.approx(circuit.resumed(first).parameters, rel=1e-12)
+        converted = first.converted(["bar g", "degC", "g"])
+        assert circuit.resumed(converted).parameters == pytest.approx(circuit.resumed(first).parameters, rel=1e-12)
 
     def test_missing_series_are_reported(self):
         circuit = filling()
@@ -520,8 +520,8 @@ def test_circuit_is_immutable():
     for mapping in (circuit.parts, circuit.signals, circuit.connections):
         with pytest.raises(TypeError):
             mapping["tank"] = parts["tank"]
-    again = pickle.loads(pickle.dumps(copy.deepcopy(circuit)))
-    assert again.simulate("2 s").last() == circuit.simulate("2 s").last()
+    restored = pickle.loads(pickle.dumps(copy.deepcopy(circuit)))
+    assert restored.simulate("2 s").last() == circuit.simulate("2 s").last()
 
 
 def test_addresses_of_wrong_type_are_rejected():

@@ -386,10 +386,10 @@ def test_all_errors_are_reported_in_file_order():
     ):
         assert text.count(old) == 1
         text = text.replace(old, new)
-    found = problems_of(text)
-    assert len(found) == 7
-    assert [problem.line for problem in found] == sorted(problem.line or 0 for problem in found)
-    assert [problem.address for problem in found] == [
+    problems = problems_of(text)
+    assert len(problems) == 7
+    assert [problem.line for problem in problems] == sorted(problem.line or 0 for problem in problems)
+    assert [problem.address for problem in problems] == [
         "parts.tank.volume",
         "parts.tank.wall_conductance",
         "parts.bleed.from",
@@ -417,10 +417,10 @@ class TestFiles:
     def test_missing_file_suggests_circuit_files(self, tmp_path):
         (tmp_path / "tank.toml").write_text(SMALL, encoding="utf-8")
         (tmp_path / "tank_2.toml").write_text("[recordings.one]\n", encoding="utf-8")
-        for table, near in (("parts", ["tank.toml"]), ("recordings", ["tank_2.toml"])):
+        for table, suggestions in (("parts", ["tank.toml"]), ("recordings", ["tank_2.toml"])):
             with pytest.raises(InputError) as caught:
                 TomlFile.read(tmp_path / "tank_1.toml", table)
-            assert caught.value.facts["near"].names == near
+            assert caught.value.facts["near"].names == suggestions
 
     def test_missing_file_without_a_suggestion(self, tmp_path):
         (tmp_path / "pyproject.toml").write_text("[project]\n", encoding="utf-8")
@@ -496,8 +496,8 @@ class TestTwice:
 
 
 def test_dotted_keys_have_lines():
-    found = problems_of('parts.a.kind = "reservoir"\nparts.a.pressure = "-1 bar"\n')
-    assert {problem.line for problem in found} == {1, 2}
+    problems = problems_of('parts.a.kind = "reservoir"\nparts.a.pressure = "-1 bar"\n')
+    assert {problem.line for problem in problems} == {1, 2}
 
 
 def test_lines_of_tables_keys_and_long_values():

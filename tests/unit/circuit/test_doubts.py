@@ -21,9 +21,9 @@ def notes(signals: dict[str, Signal] | None = None, **changed: Any) -> tuple[Not
         "fill": Orifice(from_="supply", to="tank", critical_ratio=0.3, **size),
         "tank": Chamber(volume=values["volume"]),
     }
-    said = Circuit(parts, signals or {}, Run(duration="1 s")).static_notes
+    static_notes = Circuit(parts, signals or {}, Run(duration="1 s")).static_notes
     # Air that is liquid has a note of its own.
-    return tuple(note for note in said if note.code.startswith("doubt."))
+    return tuple(note for note in static_notes if note.code.startswith("doubt."))
 
 
 @pytest.mark.parametrize(

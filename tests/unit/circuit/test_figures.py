@@ -27,10 +27,10 @@ MASS = 20.0
 SIZE = {"sonic_conductance": 1e-9, "critical_ratio": 0.3}
 
 
-def lift(conductance: float = 1e4, signals=None, **more) -> Circuit:
+def lift(conductance: float = 1e4, signals=None, **fields) -> Circuit:
     """Return a circuit in which a single-acting cylinder lifts a mass, nearly isothermal, with low viscous friction."""
     side = {"dead_volume": DEAD, "wall_conductance": conductance}
-    slide = Mass(mass=MASS, inclination="90 deg", friction={"viscous_coefficient": 300.0}, **more)
+    slide = Mass(mass=MASS, inclination="90 deg", friction={"viscous_coefficient": 300.0}, **fields)
     parts = {
         "supply": Reservoir(pressure=SUPPLY),
         "fill": Orifice(from_="supply", to="cylinder.cap", **SIZE),
@@ -109,17 +109,21 @@ def test_metrics_do_not_depend_on_the_tolerance(name):
     circuit = poppet.load(EXAMPLES / f"{name}.toml")
     usual, tight = (circuit.simulate(relative_tolerance=tolerance).figures for tolerance in (1e-6, 5e-7))
     assert len(usual.strokes) == len(tight.strokes) == 2
-    for one, other in zip(usual.strokes, tight.strokes, strict=True):
+    for usual_metrics, tight_metrics in zip(usual.strokes, tight.strokes, strict=True):
         for field in ("start", "duration", "travel", "mean_speed", "peak_speed"):
-            assert getattr(one, field) == pytest.approx(getattr(other, field), rel=5e-3), field
+            assert getattr(usual_metrics, field) == pytest.approx(getattr(tight_metrics, field), rel=5e-3), field
     # The first of each end; what comes after is a rebound.
     for sign in (1.0, -1.0):
-        first = [next((a.velocity for a in each.arrivals if sign * a.velocity > 0.0), 0.0) for each in (usual, tight)]
+        first = [
+            next((a.velocity for a in metrics.arrivals if sign * a.velocity > 0.0), 0.0) for metrics in (usual, tight)
+        ]
         assert first[0] == pytest.approx(first[1], rel=5e-3)
     scale = usual.work
-    for one, other in zip(usual.works, tight.works, strict=True):
+    for usual_metrics, tight_metrics in zip(usual.works, tight.works, strict=True):
         for field in ("done", "returned", "on_load", "lost"):
-            assert getattr(one, field) == pytest.approx(getattr(other, field), rel=5e-3, abs=1e-3 * scale), field
+            assert getattr(usual_metrics, field) == pytest.approx(
+                getattr(tight_metrics, field), rel=5e-3, abs=1e-3 * scale
+            ), field
     for field in ("air_used", "exergy", "work", "efficiency"):
         assert getattr(usual, field) == pytest.approx(getattr(tight, field), rel=5e-3), field
 
@@ -145,8 +149,10 @@ def test_turning_points_omit_small_reversals():
 
 def test_joints_have_metrics_of_torque_and_angle():
     side = {"dead_volume": DEAD, "initial_pressure": 3e5}
-    made = Cylinder(body="arm", bore=BORE, stroke_length=STROKE, offset=STROKE / 2, cap=side, rod={"dead_volume": 1.0})
-    circuit = Circuit({"arm": Joint(inertia=0.05, pulley_radius=0.05), "cylinder": made})
+    cylinder = Cylinder(
+        body="arm", bore=BORE, stroke_length=STROKE, offset=STROKE / 2, cap=side, rod={"dead_volume": 1.0}
+    )
+    circuit = Circuit({"arm": Joint(inertia=0.05, pulley_radius=0.05), "cylinder": cylinder})
     figures = circuit.simulate(0.03).figures
     assert figures.strokes[0].unit == "rad"
     assert figures.works[0].done > 1.0
@@ -165,6 +171,6 @@ def test_only_runs_with_bodies_have_load_metrics():
     })  # fmt: skip
     assert guide.simulate(1.0).figures is None
     recording = lift().simulate(1.0)
-    kept = pickle.loads(pickle.dumps(recording)).figures
-    assert kept == recording.figures == recording.converted(["bar"]).select("slide.*").figures
-    assert json.loads(json.dumps(kept.as_dict()))["works"][0]["body"] == "slide"
+    restored = pickle.loads(pickle.dumps(recording)).figures
+    assert restored == recording.figures == recording.converted(["bar"]).select("slide.*").figures
+    assert json.loads(json.dumps(restored.as_dict()))["works"][0]["body"] == "slide"

@@ -45,8 +45,8 @@ def test_circuit_accepts_a_gas_object():
     by_gas = Circuit(parts, gas=library.gas("nitrogen"))
     assert by_gas.gas == by_name.gas
     assert by_gas.static_notes == by_name.static_notes
-    own = dataclasses.replace(library.gas("helium"), name="my helium")
-    assert Circuit(parts, gas=own).gas.values() == GasChoice(name="helium").values()
+    custom_gas = dataclasses.replace(library.gas("helium"), name="my helium")
+    assert Circuit(parts, gas=custom_gas).gas.values() == GasChoice(name="helium").values()
 
 
 def test_note_contains_the_largest_deviation_of_the_run():
@@ -79,17 +79,17 @@ def test_gas_without_a_name_is_unknown():
 
 
 def test_changed_values_of_a_named_gas_give_a_note():
-    plain = circuit(name="nitrogen").static_notes
-    own = dataclasses.replace(circuit(), gas=GasChoice(name="nitrogen", isentropic_exponent=1.5)).static_notes
-    assert said(own) == [("options.own_gas_numbers", "gas"), ("gas.not_ideal", "bottle")]
-    assert own[1:] == plain
+    library_notes = circuit(name="nitrogen").static_notes
+    changed_notes = dataclasses.replace(circuit(), gas=GasChoice(name="nitrogen", isentropic_exponent=1.5)).static_notes
+    assert said(changed_notes) == [("options.own_gas_numbers", "gas"), ("gas.not_ideal", "bottle")]
+    assert changed_notes[1:] == library_notes
 
 
 @pytest.mark.parametrize(("text", "is_volume"), [("10 l/min ANR", True), ("10 l/min (N)", True), ("10 g/s", False)])
 def test_volume_flow_of_air_in_helium_gives_a_note(text, is_volume):
     parts = {"source": FlowSource(to="tank", mass_flow_rate=text), "tank": Chamber(volume="1 l")}
-    found = said(Circuit(parts, gas=GasChoice(name="helium")).static_notes)
-    assert found == ([("gas.volume_of_air", "source.mass_flow_rate")] if is_volume else [])
+    messages = said(Circuit(parts, gas=GasChoice(name="helium")).static_notes)
+    assert messages == ([("gas.volume_of_air", "source.mass_flow_rate")] if is_volume else [])
     assert Circuit(parts).static_notes == ()
 
 
@@ -107,8 +107,8 @@ def test_heat_transfer_law_of_air_in_helium_gives_a_note(gas, law, thermal, is_s
     sizes = {"wall_area": 0.05, "height": 0.2} if law == "natural" else {}
     tank = Chamber(volume="1 l", heat_transfer=law, thermal=thermal, **sizes)
     source = FlowSource(to="tank", mass_flow_rate="1 g/s")
-    found = said(Circuit({"source": source, "tank": tank}, gas=GasChoice(name=gas)).static_notes)
-    assert (("gas.heat_as_of_air", "tank.heat_transfer") in found) == is_said
+    messages = said(Circuit({"source": source, "tank": tank}, gas=GasChoice(name=gas)).static_notes)
+    assert (("gas.heat_as_of_air", "tank.heat_transfer") in messages) == is_said
 
 
 @pytest.mark.parametrize("name", MAX_PRESSURES)
@@ -117,5 +117,5 @@ def test_usual_states_are_close_to_ideal(name):
     gas = GASES[name]
     for pressure in np.geomspace(1e4, MAX_PRESSURES[name], 12):
         for temperature in np.linspace(*TEMPERATURES, 7):
-            found = deviation(float(pressure), float(temperature), gas.as_real, float(gas.isentropic_exponent))
-            assert max(abs(found.mass), abs(found.flow)) <= TOLERANCE
+            deviations = deviation(float(pressure), float(temperature), gas.as_real, float(gas.isentropic_exponent))
+            assert max(abs(deviations.mass), abs(deviations.flow)) <= TOLERANCE

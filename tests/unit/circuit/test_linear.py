@@ -67,38 +67,38 @@ class TestSteadyState:
     def test_of_the_regulator(self, seat_balance, pressure):
         tank = Chamber(volume="0.2 m^3", thermal="polytropic", polytropic_exponent=1.04)
         circuit = stage("regulator", tank, seat_balance=seat_balance)
-        rest = circuit.steady_state({"valve.pilot_pressure": "4.4 bar g"})
-        assert rest.y["tank.pressure"] == pytest.approx(pressure, abs=0.005e5)
-        assert rest.u["valve.pilot_pressure"] == pytest.approx(5.4e5, rel=1e-15)
-        assert rest.residual < 1e-9
-        assert [note.code for note in rest.found] == ["rest.settled"]
+        steady = circuit.steady_state({"valve.pilot_pressure": "4.4 bar g"})
+        assert steady.y["tank.pressure"] == pytest.approx(pressure, abs=0.005e5)
+        assert steady.u["valve.pilot_pressure"] == pytest.approx(5.4e5, rel=1e-15)
+        assert steady.residual < 1e-9
+        assert [note.code for note in steady.found] == ["rest.settled"]
 
     def test_paper_valve_ends_at_the_supply_pressure(self):
-        rest = stage("paper", Chamber(volume="0.2 m^3", wall_conductance="45 W/K")).steady_state(
+        steady = stage("paper", Chamber(volume="0.2 m^3", wall_conductance="45 W/K")).steady_state(
             {"valve.pilot_pressure": "2 bar g"}
         )
-        assert rest.y["tank.pressure"] == pytest.approx(7e5, rel=1e-12)
-        assert rest.y["tank.temperature"] == pytest.approx(293.15, rel=1e-9)
-        assert rest.y["valve.stroke"] == pytest.approx(0.310e-3, abs=0.5e-6)
+        assert steady.y["tank.pressure"] == pytest.approx(7e5, rel=1e-12)
+        assert steady.y["tank.temperature"] == pytest.approx(293.15, rel=1e-9)
+        assert steady.y["valve.stroke"] == pytest.approx(0.310e-3, abs=0.5e-6)
 
     def test_flow_path_in_series_has_the_series_conductance(self):
         from poppet.iso6358 import mass_flow_rate
 
-        rest = through_flow(wall_conductance=1.0).steady_state()
-        flow = rest.y["inlet.mass_flow_rate"]
-        assert flow == pytest.approx(rest.y["outlet.mass_flow_rate"], rel=1e-12)
-        assert flow == pytest.approx(mass_flow_rate(7e5, rest.y["tank.pressure"], 293.15, **SIZE), rel=1e-12)
-        assert rest.y["tank.temperature"] == pytest.approx(293.15, rel=1e-9)
+        steady = through_flow(wall_conductance=1.0).steady_state()
+        flow = steady.y["inlet.mass_flow_rate"]
+        assert flow == pytest.approx(steady.y["outlet.mass_flow_rate"], rel=1e-12)
+        assert flow == pytest.approx(mass_flow_rate(7e5, steady.y["tank.pressure"], 293.15, **SIZE), rel=1e-12)
+        assert steady.y["tank.temperature"] == pytest.approx(293.15, rel=1e-9)
 
     def test_keeps_the_gas_of_a_closed_network(self):
         circuit = two_tanks()
-        rest = circuit.steady_state()
+        steady = circuit.steady_state()
         start = circuit.simulate("1 ms", relative_tolerance=1e-9)
         mass = sum(float(start[f"{name}.mass"][0]) for name in ("full", "warm"))
         energy = 7e5 * 2e-3 + 1e5 * 5e-3
-        assert rest.y["full.mass"] + rest.y["warm.mass"] == pytest.approx(mass, rel=1e-10)
-        assert rest.y["full.pressure"] == pytest.approx(energy / 7e-3, rel=1e-10)
-        assert rest.y["warm.pressure"] == pytest.approx(energy / 7e-3, rel=1e-10)
+        assert steady.y["full.mass"] + steady.y["warm.mass"] == pytest.approx(mass, rel=1e-10)
+        assert steady.y["full.pressure"] == pytest.approx(energy / 7e-3, rel=1e-10)
+        assert steady.y["warm.pressure"] == pytest.approx(energy / 7e-3, rel=1e-10)
 
     def test_search_from_a_nearly_steady_state(self):
         tank = Chamber(volume="0.2 m^3", thermal="polytropic", polytropic_exponent=1.04)
@@ -110,24 +110,24 @@ class TestSteadyState:
 
     def test_steady_initial_state_is_the_result(self):
         circuit = Circuit({"tank": Chamber(volume="1 l"), "feed": FlowSource(to="tank")})
-        rest = circuit.steady_state()
-        assert rest.y["tank.pressure"] == 1e5
-        assert rest.residual == 0.0
+        steady = circuit.steady_state()
+        assert steady.y["tank.pressure"] == 1e5
+        assert steady.residual == 0.0
 
     def test_without_any_state(self):
         circuit = Circuit({"supply": SUPPLY, "leak": Orifice(from_="supply", to="ambient", **SIZE)})
-        rest = circuit.steady_state()
-        assert rest.x.size == 0
-        assert rest.y["leak.mass_flow_rate"] == pytest.approx(1e-8 * 1.185 * 7e5, rel=1e-12)
+        steady = circuit.steady_state()
+        assert steady.x.size == 0
+        assert steady.y["leak.mass_flow_rate"] == pytest.approx(1e-8 * 1.185 * 7e5, rel=1e-12)
         assert circuit.linearise().eigenvalues().size == 0
 
     def test_steady_state_of_a_hunting_valve_has_a_note(self, monkeypatch):
         circuit = hunting()
-        rest = circuit.steady_state()
-        monkeypatch.setattr(linear, "steady_state", lambda *_: rest)  # found once: it takes seconds
+        steady = circuit.steady_state()
+        monkeypatch.setattr(linear, "steady_state", lambda *_: steady)  # found once: it takes seconds
         model = circuit.linearise()
-        assert [note.code for note in rest.found] == ["rest.slowed"]
-        assert rest.y["valve.supply_mass_flow_rate"] == pytest.approx(rest.y["load.mass_flow_rate"], rel=1e-9)
+        assert [note.code for note in steady.found] == ["rest.slowed"]
+        assert steady.y["valve.supply_mass_flow_rate"] == pytest.approx(steady.y["load.mass_flow_rate"], rel=1e-9)
         assert np.max(model.eigenvalues().real) > 100.0
 
     def test_circuit_without_mechanics_does_not_use_slow_gas(self, monkeypatch):
@@ -143,17 +143,17 @@ class TestSteadyState:
         assert caught.value.note.facts["rate"] > 0.0
 
     def test_emptied_tank_has_no_steady_state(self):
-        drawn = Circuit({"tank": Chamber(volume="1 l"), "pull": FlowSource(to="tank", mass_flow_rate="-1 g/s")})
+        emptied_tank = Circuit({"tank": Chamber(volume="1 l"), "pull": FlowSource(to="tank", mass_flow_rate="-1 g/s")})
         with pytest.raises(SimulationError) as caught:
-            drawn.steady_state()
+            emptied_tank.steady_state()
         assert caught.value.note.code == "rest.emptied"
 
 
 class TestInputs:
     def test_default_input_is_the_signal_at_the_start_or_the_parameter(self):
         circuit = replace(through_flow(), signals={"supply.pressure": Steps([0.0, 1.0], [5e5, 9e5])})
-        rest = circuit.steady_state()
-        assert rest.u == {
+        steady = circuit.steady_state()
+        assert steady.u == {
             "supply.pressure": 5e5, "supply.temperature": 293.15, "inlet.opening": 1.0, "outlet.opening": 1.0,
         }  # fmt: skip
 
@@ -320,17 +320,17 @@ class TestPythonControl:
     def test_small_step_response_equals_the_nonlinear_one(self):
         control = pytest.importorskip("control", reason="python-control is not installed")
         circuit = through_flow(wall_conductance=1.0)
-        rest = circuit.steady_state()
+        steady = circuit.steady_state()
         begun = {
-            "tank.initial_pressure": rest.y["tank.pressure"],
-            "tank.initial_temperature": rest.y["tank.temperature"],
+            "tank.initial_pressure": steady.y["tank.pressure"],
+            "tank.initial_temperature": steady.y["tank.temperature"],
         }
         step = 20.0
         stepped = replace(circuit.with_values(begun), signals={"supply.pressure": Constant(7e5 + step)})
         recording = stepped.simulate("2 s", "10 ms", 1e-10)
         system = circuit.linearise().to_control()
         response = control.step_response(system["tank__pressure", "supply__pressure"], recording.time)
-        rise = recording["tank.pressure"] - rest.y["tank.pressure"]
+        rise = recording["tank.pressure"] - steady.y["tank.pressure"]
         assert rise[-1] > 0.3 * step
         np.testing.assert_allclose(rise, step * response.outputs, rtol=0.0, atol=1e-3 * step)
 

@@ -42,10 +42,10 @@ def test_usual_run_has_no_notes():
 
 
 def test_assumed_ratio_gives_a_note():
-    said = Note("parts.assumed_ratio", "fill.critical_ratio", size="nominal_flow")
-    assert notes(filling(nominal_flow="380 l/min ANR"), "1 s") == (said,)
-    again = filling(nominal_flow="380 l/min ANR").with_values({"fill.laminar_ratio": 0.99})
-    assert notes(again, "1 s") == (said,)
+    note = Note("parts.assumed_ratio", "fill.critical_ratio", size="nominal_flow")
+    assert notes(filling(nominal_flow="380 l/min ANR"), "1 s") == (note,)
+    changed = filling(nominal_flow="380 l/min ANR").with_values({"fill.laminar_ratio": 0.99})
+    assert notes(changed, "1 s") == (note,)
     assert notes(filling(nominal_flow="380 l/min ANR", critical_ratio=0.3), "1 s") == ()
     assert notes(filling(effective_area="10 mm^2"), "1 s") == ()
 
@@ -55,32 +55,32 @@ def test_unused_wall_parameters_give_a_note(thermal):
     """The parameters of the wall have no effect, and the run has a note on them."""
     circuit = filling()
     walled = circuit.with_values({"tank.wall_conductance": "45 W/K", "tank.wall_temperature": "30 degC"})
-    bare, run = (c.with_values({"tank.thermal": thermal}).simulate("1 s") for c in (circuit, walled))
-    assert bare.remarks == ()
+    without_wall, run = (c.with_values({"tank.thermal": thermal}).simulate("1 s") for c in (circuit, walled))
+    assert without_wall.remarks == ()
     (note,) = run.remarks
     assert (note.code, note.address) == ("chamber.no_effect", "tank.wall_conductance")
     assert note.facts["law"] == thermal
-    assert run["tank.pressure"].tolist() == bare["tank.pressure"].tolist()
+    assert run["tank.pressure"].tolist() == without_wall["tank.pressure"].tolist()
 
 
 def test_gas_gives_a_note():
     circuit = filling()
-    (given,) = notes(dataclasses.replace(circuit, gas=GasChoice(name="helium")), "0.1 s")
-    assert given.code == "options.conductances_as_given"
+    (note,) = notes(dataclasses.replace(circuit, gas=GasChoice(name="helium")), "0.1 s")
+    assert note.code == "options.conductances_as_given"
     (scaled,) = notes(dataclasses.replace(circuit, gas=GasChoice(name="helium", conductances="from air")), "0.1 s")
     assert (scaled.code, scaled.facts["factor"]) == ("options.conductances_from_air", pytest.approx(0.39, abs=0.01))
 
 
 def test_stroke_outside_the_domain_gives_a_note():
-    beyond = filling({"fill.stroke": Points([0.0, 1.0], [0.0, 1.5e-3])}, characteristic="varga2012")
-    (note,) = notes(beyond, "1 s")
+    circuit = filling({"fill.stroke": Points([0.0, 1.0], [0.0, 1.5e-3])}, characteristic="varga2012")
+    (note,) = notes(circuit, "1 s")
     assert (note.code, note.address) == ("curves.left_domain", "fill.stroke")
     assert (note.facts["strokes_mm"], note.facts["beyond_mm"]) == (pytest.approx((1.5,)), pytest.approx(0.5))
 
 
 def test_small_overtravel_at_a_stop_gives_no_note():
-    inside = filling({"fill.stroke": Points([0.0, 1.0], [0.0, 1.005e-3])}, characteristic="varga2012")
-    assert notes(inside, "1 s") == ()
+    circuit = filling({"fill.stroke": Points([0.0, 1.0], [0.0, 1.005e-3])}, characteristic="varga2012")
+    assert notes(circuit, "1 s") == ()
 
 
 @pytest.mark.parametrize("volume", ["5 l", "50 l"])
@@ -144,18 +144,18 @@ def test_notes_of_a_stopped_run_refer_to_its_end():
 
 def test_stalled_run_is_repeated_with_a_note(monkeypatch):
     """If the Rosenbrock method stalls, another method continues, and the run has a note."""
-    own = simulate.run_kernel
+    original_run = simulate.run_kernel
 
     def stalled(problem: Any, progress: Any) -> Any:
-        run = own(problem, progress)
+        run = original_run(problem, progress)
         return dataclasses.replace(run, outcome=Outcome.STALLED, time=run.time[:11], values=run.values[:, :11])
 
-    known = filling().simulate("2 s", "0.1 s")
+    reference = filling().simulate("2 s", "0.1 s")
     monkeypatch.setattr(simulate, "run_kernel", stalled)
     recording = filling().simulate("2 s", "0.1 s")
     assert recording.remarks == (Note("run.handed_over", time=1.0, solver="cvodes"),)
     assert recording.ending.code == "run.done"
-    assert recording["tank.pressure"] == pytest.approx(known["tank.pressure"], rel=1e-5)
+    assert recording["tank.pressure"] == pytest.approx(reference["tank.pressure"], rel=1e-5)
 
 
 def test_violated_balance_gives_a_note(monkeypatch):

@@ -42,9 +42,9 @@ class TestGas:
 
     @pytest.mark.parametrize("name", library.gas_names())
     def test_gases_of_the_library(self, name):
-        gas, known = GasChoice(name=name), library.gas(name)
-        assert gas.values()[:2] == (float(known.gas_constant), float(known.isentropic_exponent))
-        assert gas.numbers()["gas_constant"].source == known.gas_constant.source
+        gas, library_gas = GasChoice(name=name), library.gas(name)
+        assert gas.values()[:2] == (float(library_gas.gas_constant), float(library_gas.isentropic_exponent))
+        assert gas.numbers()["gas_constant"].source == library_gas.gas_constant.source
 
     def test_given_values_override_the_library(self):
         assert GasChoice(name="helium", isentropic_exponent=1.6).values()[1] == 1.6
@@ -53,8 +53,8 @@ class TestGas:
         helium = dataclasses.replace(GasChoice(), name="helium")
         assert helium.values() == GasChoice(name="helium").values()
         assert dataclasses.replace(helium, name="argon").values() == GasChoice(name="argon").values()
-        given = dataclasses.replace(GasChoice(name="helium", isentropic_exponent=1.6), name="argon")
-        assert given.values()[1] == 1.6
+        renamed = dataclasses.replace(GasChoice(name="helium", isentropic_exponent=1.6), name="argon")
+        assert renamed.values()[1] == 1.6
 
     def test_meaning_of_conductances_gives_a_note(self):
         assert GasChoice(name="helium").notes() == (Note("options.conductances_as_given", "gas"),)

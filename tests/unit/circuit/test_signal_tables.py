@@ -92,8 +92,8 @@ def test_pwm_with_constant_and_variable_duty():
 
 def test_pwm_without_levels_is_rejected():
     table = {"kind": "pwm", "frequency": "100 Hz", "duty": 0.3}
-    found = [(problem.code, problem.address) for problem in problems_of(table)]
-    assert found == [("fields.missing", "low"), ("fields.missing", "high")]
+    errors = [(problem.code, problem.address) for problem in problems_of(table)]
+    assert errors == [("fields.missing", "low"), ("fields.missing", "high")]
     assert problems_of(table | {"duty": 3}, OPENING)[0].code == "signals.duty"
     (problem,) = problems_of(table | {"duty": {"kind": "steps", "times": [0.0], "value": [0.1]}}, OPENING)
     assert (problem.code, problem.address) == ("fields.unknown", "duty.value")
@@ -160,7 +160,7 @@ class TestFile:
         [
             ({"path": "none.csv"}, "files.unreadable"),
             ({"path": "none.xyz"}, "files.suffix"),
-            ({"column": "q"}, "series.unknown"),
+            ({"column": "q"}, "names.unknown"),
             ({"time": 3}, "inputs.no_column"),
             ({"time": {"colum": "t"}}, "inputs.no_column"),
             ({"time": "tm"}, "series.no_column"),
@@ -178,9 +178,9 @@ class TestFile:
 @pytest.mark.parametrize("kind", KINDS)
 def test_missing_and_unknown_fields_are_reported_together(kind):
     required, optional = fields_of(kind)
-    found = problems_of({"kind": kind, "qqq": "red", "zzz": 3})
-    assert [problem.address for problem in found] == [*required, "qqq", "zzz"]
-    assert all(problem.hint for problem in found)
+    problems = problems_of({"kind": kind, "qqq": "red", "zzz": 3})
+    assert [problem.address for problem in problems] == [*required, "qqq", "zzz"]
+    assert all(problem.hint for problem in problems)
     assert not set(required) & set(optional)
 
 

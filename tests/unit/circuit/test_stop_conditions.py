@@ -31,7 +31,7 @@ def holds(text: str, **values: float) -> bool:
     condition = parse_stop_condition(text, OUTPUTS, 0.95e5)
     y = [values.get(name.replace(".", "_"), 0.0) for name in OUTPUTS]
     total = condition.weights[2] + sum(
-        w * y[place] for place, w in zip(condition.places, condition.weights, strict=False) if place >= 0
+        w * y[index] for index, w in zip(condition.places, condition.weights, strict=False) if index >= 0
     )
     return total > 0.0
 

@@ -30,15 +30,15 @@ def closed_form():
 
 
 @cache
-def plant_at(place):
+def plant_at(position):
     plant = plant_of(drive())
-    return plant, plant.operating_point(place)
+    return plant, plant.operating_point(position)
 
 
 def sampled_closed_form(z):
     """Return the response of the closed form with a zero-order hold."""
     a, b, c, _, _ = cont2discrete(closed_form(), TIME)
-    return np.array([(c @ np.linalg.solve(each * np.eye(4) - a, b))[0, 0] for each in z])
+    return np.array([(c @ np.linalg.solve(point * np.eye(4) - a, b))[0, 0] for point in z])
 
 
 @pytest.mark.parametrize("branch", ["fill", "vent"])
@@ -65,8 +65,8 @@ def test_position_gains_keep_the_bound_on_the_closed_form():
     z = np.exp(2j * np.pi * np.geomspace(1e-3, 0.5 / TIME, 4000) * TIME)
     loop = sampled_closed_form(z) * point.gains.gain * (1.0 + TIME / point.gains.integral_time / (z - 1.0))
     peaks = np.max(np.abs(1.0 / (1.0 + loop))), np.max(np.abs(loop / (1.0 + loop)))
-    shown = point.margins["100 mm, fill"]
-    assert peaks == pytest.approx((shown.sensitivity, shown.complementary), rel=5e-3)
+    reported = point.margins["100 mm, fill"]
+    assert peaks == pytest.approx((reported.sensitivity, reported.complementary), rel=5e-3)
     assert max(max(m.sensitivity, m.complementary) for m in point.margins.values()) == pytest.approx(1.4, rel=2e-3)
     assert tuned().bounded == "Ms, Mt <= 1.4 filling and venting at 80, 100 mm"
     assert tuned().held == "at rest"
@@ -77,20 +77,20 @@ def test_position_gains_keep_the_bound_on_the_closed_form():
 
 
 def test_position_schedule_contains_positions():
-    found = schedule(drive(), at=["60 mm", "140 mm"])
-    assert found.fields()["schedule"].numbers()["position_2"].value == pytest.approx(0.14)
-    assert '[parts.c.schedule]\nposition = ["60 mm", "140 mm"]' in found.text()
-    assert found.applied(drive()).parameters["c.schedule.position_1"] == pytest.approx(0.06)
+    tuning = schedule(drive(), at=["60 mm", "140 mm"])
+    assert tuning.fields()["schedule"].numbers()["position_2"].value == pytest.approx(0.14)
+    assert '[parts.c.schedule]\nposition = ["60 mm", "140 mm"]' in tuning.text()
+    assert tuning.applied(drive()).parameters["c.schedule.position_1"] == pytest.approx(0.06)
 
 
 def test_stiction_is_replaced_by_viscous_friction_with_a_note():
     stuck = {"kind": "lugre", "coulomb_force": 20.0, "static_force": 30.0, "viscous_coefficient": VISCOUS}
-    found = tune(drive(stuck), at=["80 mm", "100 mm"])
-    assert found.points[0].gains == tuned().points[0].gains
+    tuning = tune(drive(stuck), at=["80 mm", "100 mm"])
+    assert tuning.points[0].gains == tuned().points[0].gains
     # The linear model omits the stick-slip of the integral, which the step of working size shows.
-    sliding, swings = found.notes
+    sliding, swings = tuning.notes
     assert (sliding.code, sliding.address, swings.code) == ("plant.sliding", "slide.friction", "tuning.swings")
-    assert (found.notes[0].facts["value"], found.notes[0].facts["unit"]) == (VISCOUS, "N s/m")
+    assert (tuning.notes[0].facts["value"], tuning.notes[0].facts["unit"]) == (VISCOUS, "N s/m")
     assert tuned().notes == ()
 
 
@@ -108,11 +108,11 @@ def test_single_command_has_a_model_on_both_sides():
     for plant_, sign in ((forth, 1.0), (back, -1.0)):
         by_hand = {"c.automatic": Steps([0.0], [0.0]), "c.manual_command": Steps([0.0], [sign * 1e-3])}
         position = replace(drive(**fields), signals=by_hand).simulate("0.3 s", "0.02 s", 1e-8)["slide.position"]
-        x, moved = np.zeros(len(plant_.B)), [0.0]
+        x, positions = np.zeros(len(plant_.B)), [0.0]
         for _ in range(150):
             x = plant_.A @ x + plant_.B * sign * 1e-3
-            moved.append(float(plant_.C @ x))
-        assert position[-1] - position[0] == pytest.approx(moved[-1], rel=0.01)
+            positions.append(float(plant_.C @ x))
+        assert position[-1] - position[0] == pytest.approx(positions[-1], rel=0.01)
 
 
 def cascade(*, inner_first=False, **outer):
@@ -140,35 +140,35 @@ def test_outer_loop_of_a_cascade_is_exact(inner_first):
     point = plant.operating_point("4 bar")
     assert point.command == pytest.approx(4e5, rel=1e-9)
     ours = plant.sampled(point, "command")
-    once = 1.0 - 1e-3 * 2e-6 * GAS / 1e-3
+    pole = 1.0 - 1e-3 * 2e-6 * GAS / 1e-3
     z = ours.at(np.geomspace(0.01, 100.0, 30))
-    wanted = (1.0 - once**5) / (z - once**5)
+    expected = (1.0 - pole**5) / (z - pole**5)
     if inner_first:
-        wanted = ((1.0 - once**4) + once**4 * (1.0 - once) / z) / (z - once**5)
-    assert np.max(np.abs(ours.response(z) / wanted - 1.0)) < 1e-9
+        expected = ((1.0 - pole**4) + pole**4 * (1.0 - pole) / z) / (z - pole**5)
+    assert np.max(np.abs(ours.response(z) / expected - 1.0)) < 1e-9
     assert ours.sample_time == pytest.approx(5e-3)
 
 
 def test_gains_of_an_outer_loop_keep_the_bound():
-    found = tune(cascade(), "outer", at=["4 bar"], sensitivity=1.6)
-    gains, once = found.points[0].gains, 1.0 - 1e-3 * 2e-6 * GAS / 1e-3
+    tuning = tune(cascade(), "outer", at=["4 bar"], sensitivity=1.6)
+    gains, pole = tuning.points[0].gains, 1.0 - 1e-3 * 2e-6 * GAS / 1e-3
     z = np.exp(1j * np.geomspace(1e-5, np.pi, 20_000))
-    loop = (1.0 - once**5) / (z - once**5) * gains.gain * (1.0 + 5e-3 / gains.integral_time / (z - 1.0))
+    loop = (1.0 - pole**5) / (z - pole**5) * gains.gain * (1.0 + 5e-3 / gains.integral_time / (z - 1.0))
     peak = max(np.max(np.abs(1.0 / (1.0 + loop))), np.max(np.abs(loop / (1.0 + loop))))
     assert peak == pytest.approx(1.6, rel=2e-3)
-    assert found.held == "held by a command of 4 bar"
-    assert found.fields()["gain"].unit == "Pa/Pa"
-    assert "vent_factor" not in found.fields()
-    assert list(found.points[0].margins) == ["4 bar, command"]
+    assert tuning.held == "held by a command of 4 bar"
+    assert tuning.fields()["gain"].unit == "Pa/Pa"
+    assert "vent_factor" not in tuning.fields()
+    assert list(tuning.points[0].margins) == ["4 bar, command"]
 
 
 def test_inner_loop_is_tuned_without_outer_loops():
     """The plant p+ = p + T b u has a closed form of the largest gain with Ms, Mt <= 1.4."""
-    found = tune(cascade(), "inner", at=["4 bar"], form="p")
+    tuning = tune(cascade(), "inner", at=["4 bar"], form="p")
     # L = k / (z - 1): Ms is met at z = -1, 1 / (1 - k / 2); Mt there is (k / 2) / (1 - k / 2).
-    wanted = 2.0 * (1.0 - 1.0 / 1.4) / (1e-3 * GAS / 1e-3)
-    assert found.points[0].gains.gain == pytest.approx(wanted, rel=2e-3)
-    assert found.quantity, found.command_quantity == ("pressure", "mass_flow")
+    expected = 2.0 * (1.0 - 1.0 / 1.4) / (1e-3 * GAS / 1e-3)
+    assert tuning.points[0].gains.gain == pytest.approx(expected, rel=2e-3)
+    assert tuning.quantity, tuning.command_quantity == ("pressure", "mass_flow")
 
 
 def test_inner_loop_with_kink_has_a_model_on_both_sides():
@@ -197,12 +197,12 @@ def test_inner_loop_with_kink_has_a_model_on_both_sides():
         }
         run = replace(circuit, signals=by_hand).simulate(0.2, 5e-3, 1e-10)
         model = plant.sampled(point, branch)
-        x, wanted = np.zeros(len(model.B)), []
+        x, expected = np.zeros(len(model.B)), []
         for _ in range(20):
-            wanted.append(float(model.C @ x))
+            expected.append(float(model.C @ x))
             x = model.A @ x + model.B * sign * 20.0
-        assert np.max(np.abs(run["tank.pressure"][20:40] - 2e5 - wanted)) < 1e-3 * abs(wanted[-1])
-        assert abs(wanted[-1]) > 1.0
+        assert np.max(np.abs(run["tank.pressure"][20:40] - 2e5 - expected)) < 1e-3 * abs(expected[-1])
+        assert abs(expected[-1]) > 1.0
 
 
 @pytest.mark.parametrize(
@@ -244,26 +244,26 @@ def test_metrics_have_the_units_of_the_loop():
         "bar s",
     ]
     time = np.linspace(0.0, 1.0, 1001)
-    found = step_metrics(
+    metrics = step_metrics(
         time, np.where(time < 0.1, 0.0, 1.0), np.where(time < 0.2, 0.0, 1.0), np.cos(7.0 * np.pi * time)
     )
-    assert found["IAE"] == pytest.approx(0.1, abs=1e-3)
-    assert found["travel"] == pytest.approx(14.0, abs=1e-3)
-    assert "switches" not in found
+    assert metrics["IAE"] == pytest.approx(0.1, abs=1e-3)
+    assert metrics["travel"] == pytest.approx(14.0, abs=1e-3)
+    assert "switches" not in metrics
 
 
 def test_position_loops_are_compared_in_their_units():
     rough = {"kind": "lugre", "coulomb_force": 12.0, "static_force": 15.0, "viscous_coefficient": VISCOUS}
     contenders = {name: replace(drive(rough, wall=0.5, gain=gain), run=replace(drive().run, duration="1.5 s"))
                   for name, gain in (("slow", "1 1/m"), ("quick", "3 1/m"))}  # fmt: skip
-    found = compare(contenders, vary={"slide.mass": 0.4, "slide.friction.coulomb_force": 0.3}, draws=2, seed=1)
-    assert found.units == ("m", "1")
-    assert (found.quantity, found.command_quantity) == ("position", "opening")
-    assert found.responses["slow"].shape == (3, found.time.size)
-    assert np.ptp(found.responses["quick"][0]) > 0.02
-    assert found.summary()["quick"]["IAE"][0] < found.summary()["slow"]["IAE"][0] < 0.03 * 1.5
-    other = replace(contenders["quick"].parts["c"], quantity="position", sensor={"lag": LAG, "offset": "1 mm"})
-    uneven = replace(contenders["quick"], parts={**contenders["quick"].parts, "c": other})
+    comparison = compare(contenders, vary={"slide.mass": 0.4, "slide.friction.coulomb_force": 0.3}, draws=2, seed=1)
+    assert comparison.units == ("m", "1")
+    assert (comparison.quantity, comparison.command_quantity) == ("position", "opening")
+    assert comparison.responses["slow"].shape == (3, comparison.time.size)
+    assert np.ptp(comparison.responses["quick"][0]) > 0.02
+    assert comparison.summary()["quick"]["IAE"][0] < comparison.summary()["slow"]["IAE"][0] < 0.03 * 1.5
+    with_sensor = replace(contenders["quick"].parts["c"], quantity="position", sensor={"lag": LAG, "offset": "1 mm"})
+    uneven = replace(contenders["quick"], parts={**contenders["quick"].parts, "c": with_sensor})
     with refused("control.unfair", "c.sensor.offset"):
         compare({"slow": contenders["slow"], "quick": uneven})
 
@@ -302,15 +302,15 @@ def test_muscle_joint_is_tuned_with_inner_pressure_loop():
     outer = PID(quantity="angle", command_quantity="pressure", gain="0.5 bar/rad", integral_time="0.2 s",
                 lower_limit="0.1 bar g", upper_limit="6 bar g", bias="2 bar g", sample_time="4 ms")  # fmt: skip
     circuit = muscle_joint(outer, hysteresis={"kind": "coulomb", "force": 3.0, "reach": "4 mm"})
-    found = tune(circuit, "angle", at=["20 deg"])
-    assert [note.code for note in found.notes] == ["plant.no_hysteresis"]
-    assert list(found.points[0].margins) == ["20 deg, command", "20 deg, back"]
-    assert found.fields()["gain"].unit == "Pa/rad"
-    assert found.bounded.endswith("at 20 deg")
-    assert found.held.endswith("bar")
-    run = found.applied(circuit).simulate("6 s", "20 ms")
+    tuning = tune(circuit, "angle", at=["20 deg"])
+    assert [note.code for note in tuning.notes] == ["plant.no_hysteresis"]
+    assert list(tuning.points[0].margins) == ["20 deg, command", "20 deg, back"]
+    assert tuning.fields()["gain"].unit == "Pa/rad"
+    assert tuning.bounded.endswith("at 20 deg")
+    assert tuning.held.endswith("bar")
+    run = tuning.applied(circuit).simulate("6 s", "20 ms")
     assert run["arm.position"][-1] == pytest.approx(np.radians(20.0), abs=np.radians(0.2))
-    assert run["muscle.pressure"][-1] == pytest.approx(found.points[0].commands[0], rel=0.05)
+    assert run["muscle.pressure"][-1] == pytest.approx(tuning.points[0].commands[0], rel=0.05)
 
 
 def test_muscle_joint_is_tuned_with_inverse_muscle_law():

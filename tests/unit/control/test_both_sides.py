@@ -53,28 +53,35 @@ def worst_of(pressure, side, gains, factor, plant):
     leak, vent, between = plant
 
     def rate(p, u):
-        lost = flow(leak, p, 1e5) if between is BETWEEN else -flow(leak, 7e5, p)
-        return (max(u, 0.0) * flow(5e-9, 7e5, p) - factor * max(-u, 0.0) * flow(vent, p, 1e5) - lost) / VOLUME
+        leak_flow = flow(leak, p, 1e5) if between is BETWEEN else -flow(leak, 7e5, p)
+        return (max(u, 0.0) * flow(5e-9, 7e5, p) - factor * max(-u, 0.0) * flow(vent, p, 1e5) - leak_flow) / VOLUME
 
-    lost = -rate(pressure, 0.0)
-    rest = lost / (rate(pressure, 1.0) + lost) if lost >= 0.0 else lost / (-lost - rate(pressure, -1.0))
+    leak_flow = -rate(pressure, 0.0)
+    rest_command = (
+        leak_flow / (rate(pressure, 1.0) + leak_flow)
+        if leak_flow >= 0.0
+        else leak_flow / (-leak_flow - rate(pressure, -1.0))
+    )
     sign = 1.0 if side == "fill" else -1.0
-    at = rest if rest * sign > 0.0 else 0.0
-    slope = (rate(pressure, at + sign * 1e-4) - rate(pressure, at)) / (sign * 1e-4)
-    decay = (rate(pressure + 10.0, at) - rate(pressure - 10.0, at)) / 20.0
+    command = rest_command if rest_command * sign > 0.0 else 0.0
+    slope = (rate(pressure, command + sign * 1e-4) - rate(pressure, command)) / (sign * 1e-4)
+    decay = (rate(pressure + 10.0, command) - rate(pressure - 10.0, command)) / 20.0
     a = np.array([[decay, 0.0], [1.0 / LAG, -1.0 / LAG]])
     # Held from sample to sample: two thousand short steps instead of a matrix exponential.
-    held, pushed = np.eye(2), np.zeros(2)
+    propagation, forced = np.eye(2), np.zeros(2)
     for _ in range(2000):
-        held, pushed = held + TIME / 2000 * a @ held, pushed + TIME / 2000 * (a @ pushed + [slope, 0.0])
+        propagation, forced = (
+            propagation + TIME / 2000 * a @ propagation,
+            forced + TIME / 2000 * (a @ forced + [slope, 0.0]),
+        )
     # States: pressure, sensor, command on its way, integral.
     proportional, integral = gains.gain, gains.gain * TIME / gains.integral_time
     closed = np.zeros((4, 4))
-    closed[:2, :2], closed[:2, 2] = held, pushed
+    closed[:2, :2], closed[:2, 2] = propagation, forced
     closed[2, 1], closed[2, 3], closed[3, 1], closed[3, 3] = -proportional, 1.0, -integral, 1.0
     z = np.exp(2j * np.pi * np.geomspace(1e-3, 0.5 / TIME, 4000) * TIME)
-    (h11, _), (h21, h22) = held
-    behind = (h21 * pushed[0] / (z - h11) + pushed[1]) / (z - h22) / z
+    (h11, _), (h21, h22) = propagation
+    behind = (h21 * forced[0] / (z - h11) + forced[1]) / (z - h22) / z
     open_loop = behind * (proportional + integral / (z - 1.0))
     peaks = np.abs(1.0 / (1.0 + open_loop)), np.abs(open_loop / (1.0 + open_loop))
     return max(map(np.max, peaks)), np.max(np.abs(np.linalg.eigvals(closed)))
@@ -91,18 +98,18 @@ def test_filling_and_venting_keep_the_bound_on_leaking_and_tight_plant(plant):
     assert set(point.sides) == {"fill", "vent"}
     assert any(command != 0.0 for command in point.commands) == (plant[0] > 0.0)
     tight = (0.0, *plant[1:])
-    found = []
+    checked = []
     for pressure in LEVELS:
         for side in point.sides:
             peak, pole = worst_of(pressure, side, point.gains, point.vent_factor if side == "vent" else 1.0, plant)
-            shown = point.margins[f"{pressure / 1e5:.4g} bar, {side}"]
-            assert peak == pytest.approx(max(shown.sensitivity, shown.complementary), rel=2e-2)
-            found.append(peak)
+            reported = point.margins[f"{pressure / 1e5:.4g} bar, {side}"]
+            assert peak == pytest.approx(max(reported.sensitivity, reported.complementary), rel=2e-2)
+            checked.append(peak)
             assert pole < 1.0
             peak, pole = worst_of(pressure, side, point.gains, point.vent_factor if side == "vent" else 1.0, tight)
             assert peak < 1.5
             assert pole < 1.0
-    assert max(found) == pytest.approx(1.4, rel=1e-2)
+    assert max(checked) == pytest.approx(1.4, rel=1e-2)
 
 
 def small_steps(circuit):
@@ -112,9 +119,9 @@ def small_steps(circuit):
     error = pressure - circuit.signals["c.setpoint"].evaluate(time)
     worst = []
     for k in (1, 2, 3, 5, 6, 7):
-        whole, late = ((time > 1.5 * k + begin) & (time < 1.5 * k + 1.49) for begin in (0.01, 1.19))
-        sign = -np.sign(error[whole][0])  # of the step
-        worst.append((np.max(np.abs(error[late])), np.ptp(pressure[late]), np.max(sign * error[whole])))
+        steps, settled = ((time > 1.5 * k + begin) & (time < 1.5 * k + 1.49) for begin in (0.01, 1.19))
+        sign = -np.sign(error[steps][0])  # of the step
+        worst.append((np.max(np.abs(error[settled])), np.ptp(pressure[settled]), np.max(sign * error[steps])))
     return np.max(worst, axis=0)
 
 
@@ -123,23 +130,23 @@ def test_small_steps_settle_on_leaking_and_tight_plant(plant, other):
     """The nonlinear loop settles with the gains of either plant on both plants."""
     for gains_of in (plant, other):
         for runs_on in (plant, other):
-            error, swing, beyond = small_steps(tuned(*gains_of).applied(loop(*runs_on)))
+            error, swing, overshoot = small_steps(tuned(*gains_of).applied(loop(*runs_on)))
             assert error < 20.0
             assert swing < 20.0
-            assert beyond < 0.1 * 2e3
+            assert overshoot < 0.1 * 2e3
 
 
 def test_gains_of_one_side_are_marked_and_fail_on_the_other():
     """Without the vent valve, only filling is bounded; with it, the bound is exceeded."""
-    whole = loop(*PLANTS[2])
-    fills = {target: source for target, source in whole.connections.items() if target != "vent.opening"}
-    tuning = tune(replace(whole, connections=fills), at=LEVELS)
+    two_sided = loop(*PLANTS[2])
+    fills = {target: source for target, source in two_sided.connections.items() if target != "vent.opening"}
+    tuning = tune(replace(two_sided, connections=fills), at=LEVELS)
     assert tuning.bounded == "Ms, Mt <= 1.4 filling at 2, 5 bar"
     (point,) = tuning.points
     peak, pole = worst_of(5e5, "vent", point.gains, point.vent_factor, PLANTS[2])
     assert peak > 3.0
     assert pole > 1.0
-    assert small_steps(tuning.applied(whole))[2] > 0.15 * 2e3
+    assert small_steps(tuning.applied(two_sided))[2] > 0.15 * 2e3
 
 
 @pytest.mark.parametrize("leak", [1e-16, 1e-14, 1e-12])

@@ -41,12 +41,12 @@ def exponential(tau=0.05, size=2.0, begin=0.25):
 def test_metrics_of_an_exponential():
     tau, size = 0.05, -2.0
     time, setpoint, pressure = exponential(tau, size)
-    found = step_metrics(time, setpoint, pressure, 0.0 * time, 0.0 * time)
-    assert found["IAE"] == pytest.approx(abs(size) * tau, rel=2e-3)
-    assert found["ITAE"] == pytest.approx(abs(size) * tau**2, rel=1e-3)
-    assert found["rise_time"] == pytest.approx(tau * np.log(9.0), rel=1e-4)
-    assert found["settling_time"] == pytest.approx(tau * np.log(50.0), abs=2e-4)
-    assert found["overshoot"] == found["travel"] == found["switches"] == 0.0
+    metrics = step_metrics(time, setpoint, pressure, 0.0 * time, 0.0 * time)
+    assert metrics["IAE"] == pytest.approx(abs(size) * tau, rel=2e-3)
+    assert metrics["ITAE"] == pytest.approx(abs(size) * tau**2, rel=1e-3)
+    assert metrics["rise_time"] == pytest.approx(tau * np.log(9.0), rel=1e-4)
+    assert metrics["settling_time"] == pytest.approx(tau * np.log(50.0), abs=2e-4)
+    assert metrics["overshoot"] == metrics["travel"] == metrics["switches"] == 0.0
 
 
 def test_metrics_of_an_oscillation():
@@ -57,22 +57,22 @@ def test_metrics_of_an_oscillation():
     damped = omega * np.sqrt(1.0 - zeta**2)
     wave = np.exp(-zeta * omega * since) * (np.cos(damped * since) + zeta * omega / damped * np.sin(damped * since))
     pressure = np.where(time < 0.1, 0.0, 1.0 - wave)
-    found = step_metrics(time, np.where(time < 0.1, 0.0, 1.0), pressure, 0.0 * time, 0.0 * time)
-    assert found["overshoot"] == pytest.approx(100.0 * np.exp(-np.pi * zeta / np.sqrt(1.0 - zeta**2)), rel=1e-4)
+    metrics = step_metrics(time, np.where(time < 0.1, 0.0, 1.0), pressure, 0.0 * time, 0.0 * time)
+    assert metrics["overshoot"] == pytest.approx(100.0 * np.exp(-np.pi * zeta / np.sqrt(1.0 - zeta**2)), rel=1e-4)
 
 
 def test_travel_includes_both_valves():
     time = np.arange(6.0)
     fill, vent = np.array([0.0, 1.0, 0.5, 0.0, 0.0, 0.0]), np.array([0.0, 0.0, 0.0, 0.3, 0.0, 0.0])
-    found = step_metrics(time, 0.0 * time, 0.0 * time, fill, vent)
-    assert found["travel"] == pytest.approx(2.6)
-    assert found["switches"] == 3.0
+    metrics = step_metrics(time, 0.0 * time, 0.0 * time, fill, vent)
+    assert metrics["travel"] == pytest.approx(2.6)
+    assert metrics["switches"] == 3.0
 
 
 def test_times_of_unreached_setpoint_are_infinite():
     time = np.linspace(0.0, 1.0, 101)
-    found = step_metrics(time, np.where(time < 0.1, 0.0, 1.0), 0.5 * time, 0.0 * time, 0.0 * time)
-    assert found["rise_time"] == found["settling_time"] == np.inf
+    metrics = step_metrics(time, np.where(time < 0.1, 0.0, 1.0), 0.5 * time, 0.0 * time, 0.0 * time)
+    assert metrics["rise_time"] == metrics["settling_time"] == np.inf
 
 
 def test_all_controllers_run_on_the_same_plants(comparison, circuits):
@@ -90,16 +90,16 @@ def test_all_controllers_run_on_the_same_plants(comparison, circuits):
 
 
 def test_equal_seeds_give_equal_metrics(comparison, circuits):
-    again = compare({"law": circuits["law"]}, vary=VARY, draws=12, seed=3)
-    other = compare({"law": circuits["law"]}, vary=VARY, draws=12, seed=4)
+    repeated = compare({"law": circuits["law"]}, vary=VARY, draws=12, seed=3)
+    other_seed = compare({"law": circuits["law"]}, vary=VARY, draws=12, seed=4)
     for key in METRICS:
-        assert np.array_equal(again.figures["law"][key], comparison.figures["law"][key])
-    assert not np.array_equal(other.figures["law"]["IAE"], again.figures["law"]["IAE"])
+        assert np.array_equal(repeated.figures["law"][key], comparison.figures["law"][key])
+    assert not np.array_equal(other_seed.figures["law"]["IAE"], repeated.figures["law"]["IAE"])
 
 
 def test_metrics_rank_the_controllers(comparison):
-    for own in comparison.summary().values():
-        for nominal, median, worst in own.values():
+    for summary in comparison.summary().values():
+        for nominal, median, worst in summary.values():
             assert np.isfinite([nominal, median, worst]).all()
             assert median <= worst
     # The linearising controller knows the laws: next to no overshoot, where the linear ones have some.
@@ -108,9 +108,9 @@ def test_metrics_rank_the_controllers(comparison):
 
 
 def test_nominal_run_only_without_uncertain_parameters(circuits):
-    alone = compare({"pid": circuits["pid"]})
-    assert alone.draws == 0
-    ((nominal, median, worst),) = {alone.summary()["pid"]["IAE"]}
+    nominal_comparison = compare({"pid": circuits["pid"]})
+    assert nominal_comparison.draws == 0
+    ((nominal, median, worst),) = {nominal_comparison.summary()["pid"]["IAE"]}
     assert nominal == median == worst
 
 
@@ -122,9 +122,9 @@ def test_failed_run_has_the_worst_metrics(circuits):
 
 
 def test_progress_counts_the_runs(circuits):
-    seen = []
-    compare({"pid": circuits["pid"]}, vary={"tank.volume": 0.1}, draws=2, progress=lambda *at: seen.append(at))
-    assert seen == [(1, 3), (2, 3), (3, 3)]
+    calls = []
+    compare({"pid": circuits["pid"]}, vary={"tank.volume": 0.1}, draws=2, progress=lambda *counts: calls.append(counts))
+    assert calls == [(1, 3), (2, 3), (3, 3)]
 
 
 def changed(circuit, **values):
@@ -145,9 +145,9 @@ def changed(circuit, **values):
 def test_unfair_differences_are_reported(circuits, unfair, differing):
     with pytest.raises(InputError) as caught:
         compare({"first": circuits["pid"], "other": unfair(circuits["pid"])})
-    told = caught.value.problems if isinstance(caught.value, InputErrors) else [caught.value]
-    assert {one.code for one in told} == {"control.unfair"}
-    assert {one.address: (one.facts["value"], one.facts["first"]) for one in told} == differing
+    problems = caught.value.problems if isinstance(caught.value, InputErrors) else [caught.value]
+    assert {problem.code for problem in problems} == {"control.unfair"}
+    assert {problem.address: (problem.facts["value"], problem.facts["first"]) for problem in problems} == differing
 
 
 def test_different_parts_and_signals_are_unfair(circuits):
@@ -155,15 +155,15 @@ def test_different_parts_and_signals_are_unfair(circuits):
     sine = dataclasses.replace(first, signals={"regulator.setpoint": Sine(3e5, 1e5, 1.0)})
     with pytest.raises(InputErrors) as caught:
         compare({"first": first, "parts": changed(first, tank__thermal="isothermal"), "signals": sine})
-    told = {(one.code, one.address) for one in caught.value.problems}
-    wanted = {("unfair", "parts"), ("unfair", "signals"), ("no_staircase", "regulator.setpoint")}
-    assert told >= {(f"control.{code}", address) for code, address in wanted}
+    errors = {(problem.code, problem.address) for problem in caught.value.problems}
+    expected = {("unfair", "parts"), ("unfair", "signals"), ("no_staircase", "regulator.setpoint")}
+    assert errors >= {(f"control.{code}", address) for code, address in expected}
 
 
 def test_parameters_of_controllers_may_differ(circuits):
     harder = circuits["pid"].with_values({"regulator.gain": "12 1/bar"})
-    found = compare({"first": circuits["pid"], "other": harder})
-    assert found.figures["first"]["travel"][0] != found.figures["other"]["travel"][0]
+    comparison = compare({"first": circuits["pid"], "other": harder})
+    assert comparison.figures["first"]["travel"][0] != comparison.figures["other"]["travel"][0]
 
 
 @pytest.mark.parametrize(

@@ -43,14 +43,14 @@ def tuned(form, bound, at):
 def test_margins_of_an_integrator_have_closed_forms():
     """The loop L = a/(z - 1) has a real part of -a/2, with the minimum of |1 + L| at half the sampling frequency."""
     a = 0.3
-    found = margins(SampledPlant(np.eye(1), np.array([a]), np.ones(1), T), Gains(1.0))
-    assert found.is_stable
-    assert found.gain_margin == pytest.approx(2.0 / a, rel=1e-6)
-    assert found.sensitivity == pytest.approx(1.0 / (1.0 - a / 2.0), rel=1e-6)
+    computed = margins(SampledPlant(np.eye(1), np.array([a]), np.ones(1), T), Gains(1.0))
+    assert computed.is_stable
+    assert computed.gain_margin == pytest.approx(2.0 / a, rel=1e-6)
+    assert computed.sensitivity == pytest.approx(1.0 / (1.0 - a / 2.0), rel=1e-6)
     angle = 2.0 * np.arcsin(a / 2.0)
-    assert found.crossover == pytest.approx(angle / (2.0 * np.pi * T), rel=1e-5)
-    assert found.phase_margin == pytest.approx(90.0 - np.degrees(angle) / 2.0, rel=1e-5)
-    assert found.delay_margin == pytest.approx(np.radians(found.phase_margin) / (angle / T), rel=1e-4)
+    assert computed.crossover == pytest.approx(angle / (2.0 * np.pi * T), rel=1e-5)
+    assert computed.phase_margin == pytest.approx(90.0 - np.degrees(angle) / 2.0, rel=1e-5)
+    assert computed.delay_margin == pytest.approx(np.radians(computed.phase_margin) / (angle / T), rel=1e-4)
 
 
 @pytest.mark.parametrize("delay", [0, 1, 2, 3])
@@ -69,17 +69,17 @@ def test_closed_loop_has_the_response_of_plant_and_controller(delay):
     plant = SampledPlant(np.array([[0.98, 0.01], [0.0, 0.9]]), np.array([0.01, 0.1]), np.array([1.0, 0.5]), T, delay)
     z = plant.at(np.array([0.5, 5.0, 60.0, 200.0]))
     a, b, c = closed_loop(plant, gains)
-    found = np.array([c @ np.linalg.solve(each * np.eye(len(b)) - a, b) for each in z])
+    response = np.array([c @ np.linalg.solve(point * np.eye(len(b)) - a, b) for point in z])
     integral_and_gain = Gains(0.7, 0.03).response(z, T)  # the derivative sees no setpoint
     loop = plant.response(z) * gains.response(z, T)
-    assert np.max(np.abs(found - plant.response(z) * integral_and_gain / (1.0 + loop))) < 1e-9
+    assert np.max(np.abs(response - plant.response(z) * integral_and_gain / (1.0 + loop))) < 1e-9
 
 
 def test_unstable_loop_is_detected():
     circuit = plant_of(tank_loop())
     plant = circuit.sampled(circuit.operating_point("3 bar"), "fill")
-    found = margins(plant, Gains(5e-3, 0.01))
-    assert not found.is_stable
+    computed = margins(plant, Gains(5e-3, 0.01))
+    assert not computed.is_stable
     assert np.max(np.abs(step_response(plant, Gains(5e-3, 0.01), 1.0, 400))) > 1e3
 
 
@@ -96,8 +96,8 @@ def test_plant_of_isothermal_tank_is_an_integrator():
     for branch, rate in zip(("fill", "vent"), rates, strict=True):
         model, ((address, weight),) = point.models[branch], point.weights[branch].items()
         row = model.outputs.index("tank.pressure")
-        found = weight * model.C[row] @ model.B[:, model.inputs.index(address)]
-        assert found == pytest.approx(rate, rel=1e-5)
+        gain = weight * model.C[row] @ model.B[:, model.inputs.index(address)]
+        assert gain == pytest.approx(rate, rel=1e-5)
 
 
 @pytest.mark.parametrize(
@@ -112,9 +112,9 @@ def test_tuned_loops_keep_the_bound_and_use_it(form, bound, at):
     s = 2j * np.pi * frequencies
     worst = 0.0
     for pressure in at:
-        rest = plant.operating_point(pressure)
-        for branch, model in rest.models.items():
-            ((address, weight),) = rest.weights[branch].items()
+        operating_point = plant.operating_point(pressure)
+        for branch, model in operating_point.models.items():
+            ((address, weight),) = operating_point.weights[branch].items()
             slope = weight * (model.C[model.outputs.index("tank.pressure")] @ model.B[:, model.inputs.index(address)])
             factor = point.vent_factor if branch == "vent" else 1.0
             # Step-invariant discretisation of k/(s (tau s + 1)), from tables of the z transform, and one sample more.
@@ -155,8 +155,8 @@ def test_a_schedule_has_a_point_for_each_pressure():
     recording = applied.simulate("9 s", "10 ms")
     assert abs(recording["tank.pressure"][-1] - 2e5) < 100.0
     # The gains that a controller has do not count when it is tuned.
-    (again,) = tune(applied, at=[5e5]).points
-    assert again.gains.gain == pytest.approx(tuning.points[1].gains.gain)
+    (point_at_5_bar,) = tune(applied, at=[5e5]).points
+    assert point_at_5_bar.gains.gain == pytest.approx(tuning.points[1].gains.gain)
 
 
 def test_leak_needs_a_steady_opening():

@@ -48,11 +48,11 @@ PLANTS = {
 def test_measured_responses_give_the_margins_of_the_plant(name):
     plant = PLANTS[name]
     for gains in (Gains(0.3), Gains(0.3, 0.2), Gains(0.5, 0.4, 0.02, 0.01)):
-        whole, some = margins(plant, gains), margins(measured_plant(plant), gains)
-        assert whole.is_stable == some.is_stable
-        assert some.sensitivity == pytest.approx(whole.sensitivity, rel=0.01)
-        assert some.complementary == pytest.approx(whole.complementary, rel=0.01)
-        assert some.crossover == pytest.approx(whole.crossover, rel=0.01)
+        exact, measured = margins(plant, gains), margins(measured_plant(plant), gains)
+        assert exact.is_stable == measured.is_stable
+        assert measured.sensitivity == pytest.approx(exact.sensitivity, rel=0.01)
+        assert measured.complementary == pytest.approx(exact.complementary, rel=0.01)
+        assert measured.crossover == pytest.approx(exact.crossover, rel=0.01)
 
 
 @pytest.mark.parametrize("integral_time", [0.0, 0.05])
@@ -62,17 +62,17 @@ def test_measured_responses_give_the_stability_limit(name, integral_time):
     plant, answers = PLANTS[name], measured_plant(PLANTS[name])
     gains = np.geomspace(1e-3, 1e3, 100)
     stable = [plant.is_stable_with(Gains(gain, integral_time)) for gain in gains]
-    found = [answers.is_stable_with(Gains(gain, integral_time)) for gain in gains]
+    is_stable = [answers.is_stable_with(Gains(gain, integral_time)) for gain in gains]
     assert any(stable) or integral_time
     assert not all(stable)
-    assert np.count_nonzero(np.array(stable) != found) <= 1
+    assert np.count_nonzero(np.array(stable) != is_stable) <= 1
 
 
 @pytest.mark.parametrize(("gain", "is_known"), [(0.02, False), (2.0, True), (300.0, False)])
 def test_frequency_range_must_cover_the_loop(gain, is_known):
     """The integrator |P| = 1/(2 sin(w T/2)) is between 800 and 0.71 from 0.1 to 125 Hz."""
     plant = SampledPlant(np.eye(1), np.ones(1), np.ones(1), TIME)
-    low, high = (0.5 / math.sin(math.pi * each) for each in (2e-4, 0.25))
+    low, high = (0.5 / math.sin(math.pi * fraction) for fraction in (2e-4, 0.25))
     assert measured_plant(plant).covers(Gains(0.01 * gain), 1.4) == is_known
     assert is_known == (0.01 * gain * low >= 3.5 and 0.01 * gain * high <= 1.0 - 1.0 / 1.4)
 
@@ -102,9 +102,9 @@ def test_linear_plant_has_the_gains_of_its_linear_model():
 
 
 def test_measured_plant_is_independent_of_the_controller():
-    ours, other = (by_sines(gain).points[0] for gain in ("2 1/m", "0.7 1/m"))
-    assert other.gains.gain == pytest.approx(ours.gains.gain, rel=0.02)
-    assert other.gains.integral_time == pytest.approx(ours.gains.integral_time, rel=0.05)
+    first, second = (by_sines(gain).points[0] for gain in ("2 1/m", "0.7 1/m"))
+    assert second.gains.gain == pytest.approx(first.gains.gain, rel=0.02)
+    assert second.gains.integral_time == pytest.approx(first.gains.integral_time, rel=0.05)
 
 
 def test_verification_equals_a_run_of_the_tuned_circuit():
@@ -120,8 +120,8 @@ def test_verification_equals_a_run_of_the_tuned_circuit():
         tuning.applied(balanced_cylinder()), signals={"c.setpoint": Steps([0.0, 1.0], [0.1, 0.1 + run.step])}
     )
     recording = circuit.simulate(6.0, 2e-3)
-    own = {name: recording[f"c.{name}"] for name in ("setpoint", "sensor_position", "command")}
-    figures = step_metrics(recording.time, *own.values())
+    series = {name: recording[f"c.{name}"] for name in ("setpoint", "sensor_position", "command")}
+    figures = step_metrics(recording.time, *series.values())
     assert figures["overshoot"] == pytest.approx(run.overshoot, abs=0.3)
     assert figures["settling_time"] == pytest.approx(run.settling_time, rel=0.05)
 
@@ -137,8 +137,8 @@ def test_a_dead_zone_has_its_describing_function(size):
     answers = []
     for overlap in (0.0, 0.03):
         circuit = balanced_cylinder(spool={"overlap": overlap})
-        held = make_measured_loop(circuit, None, [size], None).settle(0.1)
-        answer, command = held.answer(250, size)
+        settled = make_measured_loop(circuit, None, [size], None).settle(0.1)
+        answer, command = settled.answer(250, size)
         answers.append(answer)
     ratio = answers[1] / answers[0]
     assert abs(ratio) == pytest.approx(dead_zone(abs(command), 0.03), rel=0.02)
@@ -147,13 +147,13 @@ def test_a_dead_zone_has_its_describing_function(size):
 
 def test_gains_for_a_dead_zone_are_those_of_its_response():
     """A third of the response permits three times the gain; the final error is within the dead zone."""
-    bare, zoned = (
+    without_zone, zoned = (
         tune(balanced_cylinder(spool={"overlap": overlap}), at=["100 mm"], form="p", amplitudes=[0.05])
         for overlap in (0.0, 0.03)
     )
     greater = zoned.points[0].gains.gain * dead_zone(0.05, 0.03)
-    assert greater == pytest.approx(bare.points[0].gains.gain, rel=0.05)
-    assert not bare.notes
+    assert greater == pytest.approx(without_zone.points[0].gains.gain, rel=0.05)
+    assert not without_zone.notes
     assert [(note.code, note.address) for note in zoned.notes] == [("tuning.unsettled", "c")]
     assert not math.isfinite(zoned.points[0].verified[0].settling_time)
 
@@ -272,8 +272,8 @@ def test_the_muscle_joint_is_tuned_through_its_complete_valve():
     bound = margins(plant, by_hand)
     assert bound.is_stable
     assert 2.0 < bound.sensitivity < 3.0
-    (found,) = point.margins.values()
-    assert max(found.sensitivity, found.complementary) <= 1.4
+    (margin,) = point.margins.values()
+    assert max(margin.sensitivity, margin.complementary) <= 1.4
     assert all(run.overshoot < 25.0 and run.settling_time < 4.0 for run in point.verified)
     (fast,) = tune(circuit, at=["25 deg"], form="pid", sensitivity=bound.sensitivity, amplitudes=["100 N"]).points
     assert fast.gains.gain / fast.gains.integral_time > 960.0 / 0.15

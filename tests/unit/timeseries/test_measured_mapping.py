@@ -30,12 +30,12 @@ def folder(tmp_path: Path) -> Path:
 
 
 def table(**changes: Any) -> dict[str, Any]:
-    given = {
+    fields = {
         "file": "bench.csv",
         "time": {"column": "t_s", "unit": "s"},
         "tank.pressure": {"column": "p", "unit": "bar g"},
     }
-    return {key: value for key, value in (given | changes).items() if value is not None}
+    return {key: value for key, value in (fields | changes).items() if value is not None}
 
 
 def read(folder: Path, **changes: Any) -> Measurement:
@@ -59,9 +59,9 @@ def test_complete_table(folder: Path) -> None:
     inputs = { "outlet.mass_flow_rate" = { column = "flow [g/min]", delay = "free", lag = "20 ms" } }
     start = { "tank.initial_pressure" = "first", "tank.initial_temperature" = "293 K" }
     """
-    given = tomllib.loads(text)["recordings"]["empty"]
-    found = read_measurement("empty", given, folder, ambient_pressure=AMBIENT)
-    pressure, temperature = found.channels
+    raw = tomllib.loads(text)["recordings"]["empty"]
+    measurement = read_measurement("empty", raw, folder, ambient_pressure=AMBIENT)
+    pressure, temperature = measurement.channels
     assert (pressure.address, pressure.unit, pressure.noise, pressure.lag) == ("tank.pressure", "Pa", 2000.0, 0.0)
     assert pressure.time == pytest.approx(0.1 * np.arange(30), abs=1e-9)
     assert pressure.values[0] == pytest.approx(0.98e5 + 5.5e5)
@@ -69,20 +69,20 @@ def test_complete_table(folder: Path) -> None:
     assert (temperature.lag, temperature.noise) == (None, None)
     assert temperature.time[0] == pytest.approx(0.05)
     assert temperature.values[0] == pytest.approx(273.15 + 19.0)
-    (flow,) = found.inputs
+    (flow,) = measurement.inputs
     assert (flow.address, flow.unit, flow.delay, flow.lag) == ("outlet.mass_flow_rate", "kg/s", None, 0.02)
     assert flow.time[0] == pytest.approx(-1.0)
     assert flow.values[0] == pytest.approx(1e-3)
-    assert found.start == {"tank.initial_pressure": "first", "tank.initial_temperature": "293 K"}
-    assert found.ambient_pressure == 0.98e5
-    assert found.duration == pytest.approx(2.95)
+    assert measurement.start == {"tank.initial_pressure": "first", "tank.initial_temperature": "293 K"}
+    assert measurement.ambient_pressure == 0.98e5
+    assert measurement.duration == pytest.approx(2.95)
 
 
 def test_short_forms(folder: Path) -> None:
-    found = read(folder, time="t_s", inputs={"outlet.mass_flow_rate": 2})
-    assert found.channels[0].values[0] == pytest.approx(AMBIENT + 6e5)
-    assert found.inputs[0].values[0] == pytest.approx(1e-3)
-    assert found.inputs[0].delay == 0.0
+    measurement = read(folder, time="t_s", inputs={"outlet.mass_flow_rate": 2})
+    assert measurement.channels[0].values[0] == pytest.approx(AMBIENT + 6e5)
+    assert measurement.inputs[0].values[0] == pytest.approx(1e-3)
+    assert measurement.inputs[0].delay == 0.0
 
 
 @pytest.mark.parametrize(
@@ -104,23 +104,23 @@ def test_a_volume_flow_of_air_is_a_mass_flow(folder: Path) -> None:
     [("l/min", 1.185, "l/min ANR"), ("slpm", 1.185 * 293.15 / 273.15 * 1.01325, "l/min N")],
 )
 def test_volume_flow_without_reference_state_gives_a_note(folder: Path, unit: str, density: float, stated: str) -> None:
-    found = read(folder, inputs={"in.mass_flow_rate": {"column": 2, "unit": unit}})
-    assert found.inputs[0].values[0] == pytest.approx(1e-3 * density)
-    assert Note("doubt.read_as", "in.mass_flow_rate", unit=unit, read=stated) in found.notes
+    measurement = read(folder, inputs={"in.mass_flow_rate": {"column": 2, "unit": unit}})
+    assert measurement.inputs[0].values[0] == pytest.approx(1e-3 * density)
+    assert Note("doubt.read_as", "in.mass_flow_rate", unit=unit, read=stated) in measurement.notes
 
 
 def test_time_counts_from_the_first_used_sample_of_all(folder: Path) -> None:
     gas = {"column": "T", "unit": "degC", "file": "gas.csv", "time": {"column": "t_ms", "unit": "ms"}}
     for skip, first, second in (("0 s", 0.0, 0.05), ("0.03 s", 0.05, 0.0)):
-        found = read(folder, **{"skip": skip, "tank.temperature": gas})
-        assert found.channels[0].time[0] == pytest.approx(first, abs=1e-9)
-        assert found.channels[1].time[0] == pytest.approx(second, abs=1e-9)
+        measurement = read(folder, **{"skip": skip, "tank.temperature": gas})
+        assert measurement.channels[0].time[0] == pytest.approx(first, abs=1e-9)
+        assert measurement.channels[1].time[0] == pytest.approx(second, abs=1e-9)
 
 
 def test_until_ends_the_recording(folder: Path) -> None:
-    found = read(folder, skip="1 s", until="2 s")
-    assert found.channels[0].time == pytest.approx(0.1 * np.arange(11), abs=1e-9)
-    assert found.duration == pytest.approx(1.0)
+    measurement = read(folder, skip="1 s", until="2 s")
+    assert measurement.channels[0].time == pytest.approx(0.1 * np.arange(11), abs=1e-9)
+    assert measurement.duration == pytest.approx(1.0)
 
 
 def bench(folder: Path, rows: str) -> dict[str, Any]:
@@ -130,22 +130,22 @@ def bench(folder: Path, rows: str) -> dict[str, Any]:
 
 def test_repeated_stamps_are_merged_and_counted(folder: Path) -> None:
     rows = "\n".join(f"{k // 2},{k}" for k in range(20))
-    found = read(folder, **bench(folder, rows))
-    assert found.channels[0].time.tolist() == list(range(10))
-    assert found.channels[0].values[:2] == pytest.approx([AMBIENT + 0.5e5, AMBIENT + 2.5e5])
-    assert Note("measured.repeated_stamps", "tank.pressure", count=10) in found.notes
+    measurement = read(folder, **bench(folder, rows))
+    assert measurement.channels[0].time.tolist() == list(range(10))
+    assert measurement.channels[0].values[:2] == pytest.approx([AMBIENT + 0.5e5, AMBIENT + 2.5e5])
+    assert Note("measured.repeated_stamps", "tank.pressure", count=10) in measurement.notes
 
 
 def test_empty_cells_are_omitted_and_counted(folder: Path) -> None:
     rows = "\n".join(f"{k},{'' if k in (3, 4) else k}" for k in range(20))
-    found = read(folder, **bench(folder, rows))
-    assert found.channels[0].time.size == 18
-    assert Note("measured.empty_cells", "tank.pressure", lost=2, total=20) in found.notes
+    measurement = read(folder, **bench(folder, rows))
+    assert measurement.channels[0].time.size == 18
+    assert Note("measured.empty_cells", "tank.pressure", lost=2, total=20) in measurement.notes
 
 
 def test_a_constant_channel_is_a_finding(folder: Path) -> None:
-    found = read(folder, **bench(folder, "\n".join(f"{k},2" for k in range(20))))
-    (constant,) = [note for note in found.findings if note.code == "suspicion.constant"]
+    measurement = read(folder, **bench(folder, "\n".join(f"{k},2" for k in range(20))))
+    (constant,) = [note for note in measurement.findings if note.code == "suspicion.constant"]
     assert (constant.address, constant.facts["samples"]) == ("tank.pressure", 20)
 
 
@@ -156,15 +156,19 @@ def test_notes_of_a_file_have_its_name(folder: Path) -> None:
 
 def test_a_heading_of_another_unit_of_time_is_a_finding(folder: Path) -> None:
     (folder / "ms.csv").write_text("t [ms],p\n" + "\n".join(f"{k},{k % 3}" for k in range(20)))
-    found = read(folder, file="ms.csv", time={"column": "t", "unit": "s"})
-    (other,) = [note for note in found.findings if note.code == "suspicion.other_unit"]
-    assert other.within("empty").address == "empty.time"
+    measurement = read(folder, file="ms.csv", time={"column": "t", "unit": "s"})
+    (unit_note,) = [note for note in measurement.findings if note.code == "suspicion.other_unit"]
+    assert unit_note.within("empty").address == "empty.time"
 
 
 def test_a_heading_of_another_unit_is_a_finding(folder: Path) -> None:
-    found = read(folder, inputs={"in.mass_flow_rate": {"column": 2, "unit": "g/s"}})
-    (other,) = [note for note in found.findings if note.code == "suspicion.other_unit"]
-    assert (other.address, other.facts["unit"], other.facts["heading"]) == ("in.mass_flow_rate", "g/s", "g/min")
+    measurement = read(folder, inputs={"in.mass_flow_rate": {"column": 2, "unit": "g/s"}})
+    (unit_note,) = [note for note in measurement.findings if note.code == "suspicion.other_unit"]
+    assert (unit_note.address, unit_note.facts["unit"], unit_note.facts["heading"]) == (
+        "in.mass_flow_rate",
+        "g/s",
+        "g/min",
+    )
 
 
 @pytest.mark.parametrize(
@@ -238,9 +242,9 @@ PRESSURE = {"column": "p", "unit": "bar g"}
 def test_errors_have_an_address(folder: Path, changes: dict[str, Any], address: str, code: str) -> None:
     with pytest.raises(InputError) as caught:
         read(folder, **changes)
-    wanted = ".".join(filter(None, ("recordings.empty", address)))
-    assert (code, wanted) in {(problem.code, problem.address) for problem in caught.value.problems}
-    assert wanted in str(caught.value)
+    expected = ".".join(filter(None, ("recordings.empty", address)))
+    assert (code, expected) in {(problem.code, problem.address) for problem in caught.value.problems}
+    assert expected in str(caught.value)
 
 
 def test_error_of_the_shared_time_is_reported_once(folder: Path) -> None:
@@ -253,8 +257,10 @@ def test_error_of_the_shared_time_is_reported_once(folder: Path) -> None:
 
 def test_second_file_inherits_the_time_column(folder: Path) -> None:
     (folder / "wall.txt").write_text("t_s;T\n" + "\n".join(f"{5 + k},5;20,5" for k in range(9)))
-    found = read(folder, separator=",", **{"wall.temperature": {"column": "T", "unit": "degC", "file": "wall.txt"}})
-    assert found.channels[1].time == pytest.approx(0.5 + np.arange(9))
+    measurement = read(
+        folder, separator=",", **{"wall.temperature": {"column": "T", "unit": "degC", "file": "wall.txt"}}
+    )
+    assert measurement.channels[1].time == pytest.approx(0.5 + np.arange(9))
     gas = {"column": "T", "unit": "degC", "file": "gas.csv"}
     with pytest.raises(InputError) as caught:
         read(folder, **{"tank.temperature": gas})

@@ -186,15 +186,15 @@ def test_files_that_cannot_be_opened(tmp_path: Path) -> None:
 def test_columns_by_name_heading_or_index(tmp_path: Path) -> None:
     table = read_table(written(tmp_path, "Time(s),P1(PSI),flow (raw),P1(bar)\n0,1,2,3\n1,2,3,4\n"))
     assert table.units == ("s", "psi", "", "bar")
-    assert [table.index(wanted) for wanted in ("Time", "Time(s)", "flow (raw)", 3)] == [0, 0, 2, 3]
-    for wanted, code, facts in (
+    assert [table.index(column) for column in ("Time", "Time(s)", "flow (raw)", 3)] == [0, 0, 2, 3]
+    for column, code, facts in (
         ("P1", "ambiguous", {"places": (1, 3)}),
         ("Tine", "misspelt", {"names": table.names}),
         ("zzz", "unknown", {"column": "zzz"}),
         (4, "no_place", {"count": 4}),
     ):
         with pytest.raises(InputError) as caught:
-            table.index(wanted)
+            table.index(column)
         assert caught.value.code == f"table.{code}"
         assert facts.items() <= caught.value.facts.items()
 

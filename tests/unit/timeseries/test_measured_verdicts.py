@@ -66,9 +66,9 @@ def test_a_negative_absolute_pressure() -> None:
 
 
 def test_an_absolute_pressure_read_as_gauge() -> None:
-    late = discharge(end=AMBIENT + 1.0e5) - 6e5 * np.exp(-TIME[-1] / 20.0)
-    assert only(judged(pressure(late), gauge=True)).code == "suspicion.read_as_gauge"
-    assert judged(pressure(late)) == []
+    slow_discharge = discharge(end=AMBIENT + 1.0e5) - 6e5 * np.exp(-TIME[-1] / 20.0)
+    assert only(judged(pressure(slow_discharge), gauge=True)).code == "suspicion.read_as_gauge"
+    assert judged(pressure(slow_discharge)) == []
 
 
 def test_swapped_columns() -> None:
@@ -120,9 +120,9 @@ def filled(delay: float, sigma: float) -> tuple[InputChannel, Channel]:
     flow = np.where((TIME > 20.0) & (TIME < 60.0), 6e-4 * (1.0 + 0.3 * np.sin(TIME)), 0.0)
     mass = np.concatenate([[0.0], np.cumsum(0.05 * (flow[1:] + flow[:-1]))])
     noise = np.random.default_rng(1).normal(0.0, sigma, TIME.size)
-    seen = np.interp(TIME - delay, TIME, flow)
+    delayed_flow = np.interp(TIME - delay, TIME, flow)
     level = AMBIENT + 1.1e7 * mass + noise
-    return InputChannel("inlet.mass_flow_rate", TIME, seen, "kg/s"), pressure(level)
+    return InputChannel("inlet.mass_flow_rate", TIME, delayed_flow, "kg/s"), pressure(level)
 
 
 @pytest.mark.parametrize("sigma", [0.0, 300.0, 1500.0])

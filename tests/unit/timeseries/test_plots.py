@@ -42,8 +42,8 @@ SERIES = {
     "title", ["bell \a", "escape \x1b[31m", "nul \0", "\ufffe", "压力试验", "a -- b --> c", "$\\frac{"]
 )
 def test_any_title_gives_a_valid_figure(title, tmp_path):
-    drawn = Recording.from_series([0.0, 1.0], {"tank.pressure [Pa]": [1e5, 2e5]}, title=title)
-    plot_recordings({title: drawn}, tmp_path / "title.svg")
+    titled = Recording.from_series([0.0, 1.0], {"tank.pressure [Pa]": [1e5, 2e5]}, title=title)
+    plot_recordings({title: titled}, tmp_path / "title.svg")
     ElementTree.parse(tmp_path / "title.svg")
 
 
@@ -53,8 +53,8 @@ def recording(series=SERIES, **options) -> Recording:
 
 def panel(figure, quantity: str):
     """Return the axes whose label begins with a quantity."""
-    (found,) = [axes for axes in figure.axes if axes.get_ylabel().partition("\n")[0] == quantity]
-    return found
+    (panel_axes,) = [axes for axes in figure.axes if axes.get_ylabel().partition("\n")[0] == quantity]
+    return panel_axes
 
 
 def legend_texts(owner) -> list[str]:
@@ -126,9 +126,13 @@ def test_mass_flow_has_a_second_axis_of_air():
 
 
 def test_mass_flow_of_another_gas_has_no_axis_of_air():
-    other = recording(SERIES)
+    helium_run = recording(SERIES)
     helium = Recording(
-        other.time, other.names, other.units, other.values, notes=[Note("options.conductances_as_given", "gas")]
+        helium_run.time,
+        helium_run.names,
+        helium_run.units,
+        helium_run.values,
+        notes=[Note("options.conductances_as_given", "gas")],
     )
     assert panel(plot_recordings({"run": helium}), "mass flow rate").child_axes == []
 
@@ -188,14 +192,14 @@ def test_a_part_keeps_its_colour_and_parts_of_a_panel_differ():
     figure = run_figure()
     tank, _ = panel(figure, "pressure").lines
     assert panel(figure, "temperature").lines[0].get_color() == tank.get_color()
-    many = recording({f"tank_{k}.pressure [bar]": TIME + k for k in range(len(PALETTE))})
-    colours = [line.get_color() for line in plot_recordings({"run": many}).axes[0].lines]
+    tanks = recording({f"tank_{k}.pressure [bar]": TIME + k for k in range(len(PALETTE))})
+    colours = [line.get_color() for line in plot_recordings({"run": tanks}).axes[0].lines]
     assert len(set(colours)) == len(PALETTE)
 
 
 def test_colours_repeat_if_necessary():
-    many = recording({f"tank_{k}.pressure [bar]": TIME + k for k in range(len(PALETTE) + 5)})
-    assert len(plot_recordings({"run": many}).axes[0].lines) == len(PALETTE) + 5
+    tanks = recording({f"tank_{k}.pressure [bar]": TIME + k for k in range(len(PALETTE) + 5)})
+    assert len(plot_recordings({"run": tanks}).axes[0].lines) == len(PALETTE) + 5
     assert home_colours([]) == {}
 
 
@@ -230,8 +234,8 @@ def test_timeline_ignores_small_flows(tolerance):
     size = {"sonic_conductance": 1e-8, "critical_ratio": 0.3}
     pipes = {"pipe": Orifice(from_="one", to="two", **size), "hose": Orifice(from_="two", to="three", **size)}
     run = Circuit(tanks | pipes).simulate(duration=600.0, relative_tolerance=tolerance)
-    late = run.time > 60.0
-    changes = sum(np.count_nonzero(np.diff(run[f"{name}.regime"][late])) for name in pipes)
+    is_late = run.time > 60.0
+    changes = sum(np.count_nonzero(np.diff(run[f"{name}.regime"][is_late])) for name in pipes)
     assert changes > 0  # else there is nothing to see here
     for band in bands_of([run], None, COLUMNS):
         assert [span.code for span in band.spans if span.start + span.width > 60.0] == [0]
@@ -277,8 +281,8 @@ def test_spans_cover_the_time_once_and_hold_the_codes(codes):
     assert abs(sum(span.width for span in spans) - (time[-1] - time[0])) <= 1e-12 * time[-1]
     middles = 0.5 * (time[1:] + time[:-1])
     starts = np.array([span.start for span in spans])
-    shown = [spans[k].code for k in np.searchsorted(starts, middles, side="right") - 1]
-    assert shown == codes[:-1].tolist()
+    drawn_codes = [spans[k].code for k in np.searchsorted(starts, middles, side="right") - 1]
+    assert drawn_codes == codes[:-1].tolist()
 
 
 def test_fast_codes_are_replaced_by_the_most_frequent_code():
@@ -305,11 +309,11 @@ def test_gaps_in_codes_stay_empty():
     columns=st.integers(1, 30),
 )
 def test_thinning_keeps_ends_and_extremes(values, columns):
-    kept = thinned(np.arange(float(values.size)), values, columns)
-    assert (kept[0], kept[-1]) == (0, values.size - 1)
-    assert np.all(np.diff(kept) > 0)
-    assert len(kept) <= 5 * columns
-    assert (values[kept].min(), values[kept].max()) == (values.min(), values.max())
+    indices = thinned(np.arange(float(values.size)), values, columns)
+    assert (indices[0], indices[-1]) == (0, values.size - 1)
+    assert np.all(np.diff(indices) > 0)
+    assert len(indices) <= 5 * columns
+    assert (values[indices].min(), values[indices].max()) == (values.min(), values.max())
 
 
 def test_thinning_keeps_gaps():
@@ -378,9 +382,9 @@ def test_a_missing_folder_is_named(tmp_path):
 
 
 def test_settings_of_matplotlib_do_not_change(tmp_path):
-    before = dict(mpl.rcParams)
+    settings = dict(mpl.rcParams)
     recording().plot(tmp_path / "run.svg")
-    assert dict(mpl.rcParams) == before
+    assert dict(mpl.rcParams) == settings
 
 
 def test_no_window_system_is_used():
@@ -415,8 +419,8 @@ def test_missing_package_has_an_installation_hint(monkeypatch):
             "run",
         ),
         ({"run": Recording.from_series([0.0], {})}, {}, InputError, "drawing.no_samples", "run"),
-        ({"run": recording()}, {"select": "tnak.pressure"}, InputError, "drawing.unknown", "tnak.pressure"),
-        ({"run": recording()}, {"select": ["tank.*", "x*"]}, InputError, "drawing.unknown", "x*"),
+        ({"run": recording()}, {"select": "tnak.pressure"}, InputError, "names.unknown", "tnak.pressure"),
+        ({"run": recording()}, {"select": ["tank.*", "x*"]}, InputError, "names.unknown", "x*"),
         ({"run": recording()}, {"units": ["N"]}, InputError, "drawing.unused_unit", "N"),
         ({"run": recording()}, {"units": {"tank.mass": "g"}}, InputError, "drawing.unused_unit", "tank.mass"),
         (
@@ -433,7 +437,7 @@ def test_missing_package_has_an_installation_hint(monkeypatch):
 def test_invalid_arguments_are_rejected(recordings, options, error, code, name):
     with pytest.raises(error) as caught:
         plot_recordings(recordings, **options)
-    assert (caught.value.code, caught.value.facts.get("name")) == (code, name)
+    assert (caught.value.code, caught.value.facts.get("name", caught.value.address)) == (code, name)
 
 
 # --- nothing is cut ---
@@ -447,9 +451,9 @@ def test_long_names_widen_the_figure():
     figure = plot_recordings(dict.fromkeys(keys, recording()), title="a title " * 30)
     figure.canvas.draw()  # legends find their places
     renderer = figure.canvas.get_renderer()
-    shown = [text for axes in figure.axes for text in axes.texts] + list(figure.texts)
-    shown += [text for legend in figure.legends for text in legend.get_texts()]
-    for box in (text.get_window_extent(renderer) for text in shown):
+    texts = [text for axes in figure.axes for text in axes.texts] + list(figure.texts)
+    texts += [text for legend in figure.legends for text in legend.get_texts()]
+    for box in (text.get_window_extent(renderer) for text in texts):
         assert figure.bbox.x0 <= box.x0 <= box.x1 <= figure.bbox.x1
         assert figure.bbox.y0 <= box.y0 <= box.y1 <= figure.bbox.y1
 
@@ -470,10 +474,10 @@ def hiding(*names: str) -> Recording:
 
 def test_internal_series_are_drawn_if_selected():
     recording = hiding("valve.stroke", "bleed.regime")
-    drawn = [axes.get_ylabel().partition("\n")[0] for axes in plot_recordings({"": recording}).axes]
-    assert "stroke" not in drawn
-    every = [axes.get_ylabel().partition("\n")[0] for axes in plot_recordings({"": recording}, inner=True).axes]
-    assert "stroke" in every
+    default_labels = [axes.get_ylabel().partition("\n")[0] for axes in plot_recordings({"": recording}).axes]
+    assert "stroke" not in default_labels
+    all_labels = [axes.get_ylabel().partition("\n")[0] for axes in plot_recordings({"": recording}, inner=True).axes]
+    assert "stroke" in all_labels
     assert len(plot_recordings({"": recording}, select="valve.stroke").axes) == 1
     notes = " ".join(" ".join(text.get_text() for text in plot_recordings({"": recording}).texts).split())
     assert str(Note("drawing.inner", count=2, first=["bleed.regime", "valve.stroke"])) in notes
@@ -510,8 +514,8 @@ def test_motion_is_the_first_panel_and_friction_is_on_the_timeline():
     names = [axes.get_ylabel().partition("\n")[0] for axes in figure.axes]
     assert names == ["position", "velocity", "pressure", "force", ""]
     (rows,) = [axes for axes in figure.axes if not axes.get_ylabel()]
-    spans = {each.get_label(): each.get_paths()[0].get_extents() for each in rows.collections}
+    spans = {collection.get_label(): collection.get_paths()[0].get_extents() for collection in rows.collections}
     assert set(spans) == {"sticks", "slips"}
     assert (spans["slips"].x0, spans["slips"].x1) == pytest.approx((0.51, 0.75), abs=0.011)
-    every = plot_recordings({"": moving_load()}, inner=True)
-    assert "temperature" in [axes.get_ylabel().partition("\n")[0] for axes in every.axes]
+    complete = plot_recordings({"": moving_load()}, inner=True)
+    assert "temperature" in [axes.get_ylabel().partition("\n")[0] for axes in complete.axes]

@@ -47,7 +47,7 @@ def test_series_are_found_by_name(recording):
 def test_unknown_name_has_a_suggestion(recording):
     with pytest.raises(InputError) as caught:
         recording["tank.presure"]
-    assert caught.value.code == "series.unknown"
+    assert caught.value.code == "names.unknown"
     assert caught.value.facts["near"].names[0] == "tank.pressure"
 
 
@@ -59,9 +59,9 @@ def test_arrays_are_read_only_views(recording, shown):
 
 def test_constructor_does_not_lock_its_arguments():
     time = np.array([0.0, 1.0])
-    made = Recording(time, ("a",), ("1",), np.zeros((1, 2)))
+    recording = Recording(time, ("a",), ("1",), np.zeros((1, 2)))
     time[1] = 2.0
-    assert made.time[1] == 2.0
+    assert recording.time[1] == 2.0
 
 
 def test_repr_names_series_units_and_extent(recording):
@@ -76,14 +76,14 @@ def test_repr_names_series_units_and_extent(recording):
 
 def test_select_keeps_the_requested_order(recording):
     assert recording.select("tank.*").names == ("tank.pressure", "tank.temperature")
-    chosen = recording.select(["bleed.opening", "*.pressure", "tank.*"])
-    assert chosen.names == ("bleed.opening", "tank.pressure", "tank.temperature")
-    assert chosen["tank.pressure"].tolist() == recording["tank.pressure"].tolist()
-    assert chosen.units == ("1", "Pa", "K")
-    assert chosen.notes == recording.notes
+    selection = recording.select(["bleed.opening", "*.pressure", "tank.*"])
+    assert selection.names == ("bleed.opening", "tank.pressure", "tank.temperature")
+    assert selection["tank.pressure"].tolist() == recording["tank.pressure"].tolist()
+    assert selection.units == ("1", "Pa", "K")
+    assert selection.notes == recording.notes
     with pytest.raises(InputError) as caught:
         recording.select(["tank.*", "tank.m*"])
-    assert (caught.value.code, caught.value.facts["name"]) == ("series.unknown", "tank.m*")
+    assert (caught.value.code, caught.value.address) == ("names.unknown", "tank.m*")
 
 
 def test_between_includes_both_ends(recording):
@@ -101,9 +101,9 @@ def test_between_includes_both_ends(recording):
 def test_interpolation_is_linear_without_extrapolation(recording):
     np.testing.assert_allclose(recording.interpolate("tank.temperature", [0.05, 0.2]), [296.575, 305.0])
     assert recording.interpolate("tank.temperature", 0.1) == 300.0
-    for outside in (-0.1, 0.5, math.nan):
+    for time in (-0.1, 0.5, math.nan):
         with pytest.raises(InputError) as caught:
-            recording.interpolate("tank.temperature", [0.1, outside])
+            recording.interpolate("tank.temperature", [0.1, time])
         assert caught.value.code == "series.outside"
 
 
@@ -137,11 +137,11 @@ def test_converted_refuses_other_quantities(recording):
 
 
 def test_from_series_reads_units_of_headings_and_arguments():
-    made = Recording.from_series([0, 1], {"a [Pa]": [1, 2], "b": [3, 4], "c": [5, 6]}, units={"b": "K"})
-    assert made.names == ("a", "b", "c")
-    assert made.units == ("Pa", "K", "")
-    assert made["b"].tolist() == [3.0, 4.0]
-    assert made.time.dtype == float
+    recording = Recording.from_series([0, 1], {"a [Pa]": [1, 2], "b": [3, 4], "c": [5, 6]}, units={"b": "K"})
+    assert recording.names == ("a", "b", "c")
+    assert recording.units == ("Pa", "K", "")
+    assert recording["b"].tolist() == [3.0, 4.0]
+    assert recording.time.dtype == float
 
 
 def test_from_series_without_series():
@@ -197,18 +197,18 @@ def test_pandas_has_time_as_index(recording):
 
 
 def test_plot_calls_the_report(recording, monkeypatch):
-    seen = {}
+    call = {}
     plots = types.ModuleType("poppet.timeseries.plotting.plots")
-    plots.plot_recordings = lambda *given, **options: seen.update(given=given, options=options)
+    plots.plot_recordings = lambda *given, **options: call.update(given=given, options=options)
     monkeypatch.setitem(sys.modules, "poppet.timeseries.plotting.plots", plots)
     recording.plot("out.svg", select=["tank.*"])
-    assert seen == {"given": ({"filling": recording}, "out.svg"), "options": {"select": ["tank.*"]}}
+    assert call == {"given": ({"filling": recording}, "out.svg"), "options": {"select": ["tank.*"]}}
 
 
 def test_a_recording_can_be_sent_to_another_process(recording):
-    again = pickle.loads(pickle.dumps(recording))
-    np.testing.assert_array_equal(again.values, recording.values)
-    assert again.notes == recording.notes
+    restored = pickle.loads(pickle.dumps(recording))
+    np.testing.assert_array_equal(restored.values, recording.values)
+    assert restored.notes == recording.notes
 
 
 def test_csv_is_the_public_contract(recording, tmp_path):
@@ -224,48 +224,48 @@ def test_csv_is_the_public_contract(recording, tmp_path):
 @pytest.mark.parametrize("suffix", SUFFIXES)
 def test_written_files_are_read_without_changes(recording, tmp_path, suffix):
     path = recording.save(tmp_path / f"out{suffix}")
-    again = Recording.read(path)
-    assert again.names == recording.names
-    assert again.units == recording.units
-    np.testing.assert_array_equal(again.time, recording.time)
-    np.testing.assert_array_equal(again.values, recording.values)
+    restored = Recording.read(path)
+    assert restored.names == recording.names
+    assert restored.units == recording.units
+    np.testing.assert_array_equal(restored.time, recording.time)
+    np.testing.assert_array_equal(restored.values, recording.values)
 
 
 @pytest.mark.parametrize("suffix", [".parquet", ".mat"])
 def test_parquet_and_mat_keep_the_metadata(recording, tmp_path, suffix):
-    again = Recording.read(recording.save(tmp_path / f"out{suffix}"))
-    assert again.title == "filling"
-    assert again.notes == recording.notes
-    assert again.outcome == recording.outcome
-    assert again.statistics == {"steps": 12.0}
-    assert again.ambient_pressure == 95000.0
+    restored = Recording.read(recording.save(tmp_path / f"out{suffix}"))
+    assert restored.title == "filling"
+    assert restored.notes == recording.notes
+    assert restored.outcome == recording.outcome
+    assert restored.statistics == {"steps": 12.0}
+    assert restored.ambient_pressure == 95000.0
 
 
 @pytest.mark.parametrize("suffix", SUFFIXES)
 def test_one_sample_of_one_series_and_missing_values(tmp_path, suffix):
     single = Recording.from_series([2.0], {"a [Pa]": [math.nan]})
-    again = Recording.read(single.save(tmp_path / f"out{suffix}"))
-    assert again.time.tolist() == [2.0]
-    assert np.isnan(again["a"]).tolist() == [True]
+    restored = Recording.read(single.save(tmp_path / f"out{suffix}"))
+    assert restored.time.tolist() == [2.0]
+    assert np.isnan(restored["a"]).tolist() == [True]
 
 
 def test_csv_headings_with_commas_are_quoted(tmp_path):
-    made = Recording.from_series([0.0, 1.0], {'the "a", first [Pa]': [1.0, 2.0]})
-    assert Recording.read(made.save(tmp_path / "out.csv")).names == ('the "a", first',)
+    recording = Recording.from_series([0.0, 1.0], {'the "a", first [Pa]': [1.0, 2.0]})
+    assert Recording.read(recording.save(tmp_path / "out.csv")).names == ('the "a", first',)
 
 
 def test_mat_names_are_valid_and_restored(tmp_path):
     from scipy.io import loadmat
 
     names = ["tank.pressure", "tank__pressure", "time", "1st", "a-b", "x" * 80, "x" * 81]
-    made = Recording.from_series([0.0, 1.0], {name: [float(i), 0.0] for i, name in enumerate(names)})
-    path = made.save(tmp_path / "out.mat")
+    recording = Recording.from_series([0.0, 1.0], {name: [float(i), 0.0] for i, name in enumerate(names)})
+    path = recording.save(tmp_path / "out.mat")
     variables = [name for name in loadmat(path) if not name.startswith("__")]
     assert {"time", "tank__pressure", "tank__pressure_2", "time_2", "x1st", "a_b"} <= set(variables)
     assert all(name.isidentifier() and len(name) <= 63 for name in variables)
-    again = Recording.read(path)
-    assert list(again.names) == names
-    assert [again[name][0] for name in names] == list(range(len(names)))
+    restored = Recording.read(path)
+    assert list(restored.names) == names
+    assert [restored[name][0] for name in names] == list(range(len(names)))
 
 
 def test_parquet_carries_the_unit_of_each_column(recording, tmp_path):
@@ -411,11 +411,11 @@ def test_files_of_other_programs(tmp_path):
 
 @pytest.mark.parametrize("suffix", [".parquet", ".mat"])
 def test_series_with_the_name_of_the_time(tmp_path, suffix):
-    made = Recording.from_series([0.0, 1.0], {"time [V]": [5.0, 6.0], "time_2": [7.0, 8.0], "poppet": [9.0, 0.0]})
-    again = Recording.read(made.save(tmp_path / f"out{suffix}"))
-    assert (again.names, again.units) == (made.names, made.units)
-    assert again.time.tolist() == [0.0, 1.0]
-    np.testing.assert_array_equal(again.values, made.values)
+    recording = Recording.from_series([0.0, 1.0], {"time [V]": [5.0, 6.0], "time_2": [7.0, 8.0], "poppet": [9.0, 0.0]})
+    restored = Recording.read(recording.save(tmp_path / f"out{suffix}"))
+    assert (restored.names, restored.units) == (recording.names, recording.units)
+    assert restored.time.tolist() == [0.0, 1.0]
+    np.testing.assert_array_equal(restored.values, recording.values)
 
 
 def test_a_csv_file_has_one_time(tmp_path):

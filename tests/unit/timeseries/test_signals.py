@@ -56,8 +56,8 @@ def test_segments_begin_at_zero_increase_and_end_before_the_run(signal):
 @every_signal
 def test_only_marked_starts_are_discontinuous(signal):
     table = signal.table(3.0)
-    before = signal.evaluate(np.nextafter(table.start[1:], 0.0))
-    step = np.abs(signal.evaluate(table.start[1:]) - before)
+    left_limits = signal.evaluate(np.nextafter(table.start[1:], 0.0))
+    step = np.abs(signal.evaluate(table.start[1:]) - left_limits)
     np.testing.assert_array_equal(step > 1e-9, table.jump[1:])
 
 
@@ -155,7 +155,7 @@ def test_a_delayed_step_is_never_lost(times, delay):
     steps = Steps([0.0, *(k / 10 for k in sorted(times))], np.arange(len(times) + 1.0))
     shifted = np.asarray(steps.times) + delay
     np.testing.assert_array_equal(steps.delayed(delay).evaluate(shifted), steps.values)
-    assert all(steps.delayed(delay).table(until).start[-1] < until for until in shifted)
+    assert all(steps.delayed(delay).table(end).start[-1] < end for end in shifted)
 
 
 def test_held_values_give_a_note():
@@ -202,9 +202,9 @@ def test_merge_marks_the_jumps_of_any_input():
 
 
 def test_merge_joins_starts_that_differ_by_rounding():
-    late = 0.1 + 0.2  # 0.30000000000000004
+    rounded = 0.1 + 0.2  # 0.30000000000000004
     starts, courses, coefficients, jumps = merge(
-        [Steps([0.0, 0.3], [0.0, 1.0]).table(1.0), Steps([0.0, late], [0.0, 2.0]).table(1.0)]
+        [Steps([0.0, 0.3], [0.0, 1.0]).table(1.0), Steps([0.0, rounded], [0.0, 2.0]).table(1.0)]
     )
     assert starts.tolist() == [0.0, 0.3]
     assert coefficients[courses[1], :, 0].tolist() == [1.0, 2.0]
@@ -238,8 +238,8 @@ def test_edges_of_pulses_are_correctly_rounded(frequency):
     start = Square(-1.0, 1.0, frequency, duty=0.25).table(500.5 / frequency).start
     assert start.size == 1002  # the last period has begun, and its fall too
     periods = [Fraction(k) / Fraction(frequency) for k in range(501)]
-    assert start[0::2].tolist() == [float(each) for each in periods]
-    falls = [float(each + Fraction(1, 4) / Fraction(frequency)) for each in periods]
+    assert start[0::2].tolist() == [float(start_time) for start_time in periods]
+    falls = [float(start_time + Fraction(1, 4) / Fraction(frequency)) for start_time in periods]
     np.testing.assert_array_max_ulp(start[1::2], np.array(falls), 1)
 
 
@@ -369,9 +369,9 @@ def test_fields_are_checked(build, code, field):
 
 
 def test_signals_are_immutable():
-    given = np.array([0.0, 1.0])
-    steps = Steps(given, [1.0, 2.0])
-    given[1] = 9.0
+    times = np.array([0.0, 1.0])
+    steps = Steps(times, [1.0, 2.0])
+    times[1] = 9.0
     assert steps.times[1] == 1.0
     with pytest.raises(ValueError, match="read-only"):
         steps.times[1] = 5.0

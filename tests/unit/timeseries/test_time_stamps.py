@@ -90,16 +90,16 @@ def recording_of(folder, times, **time):
 
 
 def test_serial_numbers_of_excel_are_days(tmp_path):
-    found = recording_of(tmp_path, 46349.75 + SECONDS / 86400.0)
-    assert found.channels[0].time == pytest.approx(SECONDS, abs=2e-6)
-    assert any(note.code == "table.serial_days" for note in found.notes)
+    measurement = recording_of(tmp_path, 46349.75 + SECONDS / 86400.0)
+    assert measurement.channels[0].time == pytest.approx(SECONDS, abs=2e-6)
+    assert any(note.code == "table.serial_days" for note in measurement.notes)
 
 
 @pytest.mark.parametrize(("times", "time"), [(46349.75 + SECONDS, {}), (46349.75 + SECONDS / 86400.0, {"unit": "s"})])
 def test_seconds_in_the_range_of_serial_numbers_stay(tmp_path, times, time):
-    found = recording_of(tmp_path, times, **time)
-    assert found.channels[0].time[-1] == pytest.approx(times[-1] - times[0], rel=1e-5)
-    assert not any(note.code == "table.serial_days" for note in found.notes)
+    measurement = recording_of(tmp_path, times, **time)
+    assert measurement.channels[0].time[-1] == pytest.approx(times[-1] - times[0], rel=1e-5)
+    assert not any(note.code == "table.serial_days" for note in measurement.notes)
 
 
 def test_recordings_with_time_stamps_are_read(tmp_path):

@@ -102,7 +102,8 @@ def chosen_names(recordings: Sequence[Columns], select: str | Iterable[str] | No
     for pattern in [select] if isinstance(select, str) else select:
         matches = [name for name in names if name == pattern or fnmatchcase(name, pattern)]
         if not matches:
-            raise InputError("drawing.unknown", name=pattern, near=NameSuggestion(pattern, names))
+            near = NameSuggestion(pattern, names)
+            raise InputError("names.unknown", pattern, meaning="an output of any recording", near=near)
         selected.update(dict.fromkeys(matches))
     return tuple(selected)
 

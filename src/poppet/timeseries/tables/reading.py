@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import importlib
 import inspect
 import json
 from collections.abc import Callable, Iterator, Mapping
@@ -164,8 +163,9 @@ def _vectors(content: Mapping[str, Any], prefix: str = "") -> Iterator[tuple[str
 def arrow() -> ModuleType:
     """Import the package pyarrow, and return it."""
     with needed("pyarrow", "A Parquet file", "data"):
-        package = importlib.import_module("pyarrow")
-        importlib.import_module("pyarrow.parquet")
+        import pyarrow
+        import pyarrow.parquet
+    package: ModuleType = pyarrow
     return package
 
 
