@@ -113,6 +113,11 @@ SOURCES = {
         "off, by a program that takes nothing from the library: tests/exact/independent_edge_tanks.py",
         "MIT",
     ),
+    "benchtests": Source(
+        "Flow benches and valves of known truth, by programs that take nothing from the library: "
+        "tests/exact/independent_flow_benches.py and independent_characteristics.py",
+        "MIT",
+    ),
     "eos": Source(
         "Reference equations of state, values by CoolProp 8.0 (Lemmon et al. 2000, Span & Wagner 1996 and others)",
         "MIT; figures quoted",
@@ -157,6 +162,8 @@ def module(name: str) -> Any:
 
 TANK_TESTS = 100
 """Number of tests; `tests/exact/test_independent_coverage.py` runs 300."""
+FLOW_BENCHES, SPLINES = 40, 35
+"""Number of benches of each kind, and of valves of each shape."""
 NOTHING_FITTED = "all data: nothing was fitted"
 NONE_NEEDED = "not applicable: no fit"
 
@@ -844,6 +851,39 @@ def leaking_tanks() -> Figures:
 def _is_covered(contained: int, count: int) -> bool:
     """Return True if the count is consistent with intervals of at least 93 %."""
     return bool(contained >= module("exact.test_independent_coverage").bounds(count)[0])
+
+
+@claim(
+    "benchtests",
+    "Coverage of the 95 % confidence intervals of flow benches",
+    unseen="the true values",
+    ours="{covered} of {determined} determined values of C and b, in {benches} benches of five kinds",
+    theirs="95 of 100",
+    when="the count is consistent with a coverage of 93 to 98 % at a significance of 0.1 %",
+    holds=lambda f: _is_sound(f["covered"], f["determined"]),
+)
+def flow_intervals() -> Figures:
+    tests = module("exact.test_independent_flow_benches")
+    kinds = (*tests.CALIBRATED, "scatter unknown", "few points")
+    counts = [tests.counts_of(kind, range(8000, 8000 + FLOW_BENCHES)) for kind in kinds]
+    determined, covered = (sum(row[k] for row in counts) for k in (0, 1))
+    return {"benches": FLOW_BENCHES * len(kinds), "determined": determined, "covered": covered}
+
+
+@claim(
+    "benchtests",
+    "Coverage of the 95 % bands of C(x) and b(x) by splines",
+    unseen="the true curves",
+    ours="C(x) {C:.1f} % and b(x) {b:.1f} % of the tested range, in {valves} valves of six shapes",
+    theirs="95 %",
+    when="both are from 93 to 98 %",
+    holds=lambda f: all(93.0 <= f[name] <= 98.0 for name in ("C", "b")),
+)
+def spline_bands() -> Figures:
+    tests = module("exact.test_stiff_splines")
+    fractions = [tests.bands_of(shape, range(3000, 3000 + SPLINES))[0] for shape in tests.SHAPES]
+    conductance, ratio = (100.0 * np.mean(fractions, axis=0)).tolist()
+    return {"valves": SPLINES * len(fractions), "C": conductance, "b": ratio}
 
 
 def _rms(error: Any) -> float:

@@ -370,9 +370,11 @@ def test_the_summary_of_a_load_begins_with_strokes_and_energy(poppet, tmp_path):
     rows = [line.split() for line in done.out.splitlines()]
     strokes = [row for row in rows if row[:1] == ["slide"] and "mm/s" in row]
     assert [float(row[4]) for row in strokes] == [pytest.approx(s.duration, rel=1e-3) for s in figures.strokes]
-    assert [float(row[-2]) for row in strokes] == [
+    assert [float(row[9]) for row in strokes] == [
         pytest.approx(1e3 * abs(figures.met(s).velocity), rel=1e-3) for s in figures.strokes
     ]
+    assert [float(row[11]) for row in strokes] == [pytest.approx(s.from_command, rel=1e-3) for s in figures.strokes]
+    assert [row[12:] for row in strokes] == [["valve_cap.command", "at", time, "s"] for time in ("0.1", "2.1")]
     assert float(next(row for row in rows if row[:2] == ["air", "used"])[2]) == pytest.approx(
         1e3 * figures.air_used, rel=1e-3
     )

@@ -8,7 +8,10 @@ from typing import Any
 import numpy as np
 
 DENSITY, REFERENCE = 1.185, 293.15  # of ISO 6358: kg/m^3 at 20 degC, 1 bar and 65 % humidity; K
-KINDS = ("stated", "scatter unknown", "uncalibrated", "three times", "gauge", "ambient", "four ratios", "cracking")
+KINDS = (
+    "stated", "scatter unknown", "uncalibrated", "three times", "gauge", "ambient", "four ratios", "cracking",
+    "few points", "half too small",
+)  # fmt: skip
 KILO = 1e3
 
 
@@ -32,7 +35,7 @@ def draw(seed: int, kind: str) -> FlowBench:
     """Return a random bench of one kind."""
     g = np.random.default_rng([seed, KINDS.index(kind)])
     truth = {"sonic_conductance": 10.0 ** g.uniform(-9.5, -7.5), "critical_ratio": g.uniform(0.15, 0.55)}
-    n = int(g.integers(10, 25))
+    n = int(g.integers(5, 9) if kind == "few points" else g.integers(10, 25))
     supply = g.uniform(4e5, 9e5)
     ambient = g.uniform(0.95e5, 1.03e5)
     if kind in ("ambient", "gauge"):  # the inlet pressure changes
@@ -61,7 +64,7 @@ def draw(seed: int, kind: str) -> FlowBench:
         "pressure_2": {"absolute": noise, "offset": offset},
         "temperature_1": {"absolute": 0.2, "offset": 0.5},
     }
-    spread = 3.0 if kind == "three times" else 1.0
+    spread = {"three times": 3.0, "half too small": 1.5}.get(kind, 1.0)
     readings = {
         "mass_flow_rate": q
         * (1.0 + calibration * g.standard_normal())
@@ -73,7 +76,7 @@ def draw(seed: int, kind: str) -> FlowBench:
     if kind == "ambient" and seed % 2:  # the open port has no sensor: one barometer reading
         readings["pressure_2"] = ambient + noise * g.standard_normal()
         stated["pressure_2"] = {"absolute": noise}
-    if kind == "scatter unknown":
+    if kind in ("scatter unknown", "few points"):
         del stated["mass_flow_rate"]["relative"]
     if kind == "uncalibrated" or (kind == "three times" and seed % 2):
         stated = {

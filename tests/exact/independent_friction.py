@@ -1,4 +1,7 @@
-"""Independent friction tests whose Stribeck excess grows with the pressure; NumPy only, no code of `poppet`.
+"""Independent friction tests, by NumPy and SciPy only: no code of `poppet`.
+
+Tables and recordings with a Stribeck excess that grows with the pressure, and the motion of a mass with the
+elasto-plastic law.
 
 The friction of steady sliding is F(v, p) = Fc + (Fs - Fc + ks p) exp(-(v/vs)^2) + k p + d v. With ks = 0, seals
 add the same friction at each speed.
@@ -9,6 +12,39 @@ from __future__ import annotations
 from typing import Any
 
 import numpy as np
+from scipy.integrate import solve_ivp
+
+
+def simulate_elasto_plastic(law, mass, load, times):
+    """Return position, velocity and friction of a mass from rest under `load(t)`, (3, n), at the given times.
+
+    The equations are those of Dupont, Hayward, Armstrong & Altpeter, IEEE Trans. Automatic Control 47 (2002) 787-792,
+    with a bristle damping that decreases with the speed. `law` has the parameters Fc, Fs, vs, s0, s1, s2
+    and zba.
+    """
+
+    def friction(v, z):
+        steady = (law["Fc"] + (law["Fs"] - law["Fc"]) * np.exp(-((v / law["vs"]) ** 2))) / law["s0"]
+        if np.sign(v) != np.sign(z) or abs(z) <= law["zba"]:
+            alpha = 0.0
+        elif abs(z) >= steady:
+            alpha = 1.0
+        else:
+            middle = 0.5 * (steady + law["zba"])
+            alpha = 0.5 * np.sin(np.pi * (abs(z) - middle) / (steady - law["zba"])) + 0.5
+        rate = v * (1.0 - alpha * z * np.sign(v) / steady)
+        damping = law["s1"] * np.exp(-((v / law["vs"]) ** 2))
+        return law["s0"] * z + damping * rate + law["s2"] * v, rate
+
+    def rates(t, y):
+        force, rate = friction(y[1], y[2])
+        return [y[1], (load(t) - force) / mass, rate]
+
+    solution = solve_ivp(
+        rates, (0.0, times[-1]), [0.0, 0.0, 0.0], "LSODA", times, rtol=1e-9, atol=[1e-12, 1e-11, 1e-14], max_step=1e-2
+    )
+    x, v, z = solution.y
+    return np.array([x, v, [friction(*pair)[0] for pair in zip(v, z, strict=True)]])
 
 
 def draw_truth(generator: np.random.Generator, growth: float) -> dict[str, float]:

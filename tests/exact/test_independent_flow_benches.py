@@ -48,6 +48,14 @@ def test_calibrated_benches_are_determined_and_covered(kind, count):
     assert far == 0
 
 
+@pytest.mark.parametrize("kind", ["scatter unknown", "few points", "half too small"])
+@pytest.mark.parametrize("count", [FEW, pytest.param(ALL, marks=pytest.mark.slow)])
+def test_scatter_that_is_not_stated_or_too_small_is_covered(kind, count):
+    determined, covered, *_ = counts_of(kind, range(count))
+    assert determined >= 0.3 * 2 * count
+    assert covered >= 0.9 * determined - 1
+
+
 @pytest.mark.parametrize("kind", ["uncalibrated", "three times", "gauge"])
 @pytest.mark.parametrize("count", [FEW, pytest.param(ALL, marks=pytest.mark.slow)])
 def test_benches_with_unstated_errors_determine_nothing(kind, count):

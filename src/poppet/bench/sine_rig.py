@@ -210,9 +210,9 @@ class Agreement:
 
 
 def without_bands(circuit: BaseCircuit) -> BaseCircuit:
-    """Return the circuit with a controller that acts continuously.
+    """Return the circuit with a continuous controller: without dead bands, hold bands, delays and quantisation.
 
-    Solenoids are averaged. The controller has no bands, delays and quantisation.
+    The flow of each pulsed solenoid is replaced by its mean over a period.
     """
     changes: dict[str, float | str] = {}
     for name, part in circuit.parts.items():

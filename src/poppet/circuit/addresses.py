@@ -85,7 +85,8 @@ def _change_field(owner: Any, name: str, field: str, changes: Mapping[str, Any],
     """Return the new value of one field of a part.
 
     `changes` maps paths inside the field to new values. An empty path replaces the whole field. `owner` is the part
-    that contains the field, and `inherited` are fields that only the enclosing part can set.
+    with the address `name` that contains the field. `inherited` are the names of fields whose values come from the
+    enclosing compound part, so they cannot be changed here.
     """
     if field in inherited:
         raise InputError("address.told", f"{name}.{field}", whole=name.rpartition(".")[0])

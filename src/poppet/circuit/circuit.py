@@ -26,6 +26,7 @@ from poppet.circuit.wiring import (
     check_starts,
     check_wiring,
     connect_tube_cells,
+    find_drives,
 )
 from poppet.core.codes import Note
 from poppet.core.errors import ErrorCollector, InputError, SimulationError
@@ -191,6 +192,15 @@ class BaseCircuit(HtmlMixin):
     @property
     def _wiring(self) -> dict[str, PartWiring]:
         return {name: part.wired for name, part in self._placed.items()}
+
+    def drives(self) -> dict[str, dict[str, bool]]:
+        """Return a mapping from each body to the inputs with signals that can move it.
+
+        The value of an input is True if it is a command.
+        """
+        driven = {address: item for address, item in self.inputs.items() if address in self.signals}
+        found = find_drives(self._wiring, self.connections, driven)
+        return {body: {address: driven[address].is_command for address in drives} for body, drives in found.items()}
 
     @cached_property
     def structure(self) -> Hashable:

@@ -71,6 +71,9 @@ class CircuitVariants(Protocol):
     def instance(self) -> Instance:
         """Compiled model with the parameter values and signals of this circuit."""
 
+    def drives(self) -> Mapping[str, Mapping[str, bool]]:
+        """Return the inputs with signals that can move each body; the value is True for commands."""
+
     def with_values(self, values: Mapping[str, Any]) -> Self:
         """Return a copy of the circuit with other values at the given addresses."""
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import asdict, dataclass
 from itertools import pairwise
 from typing import Any
@@ -17,9 +17,15 @@ from poppet.engine.problem import RawRun
 from poppet.laws.physics.gas import AIR_GAS_CONSTANT
 from poppet.laws.physics.heat_transfer import GRAVITY
 from poppet.parts.part import AMBIENT, Surroundings
+from poppet.timeseries.segments import Signal
+from poppet.timeseries.signals import Pwm
 
 TURNED = 0.2
-"""Fraction of the travel by which a body must return before a new stroke begins."""
+"""Fraction of the travel since the last standstill by which a moving body must return before a new stroke begins."""
+MIN_STROKE = 0.02
+"""Fraction of the whole travel of a run below which a motion is not a stroke."""
+STANDSTILL = 0.05
+"""Fraction of the peak speed of a motion below which a body stands still."""
 STROKE_START, STROKE_END = 0.02, 0.98
 """Fractions of the travel at which the measurement of the stroke time begins and ends."""
 MIN_TRAVEL = 1e-9
@@ -28,7 +34,7 @@ MIN_TRAVEL = 1e-9
 
 @dataclass(frozen=True)
 class BodyStroke:
-    """One stroke of a body: its motion from one turning point to the next."""
+    """One stroke of a body: its motion from a standstill or turning point to the next."""
 
     body: str
     unit: str  # of the travel
@@ -37,6 +43,10 @@ class BodyStroke:
     travel: float  # with its sign
     mean_speed: float  # 96 % of the travel divided by the duration
     peak_speed: float
+    # The command that caused the stroke; None if no command changed between the previous stroke and this one.
+    command: str | None = None  # address of the input
+    command_time: float | None = None  # time of its change [s]
+    from_command: float | None = None  # time from this change to 98 % of the travel [s]
 
 
 @dataclass(frozen=True)
@@ -71,8 +81,10 @@ class LoadMetrics:
     Parameters
     ----------
     strokes : tuple of BodyStroke
-        Motions between turning points. A new stroke begins after a body has returned by more than 20 % of its whole
-        travel, so rebounds and stick-slip do not divide a stroke.
+        Motions from a standstill or turning point to the next. A standstill divides strokes if an input changes
+        during it, or if the body then returns by more than 20 % of its whole travel. Without a standstill, it must
+        return by more than 20 % of its travel since the last standstill: overshoots and rebounds do not divide a
+        stroke, nor does stick-slip.
     arrivals : tuple of Arrival
         Contacts with end stops.
     works : tuple of BodyWork
@@ -166,6 +178,8 @@ class LoadData:
     parameters: Mapping[str, float]
     surroundings: Surroundings
     body_of: Mapping[str, str]  # actuator to its body
+    drives: Mapping[str, Mapping[str, bool]]  # body to the inputs that can move it; True for commands
+    signals: Mapping[str, Signal]
 
     @classmethod
     def of(cls, instance: Instance, raw: RawRun) -> LoadData:
@@ -173,8 +187,9 @@ class LoadData:
 
         `raw` contains the result arrays of the run.
         """
-        m, air = instance.model, instance.surroundings
-        return cls(raw, m.outputs, m.flows, m.stores, m.bodies, instance.parameters, air, instance.bodies)
+        m, air, parameters = instance.model, instance.surroundings, instance.parameters
+        drives, signals = instance.circuit.drives(), dict(instance.signals)
+        return cls(raw, m.outputs, m.flows, m.stores, m.bodies, parameters, air, instance.bodies, drives, signals)
 
     def __getitem__(self, address: str) -> Array:
         """Return the values of an output at all output times.
@@ -195,6 +210,23 @@ class LoadData:
         The text is empty if there is no such output.
         """
         return dict(self.outputs).get(address, "")
+
+    def input_changes(self, body: str) -> list[tuple[float, str | None]]:
+        """Return the times at which the inputs of a body jump or begin to change.
+
+        The second element is the address of a command, and None for other inputs, such as a load. A value at t = 0 is
+        part of the initial state. Pulses and sines have no such times.
+        """
+        end = float(self.raw.time[-1])
+        changes: list[tuple[float, str | None]] = []
+        for address, is_command in self.drives.get(body, {}).items():
+            table = self.signals[address].table(end)
+            if isinstance(self.signals[address], Pwm) or table.amplitude.any():
+                continue
+            begins = (table.slope[1:] != 0.0) & (table.slope[:-1] == 0.0)
+            moments = table.start[1:][table.jump[1:] | begins]
+            changes += [(float(moment), address if is_command else None) for moment in moments]
+        return sorted(changes, key=lambda change: change[0])
 
     def stops(self) -> Iterator[tuple[str, str, str]]:
         """Yield each output that is an end-stop force, with its owner and a prefix.
@@ -227,22 +259,26 @@ def load_metrics(run: LoadData) -> LoadMetrics | None:
         unit = run.unit(f"{owner}.{prefix}velocity")
         for time, speed in find_impacts(run.raw.time, position, velocity, run[name], stops):
             arrivals.append(Arrival(owner, run.body_of.get(owner, owner), time, speed, unit))
-    return LoadMetrics(
-        tuple(stroke for name, _ in run.bodies for stroke in _strokes(run, name)),
-        tuple(arrivals),
-        tuple(_work(run, body, integrals) for body, integrals in run.bodies),
-        *_air_and_exergy(run),
-    )
+    strokes: list[BodyStroke] = []
+    works = []
+    for body, integrals in run.bodies:
+        changes, motion = run.input_changes(body), (run[f"{body}.position"], np.abs(run[f"{body}.velocity"]))
+        rows = find_strokes(run.raw.time, *motion, [change for change, _ in changes])
+        strokes += _strokes(run, body, rows, changes)
+        works.append(_work(run, body, integrals, [first for first, _ in rows]))
+    return LoadMetrics(tuple(strokes), tuple(arrivals), tuple(works), *_air_and_exergy(run))
 
 
 # Motion ----------------------------------------------------------------------------------------------------------
 
 
-def _strokes(run: LoadData, body: str) -> Iterator[BodyStroke]:
+def _strokes(
+    run: LoadData, body: str, rows: Sequence[tuple[int, int]], changes: Sequence[tuple[float, str | None]]
+) -> Iterator[BodyStroke]:
+    """Yield the strokes of a body between the given rows, each with the command that caused it."""
     time, position, speed = run.raw.time, run[f"{body}.position"], np.abs(run[f"{body}.velocity"])
-    unit = run.unit(f"{body}.position")
-    turns = turning_points(position)
-    for first, last in pairwise(turns):
+    unit, previous_last, since, arrival = run.unit(f"{body}.position"), 0, -math.inf, -math.inf
+    for first, last in rows:
         travel = float(position[last] - position[first])
         fraction = (position[first : last + 1] - position[first]) / travel
         # The first row at the end of the stroke, and the last row before it at the start.
@@ -255,23 +291,71 @@ def _strokes(run: LoadData, body: str) -> Iterator[BodyStroke]:
         )
         peak = float(speed[first : last + 1].max())
         mean = (STROKE_END - STROKE_START) * abs(travel) / (end - start)
-        yield BodyStroke(body, unit, start, end - start, travel, mean, peak)
+        # Only a body that turns without a standstill can do so because of a command before it arrived.
+        earliest = since if first == previous_last else arrival
+        causes = [change for change in changes if change[1] is not None and earliest < change[0] <= start]
+        moment, command = max(causes, key=lambda change: change[0], default=(None, None))
+        from_command = None if moment is None else end - moment
+        yield BodyStroke(body, unit, start, end - start, travel, mean, peak, command, moment, from_command)
+        previous_last, since, arrival = last, start, end
 
 
-def turning_points(position: Array) -> list[int]:
-    """Return the indices at which a motion reverses, with the first and the last index.
+def find_strokes(time: Array, position: Array, speed: Array, changes: Sequence[float]) -> list[tuple[int, int]]:
+    """Return the first and last index of each stroke of a body.
 
-    The body must return by at least 20 % of its total travel; smaller reversals do not count. The last index is that
-    of the last extreme. The list is empty without motion.
+    Strokes are the motions between turning points since the last standstill. A standstill counts if an input changes
+    during it (`changes` are the times). It also counts if the body then returns by more than 20 % of its whole travel,
+    or by more than 2 % if no input changes in the run. Without motion, the list is empty.
 
     Examples
     --------
-    >>> turning_points(np.array([0.0, 0.5, 0.45, 1.0, 0.9, 1.0, 0.0]))
+    >>> time = np.linspace(0.0, 3.0, 301)
+    >>> position = np.interp(time, [0.2, 0.7, 1.5, 1.8, 2.4, 2.5], [0.0, 1.0, 1.0, 0.95, 0.95, 0.85])
+    >>> strokes = find_strokes(time, position, np.abs(np.gradient(position, time)), [1.4, 2.3])
+    >>> [(round(float(position[first]), 2), round(float(position[last]), 2)) for first, last in strokes]
+    [(0.0, 1.0), (1.0, 0.95), (0.95, 0.85)]
+    """
+    span = float(np.ptp(position))
+    if span < MIN_TRAVEL:
+        return []
+    starts = {0}
+    # Standstills during which an input changes. Two inputs often change together.
+    rows = np.unique(np.searchsorted(time, [change for change in changes if change < time[-1]], "right") - 1).tolist()
+    for before, row, after in zip([0, *rows], rows, [*rows[1:], time.size - 1], strict=False):
+        if speed[row] <= STANDSTILL * min(speed[before : row + 1].max(), speed[row : after + 1].max()):
+            starts.add(row)
+    # Standstills before a return, or after the return from an overshoot. If inputs change elsewhere, a small return
+    # without a new input is the correction of an overshoot.
+    turns = turning_points(position, TURNED * span if rows else MIN_STROKE * span)
+    for before, first, last in zip(turns, turns[1:], turns[2:], strict=False):
+        moving = before + np.flatnonzero(speed[before : last + 1] > STANDSTILL * speed[first : last + 1].max())
+        return_time = np.diff(time[first : last + 1])[moving[moving > first] - first - 1].sum()
+        way = abs(position - position[first])
+        for stop, end in pairwise(moving):
+            is_long = end > first and time[end] - time[stop] > return_time
+            if is_long and way[stop] < TURNED * span and way[last] - way[end] > 0.5 * MIN_STROKE * span:
+                starts.add(int(stop + end) // 2)
+                break
+    bounds = [*sorted(starts), time.size - 1]
+    strokes = []
+    for first, last in pairwise(bounds):
+        path = position[first : last + 1]
+        min_return = max(TURNED * float(np.ptp(path)), MIN_STROKE * span)
+        strokes += [(first + a, first + b) for a, b in pairwise(turning_points(path, min_return))]
+    return strokes
+
+
+def turning_points(position: Array, min_return: float) -> list[int]:
+    """Return the indices at which a motion reverses, with the first and the last index.
+
+    The body must return by at least `min_return`; smaller reversals do not count. The last index is that of the last
+    extreme. The list is empty if the motion is smaller.
+
+    Examples
+    --------
+    >>> turning_points(np.array([0.0, 0.5, 0.45, 1.0, 0.9, 1.0, 0.0]), 0.2)
     [0, 3, 6]
     """
-    min_return = TURNED * float(np.ptp(position))
-    if min_return < TURNED * MIN_TRAVEL:
-        return []
     turns, extreme, direction = [0], 0, 0.0
     for k in range(1, position.size):
         change = position[k] - position[extreme]
@@ -282,13 +366,13 @@ def turning_points(position: Array) -> list[int]:
         elif abs(change) >= min_return:
             turns.append(extreme)
             direction, extreme = -direction, k
-    return [*turns, extreme] if extreme != turns[-1] else turns
+    return [*turns, extreme] if extreme != turns[-1] else []
 
 
 # Energy ----------------------------------------------------------------------------------------------------------
 
 
-def _work(run: LoadData, body: str, integrals: tuple[int, ...]) -> BodyWork:
+def _work(run: LoadData, body: str, integrals: tuple[int, ...], starts: Sequence[int]) -> BodyWork:
     position, velocity, time = run[f"{body}.position"], run[f"{body}.velocity"], run.raw.time
     effort, inertia = ("force", "mass") if run.unit(f"{body}.load_force") else ("torque", "inertia")
     mass = run.parameters[f"{body}.{inertia}"]
@@ -303,10 +387,8 @@ def _work(run: LoadData, body: str, integrals: tuple[int, ...]) -> BodyWork:
         # The end stops of a cylinder also push its body, which is not work of the air.
         if prefix and run.body_of.get(owner) == body:
             power, is_free = power - run[name] * run[f"{owner}.{prefix}velocity"], is_free and not run[name].any()
-    turns = turning_points(position) or [0, time.size - 1]
-    parts = [float(np.trapezoid(power[a : b + 1], time[a : b + 1])) for a, b in pairwise(turns)]
-    if turns[-1] < time.size - 1:
-        parts[-1] += float(np.trapezoid(power[turns[-1] :], time[turns[-1] :]))
+    bounds = [0, *starts[1:], time.size - 1]
+    parts = [float(np.trapezoid(power[a : b + 1], time[a : b + 1])) for a, b in pairwise(bounds)]
     if is_free:  # the integrator computes the exact sum
         parts[int(np.argmax(np.abs(parts)))] += float(run.raw.x[integrals[0]]) + on_load - sum(parts)
     kinetic = 0.5 * mass * float(velocity[-1] ** 2 - velocity[0] ** 2)

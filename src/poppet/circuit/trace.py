@@ -121,7 +121,8 @@ class _Tracer:
     def _ports(self, name: str) -> dict[str, str]:
         """Return a mapping from the ports of a part to addresses of gas nodes.
 
-        In a compound part, a gas node that begins with a dot is a member of the same compound part.
+        Inside a compound part, a port whose value begins with a dot, such as `.tank`, names a gas node of the same
+        compound part.
         """
         compound = name.rpartition(".")[0]
         ports = self.parts[name].ports().items()

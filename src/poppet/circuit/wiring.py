@@ -16,6 +16,7 @@ from poppet.circuit.options import Ambient, GasChoice, Run
 from poppet.core.errors import ErrorCollector, InputError, NameSuggestion
 from poppet.parts.fields import BodySpec, MemberSpec, PortSpec, attribute, specs
 from poppet.parts.part import AMBIENT, TUBE, Body, Input, Part, Passage, Store, is_port
+from poppet.parts.sources import Reservoir
 from poppet.timeseries.segments import Signal
 
 RESERVED = ("ambient", "gas", "run", "time", "title", "signals", "parts", "connections")
@@ -167,6 +168,33 @@ def check_bodies(errors: ErrorCollector, wiring: Wiring) -> None:
                 errors.add("fields.not_an_option", address, value=part.body, meaning="body", near=suggestion)
         elif name in bodies and name not in driven:
             errors.add("wiring.unmoved", f"parts.{name}")
+
+
+def find_drives(wiring: Wiring, connections: Mapping[str, str], inputs: Mapping[str, Input]) -> dict[str, list[str]]:
+    """Return the addresses of the inputs that can move each body.
+
+    An input acts through connections, and from each part on the gas nodes at its ports. It does not act on the supply
+    of its part, nor on a reservoir, whose pressure is prescribed.
+    """
+    successors: dict[str, set[str]] = {name: set() for name in wiring}
+    for target, source in connections.items():
+        successors[source.partition(".")[0]].add(target.partition(".")[0])
+    for name, part in wiring.items():
+        nodes = {port: node.partition(".")[0] for port, node in part.ports.items() if node != AMBIENT}
+        for port, node in nodes.items():
+            successors[node].add(name)
+            if port != "supply" and wiring[node].kind is not Reservoir:
+                successors[name].add(node)
+        if part.body is not None:
+            successors[name].add(part.body)
+    drives: dict[str, list[str]] = {name: [] for name, part in wiring.items() if issubclass(part.kind, Body)}
+    for address in inputs:
+        reached = {address.partition(".")[0]}
+        while added := {after for name in reached for after in successors[name]} - reached:
+            reached |= added
+        for body in reached & drives.keys():
+            drives[body].append(address)
+    return drives
 
 
 def check_connections(

@@ -25,7 +25,7 @@ from poppet.core.codes import Note
 from poppet.core.errors import SimulationError
 from poppet.core.tables import Field
 from poppet.core.units import convert
-from poppet.parts.bodies import Joint, Mass
+from poppet.parts.bodies import DRY_LAWS, Joint, Mass
 from poppet.parts.part import Scope
 from poppet.parts.quantities import COMMANDS, command_of
 from poppet.timeseries.signals import Constant, Sine
@@ -196,7 +196,7 @@ def _sticking_of(circuit: BaseCircuit, measurement: str) -> Sticking:
     name = measurement.partition(".")[0]
     part: Any = circuit.parts.get(name)
     friction = getattr(part, "friction", None)
-    if not isinstance(part, Mass | Joint) or friction is None or friction.kind not in ("stribeck", "lugre"):
+    if not isinstance(part, Mass | Joint) or friction is None or friction.kind not in DRY_LAWS:
         return Sticking()
     values = part.parameters(circuit.surroundings)
     if friction.kind == "stribeck":

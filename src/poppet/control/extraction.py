@@ -10,7 +10,7 @@ from poppet.control.manual_plant import ManualPlant
 from poppet.control.plant import COMMANDS, Plant
 from poppet.core.codes import Note
 from poppet.core.errors import InputError, NameSuggestion
-from poppet.parts.bodies import Joint, Mass
+from poppet.parts.bodies import DRY_LAWS, Joint, Mass
 from poppet.parts.part import Body, Controller
 from poppet.parts.sampled_loop import SampledLoop
 
@@ -51,7 +51,7 @@ def plant_of(circuit: BaseCircuit, controller: str | None = None) -> Plant:
     notes = []
     for name, member in loop.circuit.parts.items():
         friction: Any = getattr(member, "friction", None)
-        if isinstance(member, Mass | Joint) and friction is not None and friction.kind in ("stribeck", "lugre"):
+        if isinstance(member, Mass | Joint) and friction is not None and friction.kind in DRY_LAWS:
             viscous = friction.viscous_coefficient
             changed[name] = replace(member, friction={"viscous_coefficient": viscous})
             facts = {"law": friction.kind, "value": float(viscous), "unit": viscous.unit}

@@ -110,7 +110,7 @@ class ManualPlant(Plant):
         return self.sampled(OperatingPoint(0.0, 0.0, {"": model}, {}), "")
 
     def _answer(self, model: SampledModel) -> float:
-        """Return the measurement 2000 samples after a unit step of the command.
+        """Return the measured value at sample 2000 after a unit step of the command.
 
         The result is 0 if the value is not larger than rounding errors.
         """

@@ -225,7 +225,7 @@ def find_tied(circuit: BaseCircuit) -> frozenset[str]:
     """
     specs, values = _parameter_specs(circuit), circuit.parameters
     tied, neighbours = set(), {}
-    for address in circuit.numbers().keys() & values.keys():
+    for address in (address for address in circuit.numbers() if address in values):
         value, spec = values[address], specs.get(address) or NumberSpec("1", address)
         candidates = [value * (1.0 + sign * 1e-6) if value else sign * 1e-6 for sign in (1.0, -1.0)]
         valid = [candidate for candidate in candidates if spec.holds(candidate)]

@@ -81,7 +81,10 @@ class BatchRun:
 
 
 class Worker(Protocol):
-    """Interface of an object that computes some runs of a batch in one thread."""
+    """Interface of an object that computes some runs of a batch.
+
+    Each worker runs in one thread.
+    """
 
     max_runs: int  # of a slice
 
@@ -257,7 +260,7 @@ class _Pool:
         self.reduced[runs] = results
 
     def repeat_stalled(self, run: int) -> tuple[Note, ...]:
-        """Repeat a run that stalled with other solvers, and return notes on it.
+        """Repeat a stalled run, this time with other solvers, and return notes on the attempts.
 
         `run` is the index of the run.
         """

@@ -46,9 +46,9 @@ def fingerprint(circuit: BaseCircuit) -> str:
 
 
 def describe_plan(plan: EnsemblePlan) -> dict[str, Any]:
-    """Return all settings that determine the runs, as plain values for the manifest.
+    """Return all settings of a plan that determine its runs, for the manifest.
 
-    The manifest also contains a hash of these values.
+    The settings are plain values. The manifest also contains a hash of them.
     """
     circuit = plan.circuit
     numbers: dict[str, Any] = {a: {"distribution": d.kind, **d.numbers} for a, d in plan.alone.items()}

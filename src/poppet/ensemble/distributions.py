@@ -155,8 +155,8 @@ def read_distribution(raw: Any, spec: NumberSpec, number: Number, address: str, 
         written = quantity(raw["mean"], spec.unit, kind=spec.kind) if "mean" in read else number
         half = read.pop(relative) * abs(written.value)
         derived = {"sigma": half} if kind == "normal" else {"low": middle - half, "high": middle + half}
-        if derived.keys() & read.keys():
-            raise InputError("ensemble.given_twice", address, names=[relative, *(derived.keys() & read.keys())])
+        if twice := [key for key in derived if key in read]:
+            raise InputError("ensemble.given_twice", address, names=[relative, *twice])
         read |= derived
     read |= {key: middle for key in MIDDLES if key in form.fields and key not in read}
     collect([missing_field(f"{address}.{key}", fields[key]) for key in form.fields if key not in read])

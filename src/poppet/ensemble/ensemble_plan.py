@@ -140,7 +140,8 @@ class EnsemblePlan:
     def counts(self, kind: str) -> tuple[int, int]:
         """Return the number of runs of one kind, and the number of runs per shard.
 
-        `kind` is `runs`, `tornado` or `indices`. A shard is a file with the results of some runs.
+        `kind` is `runs` (random sample), `tornado` (one parameter at a time) or `indices` (sensitivity indices). A
+        shard is a file with the results of some runs.
         """
         if kind == "runs":
             return self.runs, self.shard

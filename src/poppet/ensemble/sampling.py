@@ -61,7 +61,7 @@ def points(method: str, seed: int, total: int, dimension: int, first: int, last:
 
 
 def uniform(seed: int, stream: str, dimension: int, first: int, last: int) -> Array:
-    """Return independent uniform random numbers between 0 and 1 (excluded).
+    """Return independent uniform random numbers in the open interval (0, 1).
 
     The result has the shape (last - first, dimension) and belongs to the runs `first` to `last` (excluded). `stream` is
     a name: different streams of the same seed are independent.

@@ -36,7 +36,7 @@ class MethodOption(NamedTuple):
 class Method(NamedTuple):
     """Declaration of an identification method.
 
-    A function can be stated as text `module:name`. The module is then imported when the function is first needed.
+    Each function of the method can also be the string `module:name`. The module is then imported at the first use.
     """
 
     name: str

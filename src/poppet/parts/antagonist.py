@@ -128,7 +128,7 @@ class InverseMuscle(_InverseMuscleLaw):
         return [f"force to pressure, {self.data or self.law}"]
 
     def inputs(self) -> tuple[Input, ...]:
-        return Input("force", "N", "force"), Input("contraction", "1", 0.0)
+        return Input("force", "N", "force", is_command=True), Input("contraction", "1", 0.0)
 
     def compute_outputs(self, scope: Scope) -> Quantities:
         slope, passive = self.line_at(scope, scope.inputs["contraction"])
@@ -173,7 +173,11 @@ class Antagonist(_InverseMuscleLaw):
 
     def inputs(self) -> tuple[Input, ...]:
         mean_pressure = Input("mean_pressure", "Pa", "mean_pressure", kind="pressure", low=0.0)
-        return Input("torque", "N m", "torque"), mean_pressure, *(Input(name, "1", 0.0) for name in self.measured)
+        return (
+            Input("torque", "N m", "torque", is_command=True),
+            mean_pressure,
+            *(Input(name, "1", 0.0) for name in self.measured),
+        )
 
     def compute_outputs(self, scope: Scope) -> Quantities:
         ambient, low, high = scope.surroundings.pressure, *self._limits(scope)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Hashable, Sequence
+from collections.abc import Callable, Hashable, Iterator, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, ClassVar
 
@@ -30,6 +30,12 @@ BRISTLES = 300.0
 The error is less than a thousandth of the friction force at the default tolerance. The tolerance of the motion would
 need a fifth more steps without a more accurate motion."""
 
+ELASTIC = 0.95
+"""Default break-away displacement of the elasto-plastic law, as a fraction of the deflection at the Coulomb force."""
+CREEP_LIMIT, CREEP_FORCE = 0.1, 0.95
+"""Fractions of the Stribeck velocity and of the break-away force below which bristles creep, but the body sticks."""
+DRIFT_CYCLES = 3
+"""Number of load cycles without sliding after which a drift is reported."""
 STICTION_LIMIT = 0.01
 """Fraction of the Stribeck velocity below which a body counts as stuck; its bristles can still creep."""
 MIN_IMPACT_SPEED = 0.01
@@ -60,7 +66,10 @@ class JointStop:
     dissipation: NumberLike = number("s/rad", 1.0, doc="contact dissipation", low=0.0, note="half of the energy")
 
 
-KINDS = ("none", "viscous", "stribeck", "lugre")
+BRISTLE_LAWS = ("lugre", "elasto_plastic")
+"""Friction laws that stick: they have the deflection of bristles as a state."""
+DRY_LAWS = ("stribeck", *BRISTLE_LAWS)
+KINDS = ("none", "viscous", *DRY_LAWS)
 
 
 @dataclass(frozen=True)
@@ -78,6 +87,7 @@ class BodyFriction:
     transition_velocity: NumberLike = number("m/s", optional=True, doc="velocity of full friction", above=0.0)
     bristle_stiffness: NumberLike = number("N/m", optional=True, doc="bristle stiffness", above=0.0)
     bristle_damping: NumberLike = number("N s/m", optional=True, doc="bristle damping", low=0.0)
+    breakaway_displacement: NumberLike = number("m", optional=True, doc="elastic deflection", above=0.0)
 
 
 @dataclass(frozen=True)
@@ -95,6 +105,7 @@ class JointFriction:
     transition_velocity: NumberLike = number("rad/s", optional=True, doc="velocity of full friction", above=0.0)
     bristle_stiffness: NumberLike = number("N m/rad", optional=True, doc="bristle stiffness", above=0.0)
     bristle_damping: NumberLike = number("N m s/rad", optional=True, doc="bristle damping", low=0.0)
+    breakaway_displacement: NumberLike = number("rad", optional=True, doc="elastic deflection", above=0.0)
 
 
 @dataclass(frozen=True)
@@ -123,8 +134,14 @@ class _MovingBody(Body):
         return "none" if self.friction is None else str(self.friction.kind)
 
     def check(self) -> None:
-        if self._law in ("stribeck", "lugre") and getattr(self.friction, f"coulomb_{self.effort}") is None:
+        if self._law in DRY_LAWS and getattr(self.friction, f"coulomb_{self.effort}") is None:
             raise InputError("bodies.no_friction_force", f"friction.coulomb_{self.effort}", law=self._law)
+        if self._law == "elasto_plastic" and self.friction.breakaway_displacement is not None:
+            coulomb, static, stiffness = self._bristles()
+            elastic, limit = float(self.friction.breakaway_displacement), min(coulomb, static) / stiffness
+            if elastic >= limit > 0.0:
+                facts: dict[str, Any] = {"value": elastic, "limit": limit, "unit": self.unit}
+                raise InputError("bodies.breakaway", "friction.breakaway_displacement", **facts)
         if self._law == "stribeck" and self.friction.transition_velocity is None:
             raise InputError("bodies.no_transition", "friction.transition_velocity")
         low, high = (None if s is None else float(s.position) for s in (self.lower_stop, self.upper_stop))
@@ -135,32 +152,43 @@ class _MovingBody(Body):
         if (low is not None and start < low) or (high is not None and start > high):
             raise InputError("bodies.beyond_stop", "initial_position", value=start, low=low, high=high, unit=self.unit)
 
+    def _bristles(self) -> tuple[float, float, float]:
+        """Return the Coulomb and static friction, and the bristle stiffness."""
+        coulomb = float(getattr(self.friction, f"coulomb_{self.effort}"))
+        static, stiffness = getattr(self.friction, f"static_{self.effort}"), self.friction.bristle_stiffness
+        static = coulomb if static is None else float(static)
+        # At least a hundredth of a newton: a friction of zero has no stiffness.
+        default = max(static, coulomb, 1e-2) / self.presliding
+        return coulomb, static, default if stiffness is None else float(stiffness)
+
     def _friction_caption(self, numbers: CaptionNumbers) -> str:
         if self._law == "none":
             return "no friction"
         if self._law == "viscous":
             return f"friction {numbers.text(self.friction.viscous_coefficient)}"
-        return f"{self._law} friction {numbers.text(getattr(self.friction, f'coulomb_{self.effort}'))}"
+        return (
+            f"{self._law.replace('_', '-')} friction {numbers.text(getattr(self.friction, f'coulomb_{self.effort}'))}"
+        )
 
     def structure(self) -> Hashable:
         return super().structure(), self._law, self.lower_stop is not None, self.upper_stop is not None
 
     def parameters(self, ambient: Surroundings) -> dict[str, float]:
         values = super().parameters(ambient)
-        if self._law in ("stribeck", "lugre"):
-            level = values[f"friction.coulomb_{self.effort}"]
-            static = values.setdefault(f"friction.static_{self.effort}", level)
-            if self._law == "lugre":
-                # At least a hundredth of a newton: a friction of zero has no stiffness.
-                stiffness = max(static, level, 1e-2) / self.presliding
-                stiffness = values.setdefault("friction.bristle_stiffness", stiffness)
+        if self._law in DRY_LAWS:
+            coulomb, static, stiffness = self._bristles()
+            values.setdefault(f"friction.static_{self.effort}", static)
+            if self._law in BRISTLE_LAWS:
+                values.setdefault("friction.bristle_stiffness", stiffness)
                 values.setdefault("friction.bristle_damping", 2.0 * (stiffness * values[self.inertia_name]) ** 0.5)
+            if self._law == "elasto_plastic":
+                values.setdefault("friction.breakaway_displacement", ELASTIC * min(coulomb, static) / stiffness)
         return values
 
     def states(self) -> tuple[State, ...]:
         # Nominal sizes: a decimetre and a metre per second.
         result = [State("position", self.unit, 0.1, LOOSER, 0.1), State("velocity", f"{self.unit}/s", 1.0, LOOSER, 0.1)]
-        if self._law == "lugre":
+        if self._law in BRISTLE_LAWS:
             result.append(State("deflection", self.unit, self.presliding, BRISTLES, 1.0))
         return tuple(result)
 
@@ -192,7 +220,7 @@ class _MovingBody(Body):
             f"friction_{self.effort}": (friction_effort, self.effort_unit),
             f"stop_{self.effort}": (stop_effort, self.effort_unit),
         }
-        if self._law == "lugre":
+        if self._law in BRISTLE_LAWS:
             limit = STICTION_LIMIT * scope["friction.stribeck_velocity"]
             direction = where(velocity > 0.0, 1.0, -1.0)
             outputs["friction_state"] = (where(abs(velocity) > limit, direction, 0.0), "1")
@@ -219,7 +247,11 @@ class _MovingBody(Body):
             return contact.stribeck_friction(velocity, *levels, stribeck, transition, 0.0) + viscous
         level = friction.sliding_level(velocity, *levels, stribeck) + 1e-9
         deflection, stiffness = scope.states["deflection"], scope["friction.bristle_stiffness"]
-        rate = friction.bristle_rate(deflection, velocity, level, stiffness)
+        if self._law == "lugre":
+            rate = friction.bristle_rate(deflection, velocity, level, stiffness)
+        else:
+            elastic = scope["friction.breakaway_displacement"]
+            rate = friction.elasto_plastic_rate(deflection, velocity, level, stiffness, elastic)
         rates["deflection"] = rate
         damping = scope["friction.bristle_damping"]
         return friction.lugre_force(deflection, rate, velocity, stiffness, damping, stribeck) + viscous
@@ -239,7 +271,31 @@ class _MovingBody(Body):
         position, velocity, force = (series(f"{name}.{key}") for key in ("position", "velocity", f"stop_{self.effort}"))
         stops = [math.nan if stop is None else float(stop.position) for stop in (self.lower_stop, self.upper_stop)]
         impacts = find_impacts(series("time"), position, velocity, force, stops)
-        return impact_notes("velocity", f"{self.unit}/s", impacts)
+        return *impact_notes("velocity", f"{self.unit}/s", impacts), *self._drift_notes(name, series)
+
+    def _drift_notes(self, name: str, series: Callable[[str], Any]) -> Iterator[Note]:
+        """Yield a note on the largest drift of a body that sticks by the LuGre law under an oscillating load."""
+        if self._law != "lugre":
+            return
+        coulomb, static, stiffness = self._bristles()
+        level, time, force = max(coulomb, static), series("time"), series(f"{name}.friction_{self.effort}")
+        # Without the reversible deflection of the bristles.
+        displacement = series(f"{name}.position") - force / stiffness
+        largest, facts = level / stiffness, {}
+        # Slower than sliding and below its friction at these speeds.
+        speed, limit = abs(series(f"{name}.velocity")), CREEP_LIMIT * float(self.friction.stribeck_velocity)
+        is_stuck = np.concatenate([[False], (speed < limit) & (abs(force) < CREEP_FORCE * level), [False]])
+        for first, after in np.flatnonzero(np.diff(is_stuck)).reshape(-1, 2):
+            rows = slice(first, after)
+            drift = abs(float(displacement[rows][-1] - displacement[rows][0]))
+            turns = np.count_nonzero(np.diff(np.sign(np.diff(force[rows]))))
+            if drift > largest and turns >= 2 * DRIFT_CYCLES:
+                largest, times = drift, time[rows]
+                facts = {"drift": drift, "start": float(times[0]), "duration": float(times[-1] - times[0])}
+                facts |= {"low": float(force[rows].min()), "high": float(force[rows].max())}
+        if facts:
+            units = {"unit": self.unit, "effort": self.effort, "effort_unit": self.effort_unit}
+            yield Note("bodies.drift", "position", **facts, level=level, **units)
 
 
 def impact_notes(address: str, unit: str, impacts: Sequence[tuple[float, float]]) -> tuple[Note, ...]:
@@ -306,10 +362,13 @@ class Mass(_MovingBody):
     -----
     At an inclination alpha of 90 degrees, larger positions are higher.
 
-    Only the friction law `lugre` sticks. `stribeck` has no force at a velocity of zero: a body under less than the
-    break-away force creeps at a speed of the order of the transition velocity, which therefore has no default. The
-    default bristle stiffness breaks away after 10 um; the default bristle damping makes the stuck mass critically
-    damped.
+    The friction laws `lugre` and `elasto_plastic` stick. `lugre` drifts under an oscillating load below the break-away
+    force, which a note reports. `elasto_plastic` does not drift while the deflection is below the break-away
+    displacement. `stribeck` has no force at a velocity of zero: a body under less than the break-away force creeps at a
+    speed of the order of the transition velocity, which therefore has no default.
+
+    The default bristle stiffness breaks away after 10 um; the default bristle damping makes the stuck mass critically
+    damped. The default break-away displacement is 95 % of the deflection at the Coulomb force.
 
     Examples
     --------

@@ -185,7 +185,7 @@ class Cylinder(Compound):
     Notes
     -----
     Ports of other parts name the chambers `NAME.cap` and `NAME.rod`. A single-acting cylinder has no rod chamber: that
-    side is open to the ambient. `seal_friction` increases the dry friction (`stribeck`, `lugre`) of the body.
+    side is open to the ambient. `seal_friction` increases the dry friction of the body.
 
     With a cushion, `cap` and `rod` are the volumes at the ports. `cap_cushion` and `rod_cushion` are the volumes
     between piston and cover and exchange heat with the wall of their side. Within `length` before the end of the stroke

@@ -194,7 +194,7 @@ class Electronics(Controller):
         limits: dict[str, Any] = {"low": first, "high": last}
         if self.setpoint_type == "pressure":
             limits = {"low": "scaling.low", "high": "scaling.high", "kind": "pressure"}
-        setpoint = Input("setpoint", unit, "setpoint", delay="setpoint_delay", **limits)
+        setpoint = Input("setpoint", unit, "setpoint", delay="setpoint_delay", is_command=True, **limits)
         pressures = [Input(name, "Pa", name, kind="pressure", low=0.0) for name in self.measured]
         return setpoint, Input("power", "1", 1.0, low=0.0, high=1.0), *pressures
 

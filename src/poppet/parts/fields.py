@@ -161,9 +161,9 @@ def laminar_limit() -> Any:
 
 
 def option(default: str, *choices: str, doc: str) -> Any:
-    """Declare a field with a choice of words.
+    """Declare a field whose value is one of several words.
 
-    `default` is the default word, and `choices` are the other words.
+    `default` is the default, and `choices` are the other permitted words.
     """
     return _field(OptionSpec(doc, (default, *choices)), default)
 

@@ -271,10 +271,10 @@ class Orifice(FlowPath):
         return symbols.VARIABLE_RESTRICTION if is_variable and self.symbol is symbols.RESTRICTION else self.symbol
 
     def inputs(self) -> tuple[Input, ...]:
-        opening = Input("opening", "1", "opening", low=0.0, high=1.0)
+        opening = Input("opening", "1", "opening", low=0.0, high=1.0, is_command=True)
         if self.characteristic is None:
             return (opening,)
-        return Input("stroke", "m", "stroke" if self.stroke is not None else 0.0), opening
+        return Input("stroke", "m", "stroke" if self.stroke is not None else 0.0, is_command=True), opening
 
     def domains(self) -> dict[str, tuple[Any, tuple[float, float]]]:
         return {"stroke": (self.characteristic, ANYWHERE)} if self.characteristic is not None else {}

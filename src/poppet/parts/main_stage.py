@@ -191,7 +191,7 @@ class MainStage(Passage):
         return State("stroke", "m", 1e-3, LOOSER, 1.0), State("velocity", "m/s", 0.1, LOOSER, 1.0)
 
     def inputs(self) -> tuple[Input, ...]:
-        return (Input("pilot_pressure", "Pa", "pilot_pressure", kind="pressure", low=0.0),)
+        return (Input("pilot_pressure", "Pa", "pilot_pressure", kind="pressure", low=0.0, is_command=True),)
 
     def start(self, scope: Scope) -> dict[str, Any]:
         return {"stroke": scope["initial_stroke"], "velocity": scope["initial_velocity"]}

@@ -77,6 +77,7 @@ class Input:
     delay: str = ""  # name of the parameter that delays a signal
     slope_of: str = ""  # input whose time derivative it is; it cannot be driven on its own
     by_signal: bool = False  # only a signal can drive it
+    is_command: bool = False  # setpoint or command that a user changes to move a body
 
 
 @dataclass(frozen=True)

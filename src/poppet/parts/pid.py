@@ -147,9 +147,9 @@ class PID(SampledLoop):
 
     def inputs(self) -> tuple[Input, ...]:
         unit, command = self.command_unit, COMMANDS[command_of(self)]
-        manual = Input("manual_command", unit, "bias", kind=command.kind, low=command.low)
+        manual = Input("manual_command", unit, "bias", kind=command.kind, low=command.low, is_command=True)
         if self.is_of_openings:
-            manual = Input("manual_command", unit, 0.0, low=-1.0, high=1.0)
+            manual = Input("manual_command", unit, 0.0, low=-1.0, high=1.0, is_command=True)
         feedforward = (Input("feedforward", unit, 0.0),) if self.feedforward == "true" else ()
         return *super().inputs(), Input("automatic", "1", 1.0, low=0.0, high=1.0), manual, *feedforward
 

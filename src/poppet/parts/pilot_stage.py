@@ -145,7 +145,7 @@ class PilotStage(Store, Passage):
         return tuple(Timer(f"{name}_{key}", 10 + k) for name in VALVES for k, key in enumerate(solenoid.TIMERS))
 
     def inputs(self) -> tuple[Input, ...]:
-        duties = [Input(f"{name}_duty", "1", f"{name}_duty", low=0.0, high=1.0) for name in VALVES]
+        duties = [Input(f"{name}_duty", "1", f"{name}_duty", low=0.0, high=1.0, is_command=True) for name in VALVES]
         volume_inputs = [Input("displacement", "m^3", "displacement")]
         if self.thermal == "energy":
             volume_inputs.append(Input("displacement_rate", "m^3/s", 0.0, slope_of="displacement"))

@@ -136,7 +136,8 @@ class SampledLoop(Controller):
     def inputs(self) -> tuple[Input, ...]:
         measured = QUANTITIES[self.controls]
         options: dict[str, Any] = {"kind": measured.kind, "low": measured.low}
-        return tuple(Input(name, measured.unit, name, **options) for name in ("setpoint", "measurement"))
+        setpoint = Input("setpoint", measured.unit, "setpoint", is_command=True, **options)
+        return setpoint, Input("measurement", measured.unit, "measurement", **options)
 
     def sensors(self) -> dict[str, tuple[str, str]]:
         return {self._sensor_state: ("measurement", "sensor")}

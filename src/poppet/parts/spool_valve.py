@@ -117,7 +117,7 @@ class SpoolValve(FlowPath):
         return (position,) if self.dynamics == "first_order" else (position, velocity)
 
     def inputs(self) -> tuple[Input, ...]:
-        return (Input("command", "1", "command", low=-1.0, high=1.0, delay="delay"),)
+        return (Input("command", "1", "command", low=-1.0, high=1.0, delay="delay", is_command=True),)
 
     def start(self, scope: Scope) -> dict[str, Any]:
         values = {"position": scope["initial_position"], "velocity": 0.0}

@@ -135,7 +135,7 @@ class DirectionalValve(FlowPath):
         return (State("position", "1", 1.0, floor=1.0),)
 
     def inputs(self) -> tuple[Input, ...]:
-        return (Input("command", "1", "command", low=0.0, high=1.0, delay="delay"),)
+        return (Input("command", "1", "command", low=0.0, high=1.0, delay="delay", is_command=True),)
 
     def start(self, scope: Scope) -> dict[str, Any]:
         return {"position": scope["initial_position"]}

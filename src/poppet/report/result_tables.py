@@ -15,7 +15,7 @@ from poppet.timeseries.recording import Recording
 MAX_STROKES = 12
 ROUNDING = 1e-13
 """Fraction of the largest eigenvalue below which a real eigenvalue is zero."""
-STROKES = "Strokes; the time is from 2 % to 98 % of the travel."
+STROKES = "Strokes; the time is from 2 % of the travel, or from the last change of a command, to 98 %."
 ENERGY = "Air, work and efficiency: work of the actuators divided by the exergy of the supplied air."
 _UNITS = {"m": ("mm", 1e3), "rad": ("deg", 180.0 / math.pi), "m/s": ("mm/s", 1e3), "rad/s": ("deg/s", 180.0 / math.pi)}
 _CODES = "regime", "contact", "friction_state"
@@ -30,11 +30,14 @@ def stroke_table(metrics: LoadMetrics) -> ReportTable:
         end = _motion_text(abs(arrival.velocity), arrival.unit) if arrival else "none met"
         travel = _motion_text(stroke.travel, stroke.unit)
         speeds = (_motion_text(speed, speed_unit) for speed in (stroke.mean_speed, stroke.peak_speed))
-        rows.append([stroke.body, f"{stroke.start:.4g}", travel, f"{stroke.duration:.4g}", *speeds, end])
+        command = "none" if stroke.command is None else f"{stroke.command} at {stroke.command_time:.4g} s"
+        from_command = "" if stroke.from_command is None else f"{stroke.from_command:.4g}"
+        times = f"{stroke.start:.4g}", travel, f"{stroke.duration:.4g}"
+        rows.append([stroke.body, *times, *speeds, end, from_command, command])
     n_omitted = len(metrics.strokes) - len(rows)
-    rows += [[f"and {n_omitted} more", *[""] * 6]] if n_omitted > 0 else []
-    headings = "begins [s]", "travel", "time [s]", "mean speed", "peak speed", "at the end stop"
-    return ReportTable(("body", *numeric(*headings)), rows)
+    rows += [[f"and {n_omitted} more", *[""] * 8]] if n_omitted > 0 else []
+    headings = "begins [s]", "travel", "time [s]", "mean speed", "peak speed", "at the end stop", "from command [s]"
+    return ReportTable(("body", *numeric(*headings), "command"), rows)
 
 
 def _motion_text(value: float, unit: str) -> str:

@@ -74,6 +74,9 @@ def test_contradicting_parameters_are_rejected():
         cylinder(cap={"dead_volume": "-1 cm^3"})
     with refused("bodies.no_friction_force", "friction.coulomb_torque"):
         Joint(inertia=1.0, pulley_radius=0.1, friction={"kind": "lugre"})
+    elastic = {"kind": "elasto_plastic", "coulomb_force": 10.0, "static_force": 15.0, "breakaway_displacement": 7e-6}
+    with refused("bodies.breakaway", "friction.breakaway_displacement", value=7e-6, limit=pytest.approx(1e-4 / 15)):
+        Mass(mass=1.0, friction=elastic)
     with refused("bodies.no_transition", "friction.transition_velocity"):
         Mass(mass=1.0, friction={"kind": "stribeck", "coulomb_force": 3.0})
     with refused("parts.stops_exchanged", "lower_stop.position"):

@@ -14,7 +14,7 @@ import pytest
 import poppet
 from poppet import Circuit
 from poppet.circuit.load_metrics import turning_points
-from poppet.parts import Chamber, Cylinder, Guide, Joint, Mass, Orifice, Reservoir
+from poppet.parts import Chamber, Cylinder, DirectionalValve, Guide, Joint, Mass, Orifice, Reservoir
 from poppet.timeseries.signals import Points, Steps
 
 sys.path.insert(0, str(Path(__file__).parents[2] / "laws"))
@@ -142,9 +142,60 @@ def test_work_does_not_exceed_the_exergy():
 def test_turning_points_omit_small_reversals():
     back = 1.0 - 0.15 * np.sin(np.linspace(0.0, np.pi, 20))
     creeping = np.concatenate((np.linspace(0.0, 1.0, 50), back, np.linspace(1.0, 0.0, 50)))
-    turns = turning_points(creeping)
+    turns = turning_points(creeping, 0.2)
     assert [round(float(creeping[k]), 9) for k in turns] == [0.0, 1.0, 0.0]
-    assert turning_points(np.zeros(5)) == []
+    assert turning_points(np.zeros(5), 0.2) == []
+
+
+def test_small_moves_are_strokes_with_their_own_impacts_and_commands():
+    """Check moves of 10 mm back and 15 mm forth after one of 100 mm, whose times follow from the recorded rows."""
+    circuit = poppet.load(EXAMPLES / "cylinder_position.toml")
+    changes = [0.2, 1.5, 2.5]
+    signals = {"position.setpoint": Steps([0.0, *changes], [0.05, 0.15, 0.14, 0.155])}
+    recording = circuit.with_signals(signals).simulate(3.5, 1e-3)
+    strokes = recording.figures.strokes
+    assert [round(1e3 * stroke.travel, -1) for stroke in strokes] == [100.0, -10.0, 20.0]
+    time, position = recording.time, recording["slide.position"]
+    for stroke, change in zip(strokes, changes, strict=True):
+        assert (stroke.command, stroke.command_time) == ("position.setpoint", change)
+        rows = (time >= change) & (time < change + 0.9)
+        way = np.abs(position[rows] - position[rows][0])
+        arrival = time[rows][way >= 0.98 * way.max()][0]
+        assert stroke.from_command == pytest.approx(arrival - change, abs=1.1e-3)
+        assert stroke.start > change
+
+
+def test_arrival_belongs_to_the_move_that_met_the_stop():
+    side = {"dead_volume": "1 m^3"}
+    hollow = Cylinder(body="slide", bore="1 mm", stroke_length="10 m", offset="5 m", cap=side, rod=side)
+    stop = {"position": 1.0, "stiffness": 1e6, "dissipation": 20.0}
+    circuit = Circuit(
+        {"slide": Mass(mass=2.0, upper_stop=stop), "cylinder": hollow},
+        # Up to the stop, then back for 0.4 s.
+        {"slide.load_force": Steps([0.0, 8.0, 8.4], [-4.0, 2.0, -4.0])},
+    )
+    recording = circuit.simulate(12.0, 2e-3)
+    figures, last = recording.figures, recording["slide.velocity"][recording.time > 8.4].max()
+    speeds = [arrival and arrival.velocity for arrival in map(figures.met, figures.strokes)]
+    assert speeds == [pytest.approx(2.0, rel=1e-3), None, pytest.approx(last, rel=0.01)]
+    assert last < 0.8
+    assert [stroke.command for stroke in figures.strokes] == [None] * 3
+
+
+def test_commands_of_another_cylinder_cause_no_stroke():
+    """Two drives at one finite supply: each stroke names the command of its own valve."""
+    parts, signals = {"supply": Chamber(volume="50 l", initial_pressure="7 bar")}, {}
+    for name, change in (("a", 0.3), ("b", 0.31)):
+        valve = {"supply": "supply", "outlet": f"{name}.cap", "exhaust": "ambient", "switching_time": "10 ms"}
+        parts[f"valve_{name}"] = DirectionalValve(**valve, **SIZE)
+        parts[name] = Cylinder(body=f"slide_{name}", bore=BORE, stroke_length=STROKE, acting="single",
+                               cap={"dead_volume": DEAD})  # fmt: skip
+        parts[f"slide_{name}"] = Mass(mass=1.0, friction={"viscous_coefficient": 200.0})
+        signals[f"valve_{name}.command"] = Steps([0.0, change], [0.0, 1.0])
+    strokes = Circuit(parts, signals).simulate(1.0, 1e-3).figures.strokes
+    assert {stroke.body: stroke.command for stroke in strokes if stroke.travel > 0.1} == {
+        f"slide_{name}": f"valve_{name}.command" for name in "ab"
+    }
 
 
 def test_joints_have_metrics_of_torque_and_angle():

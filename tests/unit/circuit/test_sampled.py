@@ -57,7 +57,7 @@ OUTER, INNER = "valve.electronics.outer.sample_time", "valve.electronics.inner.s
 
 def bends(note: Note) -> list[str]:
     """Return the variables with a kink."""
-    return [kink.address for kink in note.facts["what"]]
+    return [each.address for each in note.facts["what"]]
 
 
 class TestClocks:
@@ -87,28 +87,28 @@ class TestClocks:
 
 class TestRest:
     def test_steady_state_includes_states_and_discrete_states(self):
-        steady = smooth_rest()
-        assert steady.is_stable
-        assert [note.code for note in steady.found] == ["rest.settled"]
-        assert steady.residual < 1e-9
-        assert steady.y["tank.pressure"] == pytest.approx(4e5, rel=1e-9)
-        assert steady.memory["valve.integral"] == pytest.approx(steady.y["valve.integral"], rel=1e-12)
-        assert steady.memory["valve.electronics.outer"] == 0.0
+        rest = smooth_rest()
+        assert rest.is_stable
+        assert [note.code for note in rest.found] == ["rest.settled"]
+        assert rest.residual < 1e-9
+        assert rest.y["tank.pressure"] == pytest.approx(4e5, rel=1e-9)
+        assert rest.memory["valve.integral"] == pytest.approx(rest.y["valve.integral"], rel=1e-12)
+        assert rest.memory["valve.electronics.outer"] == 0.0
         # What leaks out of the pilot comes in through the filling solenoid.
-        assert steady.y["valve.vent_duty"] == 0.0
-        assert 0.01 < steady.y["valve.fill_duty"] < 0.2
+        assert rest.y["valve.vent_duty"] == 0.0
+        assert 0.01 < rest.y["valve.fill_duty"] < 0.2
         # The supply fills what the consumer takes.
-        assert steady.y["valve.supply_mass_flow_rate"] == pytest.approx(steady.y["load.mass_flow_rate"], rel=1e-9)
+        assert rest.y["valve.supply_mass_flow_rate"] == pytest.approx(rest.y["load.mass_flow_rate"], rel=1e-9)
 
     def test_kinks_limit_the_validity_of_the_model(self):
         circuit = without_bands(whole()).with_values(PLAIN)
-        steady = circuit.steady_state()
-        (duty,) = [note for note in steady.notes if "valve.fill_duty" in bends(note)]
+        rest = circuit.steady_state()
+        (duty,) = [note for note in rest.notes if "valve.fill_duty" in bends(note)]
         assert (duty.code, duty.address, duty.facts["upward"]) == (
             "linear.kink_ahead", "valve.outlet_sensor_pressure", True,
         )  # fmt: skip
         # With this little leak the filling side ends where the error of the pilot pressure is used up.
-        error = steady.y["valve.pilot_setpoint"] - steady.y["valve.pilot_sensor_pressure"]
+        error = rest.y["valve.pilot_setpoint"] - rest.y["valve.pilot_sensor_pressure"]
         assert duty.facts["size"] == pytest.approx(error, rel=0.02)
 
     def test_larger_leak_increases_the_distance_of_the_kink(self):
@@ -134,16 +134,16 @@ class TestRest:
     def test_steady_state_in_a_hold_band_is_the_end_of_the_run(self):
         """With a tight pilot and no consumer, both solenoids are closed and nothing leaks."""
         tight = {"valve.pilot.exhaust_leak.sonic_conductance": 0.0, "load.sonic_conductance": 0.0}
-        steady = whole().with_values(tight).steady_state()
-        assert (steady.y["valve.fill_duty"], steady.y["valve.vent_duty"]) == (0.0, 0.0)
-        assert steady.y["tank.pressure"] == pytest.approx(4e5, abs=3e3)
+        rest = whole().with_values(tight).steady_state()
+        assert (rest.y["valve.fill_duty"], rest.y["valve.vent_duty"]) == (0.0, 0.0)
+        assert rest.y["tank.pressure"] == pytest.approx(4e5, abs=3e3)
 
     def test_steady_state_near_a_guess_needs_no_run(self):
-        circuit, steady = smooth(), smooth_rest()
-        point = SampledPoint(circuit.instance, np.array(list(steady.u.values())))
-        v = point.v(steady.x, np.array(list(steady.memory.values())))
-        refined = rest_near(point, v * (1.0 + 1e-4))
-        assert refined == pytest.approx(v, rel=1e-6, abs=1e-9)
+        circuit, rest = smooth(), smooth_rest()
+        point = SampledPoint(circuit.instance, np.array(list(rest.u.values())))
+        v = point.v(rest.x, np.array(list(rest.memory.values())))
+        found = rest_near(point, v * (1.0 + 1e-4))
+        assert found == pytest.approx(v, rel=1e-6, abs=1e-9)
 
     def test_ripple_does_not_change_the_period(self):
         t = np.linspace(0.0, 20.0, 20_001)
@@ -169,8 +169,8 @@ class TestModel:
         model = smooth_model()
         row, column = model.outputs.index("tank.pressure"), model.inputs.index("valve.setpoint")
         scaled = model.A * model.sizes[None, :] / model.sizes[:, None]
-        steady_response = np.linalg.solve(np.eye(len(scaled)) - scaled, model.B[:, column] / model.sizes)
-        gain = model.C[row] @ (steady_response * model.sizes) + model.D[row, column]
+        rest = np.linalg.solve(np.eye(len(scaled)) - scaled, model.B[:, column] / model.sizes)
+        gain = model.C[row] @ (rest * model.sizes) + model.D[row, column]
         assert gain == pytest.approx(1.0, rel=1e-6)
         assert abs(model.frequency_response(1e-4, "valve.setpoint", "tank.pressure")[0]) == pytest.approx(1.0, rel=1e-4)
 
@@ -179,8 +179,8 @@ class TestModel:
         values = model.eigenvalues()
         assert np.all(np.diff(np.abs(values)) <= 1e-12)
         assert np.sum(values == 0.0) >= 4
-        nonzero = values[np.abs(values) > 1e-12]
-        assert sorted(np.exp(model.poles() * 1e-3).real) == pytest.approx(sorted(nonzero.real), rel=1e-9)
+        kept = values[np.abs(values) > 1e-12]
+        assert sorted(np.exp(model.poles() * 1e-3).real) == pytest.approx(sorted(kept.real), rel=1e-9)
 
     def test_zero_eigenvalues_are_exact(self):
         chain = np.diag([1.0, 1.0], 1)
@@ -189,9 +189,9 @@ class TestModel:
 
     def test_state_response_equals_that_of_state_outputs(self):
         model = smooth_model()
-        index = model.states.index("tank.pressure")
-        responses = model.state_response(20.0, "valve.setpoint")
-        assert responses[index] == pytest.approx(
+        place = model.states.index("tank.pressure")
+        every = model.state_response(20.0, "valve.setpoint")
+        assert every[place] == pytest.approx(
             complex(model.frequency_response(20.0, "valve.setpoint", "tank.pressure")[0]), rel=1e-9
         )
 
@@ -231,11 +231,11 @@ class TestAgreement:
     def test_missing_steady_state_is_reported(self):
         """Return a linear model of another circuit."""
         rig = SineRig(smooth().instance, "valve.setpoint", "tank.pressure", settling=0.5)
-        other_model = smooth(**{"tank.volume": "20 l"}).linearise()
-        comparison = agreement(rig, other_model, 30.0, (20.0, 40.0))
-        assert np.isnan(comparison.low)
-        assert np.isnan(comparison.high)
-        assert min(comparison.differences) > 0.1
+        other = smooth(**{"tank.volume": "20 l"}).linearise()
+        found = agreement(rig, other, 30.0, (20.0, 40.0))
+        assert np.isnan(found.low)
+        assert np.isnan(found.high)
+        assert min(found.differences) > 0.1
 
 
 def test_command_prints_poles_and_kinks(capsys, tmp_path, monkeypatch):
@@ -249,7 +249,8 @@ def test_command_prints_poles_and_kinks(capsys, tmp_path, monkeypatch):
     assert "pole [1/s]" in out
     assert "Eigenvalues over a sample:" in out
     assert "times 0 (recomputed in every sample)" in out
-    assert "the rate of tank.pressure" in out
+    assert "- The linear model is valid only for small changes" in out
+    assert "rate of change of tank.pressure" in out
     assert json.loads((tmp_path / "linear.json").read_text())["sample_time"] == 1e-3
 
 

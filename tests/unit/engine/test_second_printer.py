@@ -14,12 +14,18 @@ from poppet.engine.printers.c import print_function, used_prelude
 from poppet.engine.printers.instructions import SIGNATURES, trace_functions
 
 EXAMPLES = Path(__file__).parents[3] / "examples"
-CIRCUITS = {"main stage": "fill_staircase", "regulator": "pressure_regulator", "sampled": "pressure_control"}
+CIRCUITS = {
+    "main stage": "fill_staircase",
+    "regulator": "pressure_regulator",
+    "sampled": "pressure_control",
+    "bristles": "vertical_load",
+}
+CHANGES = {"bristles": {"load.friction.kind": "elasto_plastic"}}
 
 
 @pytest.fixture(scope="module", params=CIRCUITS)
 def circuit(request: pytest.FixtureRequest) -> Circuit:
-    return load(EXAMPLES / f"{CIRCUITS[request.param]}.toml")
+    return load(EXAMPLES / f"{CIRCUITS[request.param]}.toml").with_values(CHANGES.get(request.param, {}))
 
 
 @pytest.fixture(scope="module")

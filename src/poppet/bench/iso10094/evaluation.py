@@ -139,7 +139,7 @@ class BenchTest:
         """Evaluate the records of this test.
 
         Records that lack a required channel or have clipped samples are omitted, with a note. `rated_flow` is the mass
-        flow rate for droop and rise [kg/s].
+        flow rate at which the droop and the pressure rise of the relief are evaluated [kg/s].
         """
         evaluation = Evaluation(self, scale, rated_flow)
         complete = [record for record in records if not self.needs or getattr(record, self.needs).size]

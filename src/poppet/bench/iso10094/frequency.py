@@ -127,7 +127,7 @@ def _sides_of_middle(values: FloatArray) -> NDArray[np.int64]:
 
 
 def sines(time: FloatArray, setpoint: FloatArray) -> list[slice]:
-    """Return the time windows of a record in which the setpoint is a sine of constant frequency.
+    """Return the time windows in which the setpoint is a sine of constant frequency.
 
     Examples
     --------

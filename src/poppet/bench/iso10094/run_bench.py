@@ -188,8 +188,8 @@ def run_bench(
 ) -> BenchResult:  # fmt: skip
     """Run the selected tests with a test valve, and return all results.
 
-    If a run of a test fails, a note reports it and the other tests continue. `source` is the kind of test valve for the
-    result, and `say` is a function that shows progress messages.
+    If a run of a test fails, a note reports it and the other tests continue. `source` states the kind of
+    test valve in the result, and `say` is a function that shows progress messages.
     """
     settings = settings or BenchSettings()
     check_tests(tests)

@@ -91,7 +91,7 @@ class Record:
     clipped: Mapping[str, Mask] = field(default_factory=dict)  # clipped samples by series
 
     def cuts(self, *series: str, part: slice = slice(None)) -> bool:
-        """Return True if one of several channels has clipped samples.
+        """Return True if at least one channel has clipped samples.
 
         `series` are the names of the channels to check, by default all channels. `part` restricts the check to a part
         of the record.

@@ -184,7 +184,8 @@ def _record_of_measurement(
 ) -> tuple[Record, int]:
     """Return the channels of a measurement as a record, and the number of replaced spikes.
 
-    The record has the samples of the outlet pressure, in the time that all channels have in common. `fields` contains
+    All channels are resampled at the sample instants of the outlet pressure, within the time range that all channels
+    cover. `fields` contains
     the fields that only valve recordings have.
     """
     channels = {channel.address: channel for channel in measurement.channels}

@@ -98,9 +98,10 @@ class Point:
 
 
 def guessed(plan: LimitsPlan, volume: float, amplitude: float) -> float:
-    """Return an estimate of the bandwidth, from which its search starts [Hz].
+    """Return the frequency at which the search for the bandwidth starts [Hz].
 
-    It assumes a largest pressure slope of 1 MPa/s with 1 l, inversely proportional to the volume.
+    The estimate assumes a maximum pressure slope of 1 MPa/s for a volume of 1 litre, and that this slope is inversely
+    proportional to the volume.
     """
     return float(np.clip(1e6 * 1e-3 / volume / (2.0 * np.pi * amplitude), plan.lowest, 30.0))
 

@@ -63,7 +63,7 @@ class LimitsPlan:
 
     @property
     def per_pascal(self) -> float:
-        """Change of the setpoint per Pa of outlet pressure, in the unit of the setpoint."""
+        """Setpoint change that corresponds to 1 Pa of outlet pressure, in the unit of the setpoint."""
         _, first, last = SCALES[self._kind]
         low, high = self.ends
         return 1.0 if self._kind == "pressure" else (last - first) / (high - low)

@@ -52,10 +52,9 @@ class LimitsResult(ResultFileMixin, HtmlMixin):
         return [[missing if point is None else value(point) for point in row] for row in rows]
 
     def map(self, name: str, spring: float) -> list[list[Any]]:
-        """Return one field of `Stability` for one factor on the spring rates.
+        """Return one field of `Stability` as a nested list: one row per damping factor, one column per volume.
 
-        `name` is the name of the field, and `spring` the factor. The outer list contains one list per damping factor,
-        with one value per volume.
+        `name` is the name of the field, and `spring` the multiplier of the spring rates.
         """
         missing: Any = "" if name in ("smooth", "word") else False if name in ("is_stable", "agrees") else math.nan
         rows = []

@@ -203,10 +203,10 @@ def _constants_in_c(export_model: ExportModel) -> dict[str, str]:
 
 
 def _adaptive_run(export_model: ExportModel) -> dict[str, str]:
-    """Return the C code that prepares the adaptive integrator, by template placeholder.
+    """Return the C code that prepares the adaptive integrator, as a mapping from template placeholder to code.
 
-    It contains the prototypes of the model functions, the job (the array of addresses and sizes that the integrator
-    reads) and the constants.
+    The code contains the prototypes of the model functions, the job (an array of pointers and sizes that the
+    integrator reads) and the constants.
     """
     problem, name, model = export_model.problem, export_model.name, export_model.model
     kernel, conditions, upper = problem.kernel, problem.stop_conditions, name.upper()

@@ -212,9 +212,9 @@ def _schematic_of_page(export_model: ExportModel, circuit: BaseCircuit) -> dict[
 
 
 def _empty_figure(content: dict[str, Any], duration: float) -> str:
-    """Return the HTML of the empty figure for curves and bars.
+    """Return the HTML of the figure of a live page, without curves and bars.
 
-    The script of the page adds the values.
+    The script of the page adds them. `content` is the data of the page, and `duration` that of the run [s].
     """
     name, size = content["time"]
     x: dict[str, Any] = {"label": f"time [{name}]", "range": [0.0, duration / size]}

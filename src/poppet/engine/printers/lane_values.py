@@ -171,7 +171,7 @@ class _Values:
         return bool(key[0] == "const" and key[1] == number)
 
     def list_function(self, results: Any, name: str, n_p: int, derived: dict[int, int]) -> InstructionList:
-        """Return the instructions of a function that computes given results.
+        """Return the instructions of a function that computes `results`.
 
         Expressions that depend only on parameters are added to `derived`, which maps a value to the index of its
         additional element in p. `n_p` is the number of original elements of p.

@@ -80,7 +80,7 @@ _PURE = "nounwind willreturn memory(none)"
 
 
 def _define_function(kind: Kind, name: str, formal: str, text: Text, result: str, attributes: str = "") -> str:
-    """Return the LLVM IR of a function definition for lanes.
+    """Return the LLVM IR of a complete function for simultaneous runs (lanes).
 
     `formal` contains the declared arguments, `text` the lines, and `result` the name of the result.
     """

@@ -211,7 +211,7 @@ def _read_test(table: Mapping[str, Any], bench: _Bench, name: str) -> StrokeTest
             errors.add("stroke.one_way", test=name, ways=sources or ["nothing"])
         # A misspelt field is one error, not two.
         if sources == ["sonic_conductance"] and not errors.collected:
-            for key in _POINT.keys() - table.keys():
+            for key in (key for key in _POINT if key not in table):
                 errors.extend([missing_field(f"{address}.{key}", OF_TEST[key])])
     if "file" in fields:
         if bench.circuit is None:

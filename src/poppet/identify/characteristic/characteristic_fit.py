@@ -106,6 +106,8 @@ class CurveFit:
     evaluations: int  # number of evaluations of all tests
     cost: float = math.nan  # half the sum of squared residuals
     twin: CurveFit | None = None  # equivalent curves
+    rivals: tuple[CurveFit, ...] = ()  # unconstrained splines with all compared selections of knots, the best one first
+    strokes: tuple[Array, Array] = (np.empty(0), np.empty(0))  # strokes of the tests that determine C and b, ascending
 
     def part(self, index: int) -> slice:
         """Return the slice of `theta` with the parameters of C, b or the bench.
@@ -125,13 +127,49 @@ class CurveFit:
     def standard_uncertainty(self, index: int, x: Array) -> Array:
         """Return the standard uncertainty of C or b at the strokes `x`, (n,).
 
-        `index` is 0 for C and 1 for b. Errors that all tests have in common are included.
+        `index` is 0 for C and 1 for b. Errors that all tests have in common and the unknown shape of the curve are
+        included.
         """
+        shared = self.common[index] * (self.curve(0, x) if index == 0 else np.ones_like(x))
+        variance = self._variance(index, x) + self.shape_variance(index, x)
+        return np.asarray(np.sqrt(np.maximum(variance, 0.0) + shared**2))
+
+    def _variance(self, index: int, x: Array) -> Array:
+        """Return the variance of C (`index` 0) or b (`index` 1) at the strokes `x`, (n,), for a known shape."""
         part = self.part(index)
         slopes = self.shapes[index].slopes(self.theta[part], x)
-        variance = np.einsum("ij,jk,ik->i", slopes, self.covariance[part, part], slopes)
-        shared = self.common[index] * (self.curve(0, x) if index == 0 else np.ones_like(x))
-        return np.asarray(np.sqrt(np.maximum(variance, 0.0) + shared**2))
+        return np.asarray(np.einsum("ij,jk,ik->i", slopes, self.covariance[part, part], slopes))
+
+    def shape_variance(self, index: int, x: Array) -> Array:
+        r"""Return the variance caused by the unknown shape of C or b at the strokes `x`, (n,).
+
+        `index` is 0 for C and 1 for b. In the formula, y is the curve, l are straight lines between the tests, and y_k
+        with the standard uncertainty u_k is the spline with the selection of knots k; the best selection is 0.
+
+        .. math::
+
+            (y - \ell)^2 + \sum_k w_k \left[(y_k - y_0)^2 + u_k^2\right] - u_0^2, \qquad
+            w_k \propto e^{-(\mathrm{AIC}_k - \mathrm{AIC}_0)/2}
+
+        Notes
+        -----
+        The first term is the uncertainty of the interpolation between the tests. Polynomials that describe the tests
+        do not have it. The other terms are the uncertainty of the selection of knots. They can be slightly negative.
+
+        References
+        ----------
+        Burnham & Anderson 2002, Model Selection and Multimodel Inference, section 4.3.2.
+        """
+        variance = np.zeros_like(x)
+        if self.rivals or self.misfits[index].widening > 1.0:
+            strokes = self.strokes[index]
+            variance += (self.curve(index, x) - np.interp(x, strokes, self.curve(index, strokes))) ** 2
+        if self.rivals:
+            best, aicc = self.rivals[0], np.array([rival.aicc() for rival in self.rivals])
+            shifts = np.array([rival.curve(index, x) - best.curve(index, x) for rival in self.rivals])
+            sampling = np.array([rival._variance(index, x) for rival in self.rivals])
+            variance += np.average(shifts**2 + sampling, axis=0, weights=np.exp(0.5 * (aicc[0] - aicc))) - sampling[0]
+        return np.asarray(variance)
 
     @property
     def chi_square(self) -> float:
@@ -253,7 +291,8 @@ def fit_histories(
     limit = best.cost + ALIKE * best.misfits[0].widening
     curves = {fit: fit.curve(0, objective.strokes) for fit in fits}
     equivalent = [f for f in fits if f.cost < limit and np.max(np.abs(curves[f] / curves[best] - 1.0)) > APART]
-    return replace(best, twin=min(equivalent, key=lambda fit: fit.cost)) if equivalent else best
+    twin = min(equivalent, key=lambda fit: fit.cost, default=None)
+    return replace(best, twin=twin and replace(twin, rivals=first_fit.rivals), rivals=first_fit.rivals)
 
 
 def _fit_curves(
@@ -285,7 +324,8 @@ def _fit_curves(
         max_nfev=200,
     )
     residual, rows = objective(solution.x)
-    n_determined = np.isfinite([e.uncertainty for e in evidence]).sum(axis=0)
+    is_determined = np.isfinite([e.uncertainty for e in evidence])
+    n_determined = is_determined.sum(axis=0)
     sizes = [shape.size for shape in objective.shapes]
     if objective.nuisance or single_cost or any(e.root[0, 1] for e in evidence):  # a test couples C and b
         saved = sum(sum(f in term.nuisance for term in objective.terms) - 1 for f in objective.nuisance)
@@ -301,8 +341,18 @@ def _fit_curves(
     _, s, vt = np.linalg.svd(rows, full_matrices=False)
     s = np.maximum(s, 1e-9 * max(float(s[0]), 1e-300))
     covariance = np.asarray((vt.T / s**2) @ vt) * np.outer(wide, wide)
-    count, cost = objective.evaluations, 0.5 * float(residual @ residual)
-    return CurveFit(objective.shapes, solution.x, objective.nuisance, covariance, misfits, common, count, cost)
+    first_strokes, second_strokes = (np.unique(objective.strokes[mask]) for mask in is_determined.T)
+    return CurveFit(
+        objective.shapes,
+        solution.x,
+        objective.nuisance,
+        covariance,
+        misfits,
+        common,
+        objective.evaluations,
+        cost=0.5 * float(residual @ residual),
+        strokes=(first_strokes, second_strokes),
+    )
 
 
 def bootstrap_bands(

@@ -140,7 +140,8 @@ def identify_characteristic(
     -------
     Result
         Coefficients of the stroke in mm, highest power first, or values at the knots, with intervals. `series` has the
-        curves with 95 % bands and the points of the tests.
+        curves with 95 % bands, and the points of the tests. A band contains the true value at a stroke with a
+        probability of 95 %, not the whole curve.
 
     Raises
     ------
@@ -274,9 +275,11 @@ def _fit_spline(
     """
     decoupled = [e.decoupled() for e in evidence]
     candidates = [options.knots] if options.knots else _knot_candidates(options.strokes, decoupled)
-    free = min((fit_evidence(decoupled, _spline_shapes(options, k, False)) for k in candidates), key=CurveFit.aicc)
+    fits = (fit_evidence(decoupled, _spline_shapes(options, k, False)) for k in candidates)
+    rivals = tuple(sorted(fits, key=CurveFit.aicc))
+    free = rivals[0]
     knots = free.shapes[0].knots  # type: ignore[union-attr]
-    constrained = fit_evidence(decoupled, _spline_shapes(options, knots, True), common)
+    constrained = replace(fit_evidence(decoupled, _spline_shapes(options, knots, True), common), rivals=rivals)
     polynomials = (
         fit_evidence(decoupled, _polynomial_shapes(options))
         if options.strokes.size > max(options.degrees) + 1
@@ -316,6 +319,8 @@ def _estimates(fit: CurveFit, options: _CurveOptions, prefix: str) -> dict[str, 
         is_shifted = np.zeros_like(values)
         is_shifted[-1 if options.form == "polynomial" else slice(None)] = 1.0
         common_errors = fit.common[index] * (values if index == 0 else is_shifted)
+        if isinstance(shape, SplineShape):
+            variance = variance + fit.shape_variance(index, np.array(shape.table_knots))
         errors = np.sqrt(np.maximum(variance, 0.0) + common_errors**2)
         limits = (-math.inf, math.inf) if options.form == "polynomial" else (0.0, LARGEST_RATIO if index else math.inf)
         for k, (value, error) in enumerate(zip(values, errors, strict=True), start=begin):
@@ -366,6 +371,9 @@ def _confidence_bands(
     if options.bootstrap:
         bootstrap_evidence = [e.decoupled() for e in evidence] if options.form == "spline" else evidence
         bands = list(bootstrap_bands(fit, bootstrap_evidence, x, options.bootstrap, options.seed))
+        for k, ends in enumerate(bands):  # all bootstrap fits have the same knots
+            curve, shape = fit.curve(k, x), 1.96 * np.sqrt(np.maximum(fit.shape_variance(k, x), 0.0))
+            bands[k] = (curve - np.hypot(curve - ends[0], shape), curve + np.hypot(ends[1] - curve, shape))
     else:
         halves = [fit.misfits[k].coverage * fit.standard_uncertainty(k, x) for k in (0, 1)]
         bands = [(fit.curve(k, x) - halves[k], fit.curve(k, x) + halves[k]) for k in (0, 1)]
@@ -408,7 +416,7 @@ def _conditions(
         "tested": [float(options.strokes[0]), float(options.strokes[-1])],
         **({"knots": list(knots)} if knots else {"argument_unit": "mm"}),
         "common_uncertainty": list(common),
-        "bands": f"bootstrap of {options.bootstrap}" if options.bootstrap else "delta method",
+        "bands": (f"bootstrap of {options.bootstrap}" if options.bootstrap else "delta method") + ", at each stroke",
         "evaluations": fit.evaluations,
         "tests": {
             label: [float(v) for v in (e.stroke, *e.centre, *e.uncertainty)]

@@ -133,10 +133,10 @@ def _fit_wall_conductances(
 
 
 def _fit_from_neighbours(walls: FloatArray, best: float, optimum: Optimum, fit: Fit) -> dict[float, Optimum]:
-    """Fit at given wall conductances, starting near the optimum.
+    """Fit at given wall conductances, one after the other.
 
-    `best` is the wall conductance at the optimum. Each fit starts from the result of the neighbour that is closer to
-    the optimum. The result is sorted by wall conductance.
+    `best` is the wall conductance at the optimum, where the fits begin. Each fit starts from the result of the
+    neighbour that is closer to the optimum. The result is sorted by wall conductance.
     """
     rows: dict[float, Optimum] = {}
     for branch in (walls[walls >= best], walls[walls < best][::-1]):

@@ -180,9 +180,9 @@ def _conditions(plan: FitPlan, optimum: Optimum) -> dict[str, Any]:
 
 
 def compare_results(first: Result, second: Result, name: str) -> Result:
-    """Add a comparison with a second result by AICc to a result.
+    """Add a comparison by AICc with another result to a result.
 
-    `name` is the name of the second result.
+    `first` is extended, `second` is the other result, and `name` the name of the other result.
     """
     if first.comparison["samples"] != second.comparison["samples"] or set(first.residuals) != set(second.residuals):
         raise InputError("fit.compare", "compare", other=name)

@@ -163,10 +163,10 @@ def find_optima(plan: FitPlan, *, progress: Callable[[int, float], Any] | None =
 
 
 def thermal_units(experiments: Sequence[Experiment], free: Sequence[FreeParameter]) -> dict[int, float]:
-    """Return the wall conductances of tanks whose temperature was not recorded.
+    """Return a typical wall conductance for each tank whose temperature was not recorded [W/K].
 
-    The result maps the index of each such free parameter to the wall conductance of one transfer unit [W/K]: the heat
-    capacity of the gas, divided by the duration of the pressure change.
+    The keys are the indices of the free wall conductances. A typical value is the heat capacity of the gas, divided by
+    the duration of the pressure change (one transfer unit).
     """
     units: dict[int, float] = {}
     for k, f in enumerate(free if not any(e.samples for e in experiments) else ()):

@@ -347,9 +347,9 @@ def _is_suspicious(objective: FitObjective, x: FloatArray) -> bool:
 def _search_locally(objective: FitObjective, x: FloatArray, settings: SearchSettings) -> tuple[FloatArray, float]:
     """Return the best point that local searches from `x` reach.
 
-    For most circuits there is one search. For sampled circuits, the best width of the differences depends on the
-    circuit, and a search can end at a false minimum. All widths are therefore tried, first from `x` and then from the
-    best point.
+    For most circuits there is one search. For circuits with sampled controllers, the best step of the finite
+    differences depends on the circuit, and a search can end at a false minimum. All steps are therefore tried, first
+    from `x` and then from the best point.
     """
     if not any(experiment.samples for experiment in objective.experiments):
         return _search_downhill(objective, x, settings, SAMPLED_DIFFERENCE)

@@ -43,6 +43,9 @@ LEAST_READING = 0.02
 DOUBT = 0.01
 """Probability below which the residuals are too large for the stated uncertainties."""
 
+SCATTERED = 0.1
+"""Probability below which the residuals widen the intervals, because the stated scatter can be too small."""
+
 BETTER = 6.0
 """Reduction of AICc by one more free parameter above which the simpler law is rejected."""
 
@@ -243,9 +246,16 @@ class FlowFit:
         return len(self.model.points) - len(self.model.free)
 
     @property
+    def scatter_factor(self) -> float:
+        """Factor on the standard errors by scatter: Birge's ratio if the residuals are large for a stated scatter."""
+        is_large = self.scatter_is_known and self.stated < SCATTERED
+        return math.sqrt(max(1.0, self.chi_square / self.degrees_of_freedom)) if is_large else 1.0
+
+    @property
     def scatter_freedom(self) -> float:
-        """Degrees of freedom with which the standard deviations `sigma` are known."""
-        return math.inf if self.scatter_is_known else float(max(self.degrees_of_freedom, 1))
+        """Degrees of freedom with which the scatter is known."""
+        is_known = self.scatter_is_known and self.scatter_factor == 1.0
+        return math.inf if is_known else float(max(self.degrees_of_freedom, 1))
 
     @cached_property
     def aicc(self) -> float:
@@ -265,7 +275,7 @@ class FlowFit:
 
     @cached_property
     def gain(self) -> tuple[FloatArray, Any]:
-        """Derivatives of the estimates by the residuals, and a mask of determined parameters."""
+        """Derivatives of the estimates with respect to the residuals, and a mask: True for determined parameters."""
         return gain(self.jacobian)
 
     @cached_property
@@ -281,7 +291,8 @@ class FlowFit:
         robust_residuals = self.residuals[:n] / np.maximum(left, 0.1)
         for name, row, scale in zip(self.model.free, self.gain[0], self.model.scales.tolist(), strict=False):
             parts = {f"scatter of {source}": part / self.sigma**2 for source, part in self.scatter.items()}
-            scatter = {source: scale * math.sqrt(float(np.sum(row[:n] ** 2 * part))) for source, part in parts.items()}
+            size = scale * self.scatter_factor
+            scatter = {source: size * math.sqrt(float(np.sum(row[:n] ** 2 * part))) for source, part in parts.items()}
             effects = zip(self.model.effects, row[n:].tolist(), strict=True)
             common = {effect.source: scale * abs(u) for effect, u in effects}
             type_a, type_b = math.hypot(*scatter.values()), math.hypot(*common.values())

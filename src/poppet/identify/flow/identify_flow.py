@@ -181,7 +181,7 @@ def _statistical_tests(fit: FlowFit) -> dict[str, Any]:
         "chi_square_probability": (
             chi_square_probability(fit.chi_square, fit.degrees_of_freedom) if fit.scatter_is_known else fit.stated
         ),
-        "scatter_factor": fit.inflation,
+        "scatter_factor": fit.inflation * fit.scatter_factor,
         "scatter_from_residuals": not fit.scatter_is_known,
         "runs_probability": few_runs_probability(fit.residuals[:n][order]),
         "aicc": fit.aicc,

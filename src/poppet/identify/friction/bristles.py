@@ -58,7 +58,7 @@ class Bristles:
     bending: float  # bending time [s]
 
     @property
-    def is_seen(self) -> bool:
+    def is_resolved(self) -> bool:
         """True if the deflection of the bristles is larger than the position resolution."""
         return self.way > FINE * self.resolution and math.isfinite(self.high)
 
@@ -78,7 +78,7 @@ class Bristles:
     @property
     def is_damped(self) -> bool:
         """True if the damping of the bristles is significantly above zero."""
-        return self.is_seen and not self.is_coarse and self.damping_low > 0.0
+        return self.is_resolved and not self.is_coarse and self.damping_low > 0.0
 
 
 def fit_bristles(

@@ -30,13 +30,14 @@ def findings(analysis: FrictionFits) -> Iterator[Note]:
     units = {name: getattr(analysis.coordinate, name) for name in ("effort", "effort_unit", "length", "speed")}
     checks = _law_notes, _seal_and_bristle_notes, _motion_notes, _recording_notes
     for note in itertools.chain.from_iterable(check(analysis) for check in checks):
-        yield Note(note.code, note.address, **note.facts, **{n: units[n] for n in facts_of(note.code) & units.keys()})
+        shown = facts_of(note.code)
+        yield Note(note.code, note.address, **note.facts, **{n: unit for n, unit in units.items() if n in shown})
 
 
 def _law_notes(analysis: FrictionFits) -> Iterator[Note]:
-    """Yield the law that the data support, and bounds on other parameters.
+    """Yield notes on the law that the data support, and on parameters that the selected law does not contain.
 
-    These are upper bounds on parameters that the selected law does not contain.
+    The notes state upper bounds on these parameters.
     """
     fits, fit, ranked, coordinate = analysis.fits, analysis.fit, analysis.ranked, analysis.coordinate
     yield Note(
@@ -81,7 +82,7 @@ def _seal_and_bristle_notes(analysis: FrictionFits) -> Iterator[Note]:
     bristles, levels = analysis.bristles, levels_of(analysis)
     if bristles is None:
         yield Note("friction.no_reversals", count=analysis.reversals)
-    elif bristles.is_seen:
+    elif bristles.is_resolved:
         facts = {"way": bristles.way, "rms": bristles.rms, "without": bristles.rms_without}
         yield Note("friction.bristles", **facts, count=bristles.reversals, resolution=bristles.resolution)
         if bristles.is_late:

@@ -106,7 +106,7 @@ GROWING_LAWS = {
 class FrictionData:
     """Samples of steady sliding for a fit.
 
-    It includes free force offsets, and groups for validation.
+    The data also state which force offsets are fitted, and which samples are left out together in cross-validation.
     """
 
     rows: SlidingRows
@@ -191,7 +191,7 @@ class LawSolution:
         """Return the offset of the force sensor at each sample [N]."""
         return np.array([self.offsets.get(int(k), 0.0) for k in rows.record])
 
-    def missed(self, rows: SlidingRows, unknown: Sequence[int] = ()) -> FloatArray:
+    def residuals_for(self, rows: SlidingRows, unknown: Sequence[int] = ()) -> FloatArray:
         """Return the differences between modelled and measured friction [N].
 
         `unknown` contains the indices of recordings with free offsets. If the solution has no offset for such a
@@ -297,7 +297,7 @@ class FrictionLawFit:
     @cached_property
     def errors(self) -> FloatArray:
         """Residuals of all samples: modelled minus measured friction [N]."""
-        return self.solution.missed(self.data.rows)
+        return self.solution.residuals_for(self.data.rows)
 
     @cached_property
     def spread(self) -> ClusterCovariance:
@@ -361,9 +361,7 @@ class FrictionLawFit:
         return np.asarray(rows.sign * np.exp(-((rows.velocity / self.values[STRIBECK]) ** 2)))
 
     def _pressure_statistic(self, column: FloatArray, *nuisances: FloatArray) -> float:
-        rows = self.data.rows
-        columns = np.column_stack([self.jacobian, *(nuisance * rows.pressure for nuisance in nuisances)])
-        return term_statistic(rows, columns, column, self.data.group)
+        return term_statistic(self.data.rows, self.jacobian, column, nuisances, self.data.group)
 
     @cached_property
     def together(self) -> float:
@@ -374,7 +372,8 @@ class FrictionLawFit:
     def allowed(self) -> list[LawSolution]:
         """Fits at other Stribeck velocities that are not significantly worse.
 
-        The effective number of samples is their number divided by the correlation time of the residuals.
+        The test of significance uses the effective number of samples: their number divided by the correlation time of
+        the residuals in samples.
         """
         rows, law = self.data.rows, self.solution.law
         if not law.is_falling:
@@ -442,7 +441,7 @@ def fit_friction_law(data: FrictionData, law: FrictionLaw) -> FrictionLawFit | N
         if not refits:
             return None
         withheld = rows.of(data.group == k)
-        errors.append(refits[0].missed(withheld, data.free_offsets))
+        errors.append(refits[0].residuals_for(withheld, data.free_offsets))
         mean_squares.append(float(np.average(errors[-1] ** 2, weights=withheld.weight)))
     score = float(np.sqrt(np.mean(np.concatenate(errors) ** 2)))
     return FrictionLawFit(data, minima[0], tuple(minima[1:]), np.array(mean_squares), score)
@@ -657,7 +656,7 @@ def levels_of(analysis: FrictionFits) -> list[dict[str, Any]]:
             "name": record.name,
             "pressure": float(np.mean(rows.pressure)),
             "rows": len(rows),
-            "level": line - float(np.mean(rows.sign * solution.missed(rows))),
+            "level": line - float(np.mean(rows.sign * solution.residuals_for(rows))),
             "line": line,
             "offset": solution.offsets.get(k, 0.0),
             "speeds": [float(np.mean(np.abs(one_way.velocity))) for one_way in directions],

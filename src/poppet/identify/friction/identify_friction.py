@@ -126,7 +126,7 @@ def identify_friction(
         if pulley_radius is None and coordinate is TURNING and has_pressure:
             errors.add("friction.no_radius", "pulley_radius")
     analysis = fit_records(record_list, law, offset, smoothing, within, mass or inertia)
-    is_seen = analysis.bristles is not None and analysis.bristles.is_seen
+    is_seen = analysis.bristles is not None and analysis.bristles.is_resolved
     if law == LUGRE and not is_seen:
         raise InputError("friction.no_bristles", "law", reversals=analysis.reversals)
 
@@ -183,7 +183,7 @@ def _estimates(analysis: FrictionFits, radius: float) -> dict[str, Estimate]:
         sizes = value / lever, analysis.coordinate.unit(name), error / lever, low / lever, high / lever
         estimates[name] = Estimate(*sizes, verdict)
     bristles = analysis.bristles
-    if bristles is not None and bristles.is_seen:
+    if bristles is not None and bristles.is_resolved:
         # The interval is logarithmic.
         verdict = judged((bristles.high / bristles.low) ** 0.5 - 1.0, 1.0)
         unit, ends = analysis.coordinate.unit(BRISTLES), (bristles.low, bristles.high)

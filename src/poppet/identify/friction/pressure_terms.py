@@ -22,12 +22,18 @@ FEWEST_CLUSTERS, FEWEST_RECORDS = 6, 3
 """Minimum numbers of strokes and of recordings for a test."""
 
 
-def term_statistic(rows: SlidingRows, law_columns: FloatArray, column: FloatArray, group: NDArray[np.int_]) -> float:
+def term_statistic(
+    rows: SlidingRows,
+    law_columns: FloatArray,
+    column: FloatArray,
+    nuisances: Sequence[FloatArray],
+    group: NDArray[np.int_],
+) -> float:
     """Return how significant a dependence on the pressure is.
 
     The term is one column of the law times the pressure. `law_columns` contains the derivatives of the friction by the
-    parameters of the law, (n, n_parameters). The result is the coefficient of the term divided by the half width of its
-    interval; it is 0 for a negligible term.
+    parameters of the law, (n, n_parameters). The coefficients of the `nuisances` can also depend on the pressure. The
+    result is the coefficient of the term divided by the half width of its interval; it is 0 for a negligible term.
 
     The friction of each recording has a free level. Therefore only the differences within recordings test the term.
     Residuals are independent between strokes, and between the points of a table. With at least three recordings, the
@@ -36,6 +42,7 @@ def term_statistic(rows: SlidingRows, law_columns: FloatArray, column: FloatArra
     records = [np.where(rows.record == k, 1.0, 0.0) for k in np.unique(rows.record)]
     root = np.sqrt(rows.weight)
     candidates = [*(rows.sign * record for record in records), *records, *law_columns.T]
+    candidates += [nuisance * rows.pressure for nuisance in nuisances]
     basis = np.zeros((root.size, 0))  # orthonormal, (n, rank)
     for candidate in candidates:
         weighted = candidate * root
@@ -62,6 +69,9 @@ def term_statistic(rows: SlidingRows, law_columns: FloatArray, column: FloatArra
     statistic = coefficient / half if half > 0.0 else math.copysign(math.inf, coefficient)
     if len(records) < FEWEST_RECORDS:
         return statistic
+    # A recording whose whole friction is 1 % higher has 1 % more of each term. With a common coefficient of the
+    # nuisances, its column would absorb a part of their difference, and less of the scatter than of the trend.
+    candidates += [nuisance * record for nuisance in nuisances for record in records]
     between = _statistic_between_recordings(rows, candidates, column, records)
     return min(statistic, between, key=abs)
 
@@ -87,5 +97,5 @@ def _statistic_between_recordings(
     slope = np.linalg.lstsq(line, values, rcond=None)[0]
     errors = values - line @ slope
     variance = float(errors @ errors) / freedom * np.linalg.inv(line.T @ line)[1, 1]
-    half = coverage_factor(float(freedom)) * math.sqrt(variance)
+    half = coverage_factor(float(freedom), CONFIDENCE) * math.sqrt(variance)
     return float(slope[1]) / half if half > 0.0 else math.copysign(math.inf, float(slope[1]))

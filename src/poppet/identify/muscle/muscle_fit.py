@@ -85,9 +85,9 @@ class SarosiCandidate(ForceLawCandidate):
 
 
 class BraidCandidate(ForceLawCandidate):
-    """Force law of Chou and Hannaford.
+    """Candidate force law of Chou and Hannaford.
 
-    It is linear in b = 1/sin^2 of the braid angle.
+    The force is linear in the parameter b = 1/sin(alpha)^2, where alpha is the braid angle at rest.
     """
 
     name = "chou_hannaford"

@@ -159,7 +159,7 @@ class _CharacteristicReader:
         return unbounded if numbers is None else (float(numbers[0]), float(numbers[1]))
 
     def common(self) -> dict[str, Any]:
-        """Return the arguments of `Characteristic` that all kinds of tables have."""
+        """Return the constructor arguments that do not depend on the kind of characteristic."""
         closing = self.number(self.table["closing"], "m", "closing") if "closing" in self.table else None
         monotone = self.table.get("monotone", False)
         if not isinstance(monotone, bool):

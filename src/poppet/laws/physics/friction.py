@@ -1,10 +1,14 @@
-"""Dry friction with sticking: the LuGre model and its steady friction."""
+"""Dry friction with sticking: the LuGre and the elasto-plastic model, and their steady friction."""
 
 from __future__ import annotations
 
+import math
 from typing import Any
 
-from poppet.core.symbolic import exp
+from poppet.core.symbolic import clip, cos, exp, minimum, where
+
+MAX_ELASTIC = 0.98
+"""Maximum of the break-away deflection, as a fraction of the steady deflection."""
 
 
 def sliding_level(velocity: Any, coulomb_force: Any, static_force: Any, stribeck_velocity: Any) -> Any:
@@ -69,10 +73,60 @@ def bristle_rate(deflection: Any, velocity: Any, level: Any, stiffness: Any) -> 
     return velocity - stiffness * abs(velocity) / level * deflection
 
 
+def elasto_plastic_rate(deflection: Any, velocity: Any, level: Any, stiffness: Any, breakaway: Any) -> Any:
+    r"""Return the rate of change of the bristle deflection in the elasto-plastic model.
+
+    .. math:: \dot z = v \left(1 - \alpha(z, v)\, \frac{z}{z_{ss}}\right) \text{ for } v z > 0, \qquad
+              \dot z = v \text{ otherwise}, \qquad z_{ss} = \frac{g(v)}{\sigma_0} \operatorname{sgn} v
+
+    .. math:: \alpha = \begin{cases} 0 & |z| \le z_{ba} \\
+              \tfrac{1}{2} + \tfrac{1}{2} \sin\left(\pi\, \frac{|z| - (z_{max} + z_{ba})/2}{z_{max} - z_{ba}}\right)
+              & z_{ba} < |z| < z_{max} \\ 1 & |z| \ge z_{max} = |z_{ss}| \end{cases}
+
+    Parameters
+    ----------
+    deflection, velocity : float, array or symbol
+        Deflection z [m] and sliding speed v [m/s].
+    level : float, array or symbol
+        Friction g at this speed, above zero [N].
+    stiffness : float, array or symbol
+        Bristle stiffness :math:`\sigma_0` [N/m].
+    breakaway : float, array or symbol
+        Deflection :math:`z_{ba}` up to which the motion is elastic [m].
+
+    Returns
+    -------
+    float, array or symbol
+        Rate [m/s]; zero at the steady deflection, as in the LuGre model.
+
+    Notes
+    -----
+    Up to the break-away deflection, the position follows the load reversibly: the body does not drift under loads
+    below :math:`\sigma_0 z_{ba}`. The model requires :math:`z_{ba} < |z_{ss}|` at all speeds; a larger value is limited
+    to 98 %.
+
+    References
+    ----------
+    Dupont, Hayward, Armstrong & Altpeter 2002, IEEE Trans. Automatic Control 47, 787-792.
+
+    Examples
+    --------
+    >>> elasto_plastic_rate(5e-6, 0.1, 9.0, 9e5, 7e-6)
+    0.1
+    >>> elasto_plastic_rate(1e-5, 0.1, 9.0, 9e5, 7e-6)
+    0.0
+    """
+    steady = level / stiffness
+    elastic = minimum(breakaway, MAX_ELASTIC * steady)
+    # The sine of the reference, with its argument shifted by a quarter of a period.
+    plastic = 0.5 - 0.5 * cos(math.pi * clip((abs(deflection) - elastic) / (steady - elastic), 0.0, 1.0))
+    return where(velocity * deflection > 0.0, velocity - plastic * abs(velocity) * deflection / steady, velocity)
+
+
 def lugre_force(
     deflection: Any, deflection_rate: Any, velocity: Any, stiffness: Any, damping: Any, stribeck_velocity: Any
 ) -> Any:
-    r"""Return the friction force of the LuGre model without the viscous term.
+    r"""Return the friction force of a bristle model without the viscous term.
 
     .. math:: F = \sigma_0 z + \sigma_1 e^{-(v/v_s)^2}\, \dot z
 
@@ -92,8 +146,9 @@ def lugre_force(
 
     Notes
     -----
-    With a constant damping the model generates energy at moderate speeds. With the decreasing damping it does not if
-    :math:`\sigma_1 e^{-(v/v_s)^2} \le 4 g(v)/|v|`.
+    With a constant damping the LuGre model generates energy at moderate speeds. With the decreasing damping it does not
+    if :math:`\sigma_1 e^{-(v/v_s)^2} \le 4 g(v)/|v|`. The elasto-plastic model needs this condition only while the
+    deflection exceeds that of steady sliding.
 
     References
     ----------

@@ -202,11 +202,12 @@ def charging_time(pressure: Any, initial_pressure: Any, supply_pressure: Any, cr
     Parameters
     ----------
     pressure, initial_pressure, supply_pressure : float or array
-        Absolute pressures to be reached, in the vessel at the start, and p1 of the supply [Pa].
+        Absolute pressures: final pressure, pressure of the vessel at the start, and pressure p1 of the supply [Pa]. In
+        the formula, r and r0 are the first two divided by p1; terms with r < b or r0 < b are zero in the bracket.
     critical_ratio : float or array
         Critical pressure ratio b of the passage [1].
     rate : float or array
-        Rate K from `charging_rate`. Without heat transfer: kappa times the rate at the supply temperature [1/s].
+        Rate K from `charging_rate` [1/s]. For an adiabatic vessel, pass kappa times the rate at the supply temperature.
 
     Returns
     -------

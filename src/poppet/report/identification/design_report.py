@@ -79,8 +79,9 @@ def _joint_table(design: Design) -> ReportTable:
 def _candidate_table(design: Design, n_max: int) -> ReportTable:
     """Return the expected errors of the parameters after each single test, as a table.
 
-    An error is half of the 95 % interval relative to the value, as a geometric mean over the assumed values and the
-    samples of the priors. The criterion is computed from these errors. `n_max` limits the number of tests.
+    The relative error of a parameter is half its 95 % interval divided by its value. The table contains the geometric
+    mean of this error over all assumed values and samples of the priors. The criterion of the design is computed from
+    these errors. `n_max` limits the number of tests.
     """
     names, ranked_by = next(iter(design.tests.values())).keys(), design.ranked_by()
     rows = [

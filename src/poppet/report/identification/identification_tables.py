@@ -343,7 +343,7 @@ def _statistic(value: Any) -> str:
 
 
 def correlation_sentence(correlation: Mapping[str, Mapping[str, float]]) -> str:
-    """Return a sentence on the correlation between the first two estimates.
+    """Return a sentence on the correlation between the first two parameters.
 
     The text is empty without correlations.
     """

@@ -106,7 +106,7 @@ class PaperResult:
     statements: tuple[Statement, ...]  # with their verdicts
 
     def table(self) -> str:
-        """Return the tables and the statements as text for a terminal."""
+        """Return all tables and statements of the reproduction as text for a terminal."""
         tables = [f"{table.caption}\n\n{table.text()}" for name, table in self.tables.items() if name != "statements"]
         width = max(len(item.verdict.value) for item in self.statements)
         lines = [f"{item.verdict.value:<{width}}  {item.text} ({item.place})" for item in self.statements]

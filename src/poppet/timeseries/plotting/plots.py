@@ -103,8 +103,8 @@ _TIME_UNITS = ((1.0, "ms", 1e-3), (1800.0, "s", 1.0), (14400.0, "min", 60.0), (f
 class Sheet:
     """Figure of one or several recordings: its content and its layout.
 
-    `select` contains names or patterns of the series to draw. `units` maps names or patterns to units, or is a list of
-    units. If `inner` is True, internal outputs are drawn as well.
+    `select` contains names or patterns of the series to draw. `units` maps names or patterns to units, or is a list
+    of units, each for all series of its quantity. If `inner` is True, internal outputs are drawn as well.
     """
 
     def __init__(
@@ -208,7 +208,7 @@ class Sheet:
             top += _KEY_ROW
 
     def _row(self, handles: Sequence[Any], texts: Sequence[str], y: float, handlelength: float) -> None:
-        """Draw a legend of one line outside the axes, at the height `y`.
+        """Draw a legend outside the axes, with all entries in one row at the height `y`.
 
         `handles` are the drawn symbols, `texts` their labels, and `handlelength` is the length of a symbol.
         """
