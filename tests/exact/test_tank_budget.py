@@ -169,7 +169,7 @@ def test_free_or_stated_leak_is_no_source(leak: Any) -> None:
 @pytest.mark.parametrize(("scale", "samples"), [(0.0003, 100), (0.003, 1600), (0.01, 1600)])
 def test_contribution_of_gauge_scale_equals_change_of_fits(scale: float, samples: int) -> None:
     """The contribution is proportional to the uncertainty, and does not grow with the number of samples."""
-    tank = replace(DISCHARGE, leak=0.0, samples=samples)
+    tank = replace(DISCHARGE, leak=0.0, samples=samples, noise=1500.0)
     sizes = {"volume": 0, "leak": 0, "gauge_scale": scale, "gauge_zero": 0}
     budget = identify_discharge(tank, uncertainties=sizes).comparison["uncertainty"]
     above, below = (identify_discharge(tank, scale=k * scale, uncertainties=0).parameters for k in (1.0, -1.0))

@@ -178,12 +178,12 @@ def add_budget(
         return result
     sources = budget[number]["sources"]
     variance = sum(size**2 for size in sources.values())
-    sizes = {SOURCES[name]: getattr(uncertainties, name) for name in DEFAULTS if name in changes and name != "leak"}
+    fractions = {SOURCES[name]: getattr(uncertainties, name) for name in DEFAULTS if name in changes and name != "leak"}
     facts = {
-        "sizes": sizes,
+        "sizes": fractions,
         "leak": uncertainties.leak if "leak" in changes else None,
         "zero": uncertainties.gauge_zero if "gauge_zero" in changes else None,
-        "others": bool(sizes) or "leak" in changes,
+        "others": bool(fractions) or "leak" in changes,
         "assumed": tuple(SOURCES[name] for name in uncertainties.assumed if name in changes),
         "shares": {name: size**2 / variance for name, size in sources.items()},
         "exact": exact,
