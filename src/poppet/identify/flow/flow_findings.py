@@ -297,7 +297,7 @@ def _point_notes(fit: FlowFit, influence: Mapping[str, list[float]]) -> Iterator
 def _point_facts(indices: Any, points: FlowPoints) -> dict[str, Any]:
     """Return the facts of a message that names some points.
 
-    They contain the first points with their p2/p1, and the number of further points.
+    They contain the numbers of the first points, counted from 1, with their p2/p1, and the count of further points.
     """
-    texts = [f"{k} at {points.pressure_ratio[k]:.4g}" for k in indices[:4]]
+    texts = [f"{k + 1} at {points.pressure_ratio[k]:.4g}" for k in indices[:4]]
     return {"points": texts, "more": max(len(indices) - 4, 0) or None}

@@ -207,7 +207,7 @@ class FlowFit:
     scatter: dict[str, FloatArray]  # variance of each residual by source; the sum is sigma squared [kg^2/s^2]
     scatter_is_known: bool  # False if the scatter was estimated from the residuals
     inflation: float  # factor on the stated independent uncertainties, from the residuals
-    stated: float  # probability of chi-square for the stated uncertainties; NaN if they are not stated
+    stated_chi_square: float  # chi-square with the stated uncertainties; NaN if they are not stated
 
     @cached_property
     def values(self) -> dict[str, float]:
@@ -244,6 +244,11 @@ class FlowFit:
         Common errors do not change this difference: each adds one residual and one parameter.
         """
         return len(self.model.points) - len(self.model.free)
+
+    @property
+    def stated(self) -> float:
+        """Probability of a larger chi-square with the stated uncertainties; NaN if they are not stated."""
+        return chi_square_probability(self.stated_chi_square, self.degrees_of_freedom)
 
     @property
     def scatter_factor(self) -> float:
@@ -327,11 +332,12 @@ def fit_flow(model: FlowModel) -> FlowFit:
         misfit = model.flow(x) - model.points.mass_flow_rate
         return _iterate_weights(model, x, adapt="extra", extra=float(np.mean(misfit**2)))
     fit = _iterate_weights(model, x)
-    stated = chi_square_probability(fit.chi_square, fit.degrees_of_freedom)
-    if not stated < DOUBT:  # NaN: there are no degrees of freedom
-        return replace(fit, stated=stated)
+    fit = replace(fit, stated_chi_square=fit.chi_square)
+    if not fit.stated < DOUBT:  # NaN: there are no degrees of freedom
+        return fit
     birge = math.sqrt(fit.chi_square / fit.degrees_of_freedom)
-    return replace(_iterate_weights(model, fit.x, adapt="inflation", inflation=birge), stated=stated)
+    wider = _iterate_weights(model, fit.x, adapt="inflation", inflation=birge)
+    return replace(wider, stated_chi_square=fit.chi_square)
 
 
 def _iterate_weights(
@@ -427,7 +433,7 @@ def fit_all_choked(fit: FlowFit) -> FlowFit | None:
     if np.max(fit.model.points.pressure_ratio) >= LARGEST_RATIO:
         return None
     fixed = dict(fit.model.fixed) | {"critical_ratio": LARGEST_RATIO, "subsonic_index": 0.5, "cracking_pressure": 0.0}
-    choked = replace(fit_flow(FlowModel(fit.model.points, fixed)), stated=fit.stated)
+    choked = replace(fit_flow(FlowModel(fit.model.points, fixed)), stated_chi_square=fit.stated_chi_square)
     # The comparison requires the weights of the free fit.
     misfit = (choked.modelled - fit.model.points.mass_flow_rate) / fit.sigma
     common = choked.x[len(choked.model.free) :]

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 from dataclasses import replace
 from pathlib import Path
@@ -27,7 +28,7 @@ from poppet.identify.flow.flow_fit import (
 )
 from poppet.identify.flow.points import CHANNELS, FlowPoints, conductance_of, reject_rising_flow
 from poppet.identify.flow.standard_formulas import Free, evaluate_by_standard, standard_uncertainties
-from poppet.identify.gum import chi_square_probability, correlations, few_runs_probability
+from poppet.identify.gum import correlations, few_runs_probability
 from poppet.identify.result import ResidualSummary, Result, Verdict, replace_uncertain_findings
 from poppet.laws.iso6358.domain import DOMAINS, problem
 
@@ -176,11 +177,9 @@ def _statistical_tests(fit: FlowFit) -> dict[str, Any]:
     n = len(fit.model.points)
     order = np.argsort(fit.model.points.pressure_ratio, kind="stable")
     return {
-        "chi_square": fit.chi_square,
+        "chi_square": fit.chi_square if math.isnan(fit.stated_chi_square) else fit.stated_chi_square,
         "degrees_of_freedom": fit.degrees_of_freedom,
-        "chi_square_probability": (
-            chi_square_probability(fit.chi_square, fit.degrees_of_freedom) if fit.scatter_is_known else fit.stated
-        ),
+        "chi_square_probability": fit.stated,
         "scatter_factor": fit.inflation * fit.scatter_factor,
         "scatter_from_residuals": not fit.scatter_is_known,
         "runs_probability": few_runs_probability(fit.residuals[:n][order]),

@@ -126,8 +126,8 @@ def identify_friction(
         if pulley_radius is None and coordinate is TURNING and has_pressure:
             errors.add("friction.no_radius", "pulley_radius")
     analysis = fit_records(record_list, law, offset, smoothing, within, mass or inertia)
-    is_seen = analysis.bristles is not None and analysis.bristles.is_resolved
-    if law == LUGRE and not is_seen:
+    is_resolved = analysis.bristles is not None and analysis.bristles.is_resolved
+    if law == LUGRE and not is_resolved:
         raise InputError("friction.no_bristles", "law", reversals=analysis.reversals)
 
     def addressed(name: str) -> str:
@@ -197,7 +197,7 @@ def _estimates(analysis: FrictionFits, radius: float) -> dict[str, Estimate]:
 
 def _comparison(analysis: FrictionFits, estimates: Mapping[str, Estimate]) -> dict[str, Any]:
     bristles = analysis.bristles
-    flags = {name: getattr(bristles, name) for name in ("is_seen", "is_damped")} if bristles else {}
+    flags = {"is_seen": bristles.is_resolved, "is_damped": bristles.is_damped} if bristles else {}
     friction_fields, lines = [], []
     for address, estimate in estimates.items():
         *owner, name = address.split(".")
