@@ -21,10 +21,13 @@ RATES = (50.0, 100.0, 200.0, 500.0, 1000.0, 2000.0)  # [Hz]
 SPAN = 6.0  # full scale [bar]
 RADII = (0.2, 0.5, 1.0, 2.0, 4.0)  # of the plays [% FS]
 FIGURES = {
-    "characteristic": ("linearity", "hysteresis", "accuracy", "sweep_lag"),
-    "step": ("delay", "rise_time_up", "response_time_up", "rise_time_down", "settling_time", "overshoot"),
-    "frequency": ("bandwidth_gain", "bandwidth_phase"),
-}
+    "characteristic": ("linearity", "hysteresis", "repeatability", "accuracy", "zero_offset", "sweep_lag"),
+    "step": (
+        "delay", "rise_time_up", "response_time_up", "rise_time_down", "response_time_down", "settling_time",
+        "overshoot",
+    ),
+    "frequency": ("bandwidth_gain", "bandwidth_phase", "distortion"),
+}  # fmt: skip
 
 
 @dataclass
@@ -152,6 +155,8 @@ def _sweep(made: IndependentValve) -> None:
     rests = [int(np.searchsorted(fine, times[k])) - 1 for k in (3, 7, 11)]
     made.truth |= {
         "hysteresis": float(np.max((down - up)[inner])),
+        "repeatability": 0.0,
+        "zero_offset": float(down[0]),
         "linearity": float(np.max(np.abs(mean - line))),
         "accuracy": float(max(np.max(np.abs(curve - place)[inner]) for curve in (up, down))),
         "sweep_lag": float(np.mean(y[rests] - y[stops])),
@@ -187,7 +192,8 @@ def _steps(made: IndependentValve) -> None:
     made.truth |= {
         "delay": made.dead + reaches(0.1), "rise_time_up": reaches(0.9) - reaches(0.1),
         "rise_time_down": reaches(0.9) - reaches(0.1), "response_time_up": made.dead + reaches(0.9),
-        "settling_time": made.dead + last, "overshoot": 100.0 * max(float(np.max(part)) - 1.0, 0.0),
+        "response_time_down": made.dead + reaches(0.9), "settling_time": made.dead + last,
+        "overshoot": 100.0 * max(float(np.max(part)) - 1.0, 0.0),
     }  # fmt: skip
 
 
@@ -201,7 +207,8 @@ def _sines(made: IndependentValve) -> None:
     x = 50.0 + size * np.sin(turn)
     wave = made.static(x, np.array([0.0, 100.0, 0.0]))
     period = slice(12000, 16000)
-    describing = 2.0 * np.mean(wave[period] * np.exp(-1j * turn[period])) * 1j / size
+    waves = [2.0 * np.mean(wave[period] * np.exp(-1j * k * turn[period])) for k in range(1, 6)]
+    describing = waves[0] * 1j / size
     grid = np.geomspace(0.02, 200.0, 4001)
     responses = np.array([linear(f) for f in grid]) * describing
     phases = np.unwrap(np.angle(responses))
@@ -221,6 +228,10 @@ def _sines(made: IndependentValve) -> None:
         since = int(np.searchsorted(fine[::finer], 3.0 / f))
         records.append(made.trace(fine[::finer][since:], setpoint[::finer][since:], y[::finer][since:]))
     made.records["frequency"] = records
+    made.truth["distortion"] = max(
+        100.0 * math.hypot(*(abs(waves[k - 1] * linear(k * f)) for k in range(2, 6))) / abs(waves[0] * linear(f))
+        for f in np.geomspace(lowest, highest, 14) if f <= gain
+    )  # fmt: skip
     if highest > 1.05 * gain:
         made.truth["bandwidth_gain"] = gain
     if highest > 1.05 * phase:

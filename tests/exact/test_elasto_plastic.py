@@ -7,7 +7,9 @@ import pytest
 
 from exact.independent_friction import simulate_elasto_plastic
 from exact.test_cylinder import pulled
+from poppet import Circuit
 from poppet.laws.physics.friction import elasto_plastic_rate, lugre_force, sliding_level
+from poppet.parts import Cylinder, Mass
 from poppet.timeseries.signals import Points, Sine, Steps
 
 MASS = 4.0
@@ -46,6 +48,40 @@ def test_no_drift_below_the_break_away_displacement(frequency):
     facts = notes[0].facts
     assert facts["drift"] == pytest.approx(drift["lugre"], rel=0.05)
     assert (facts["level"], facts["high"]) == (15.0, pytest.approx(7.5, rel=0.05))
+
+
+def test_drift_above_the_break_away_displacement_is_reported():
+    recording = pulled(Sine(-10.5, 2.0, 20.0), FRICTION, MASS).simulate(5.0, 0.0025)
+    position = recording["slide.position"][40::20]
+    (note,) = [note for note in recording.remarks if note.code.startswith("bodies.")]
+    assert note.code == "bodies.creep"
+    assert note.facts["drift"] == pytest.approx(position[-1] - position[0], rel=0.1)
+
+
+@pytest.mark.parametrize(
+    ("kind", "load", "code"),
+    [("lugre", 14.0, "drift"), ("elasto_plastic", 14.0, None), ("elasto_plastic", 20.0, None)],
+)
+def test_a_pressurised_seal_increases_the_force_without_drift(kind, load, code):
+    """Compare peaks of 19 and 25 N with the limit of 0.95 (7 + 20.1) N; without the seal, it is 0.95 times 7 N."""
+    seal = 10.0 * (3.01325 - 1.0)  # the reference of the pressure difference is the ambient, 1 bar
+    law = {"kind": kind, "coulomb_force": 7.0, "static_force": 9.0, "stribeck_velocity": 0.01}
+    volume = {"dead_volume": "1 m^3"}
+    cylinder = Cylinder(
+        body="slide", bore="1 mm", stroke_length="10 m", offset="5 m", seal_friction="10 N/bar",
+        cap={**volume, "initial_pressure": "3.01325 bar"}, rod=volume,
+    )  # fmt: skip
+    parts = {"slide": Mass(mass=MASS, friction=law), "cylinder": cylinder}
+    recording = Circuit(parts, {"slide.load_force": Sine(-load, 5.0, 20.0)}).simulate(5.0, 0.0025)
+    position = recording["slide.position"][40::20]
+    drift = abs(position[-1] - position[0])
+    notes = {note.code: note.facts for note in recording.remarks if note.code.startswith("bodies.")}
+    assert list(notes) == ([f"bodies.{code}"] if code else [])
+    if code is None:
+        assert drift < 1e-8
+    else:
+        assert notes[f"bodies.{code}"]["drift"] == pytest.approx(drift, rel=0.1)
+        assert notes[f"bodies.{code}"]["level"] == pytest.approx(9.0 + seal)
 
 
 def test_steady_sliding_has_the_stribeck_curve_of_lugre():

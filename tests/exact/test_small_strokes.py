@@ -24,10 +24,22 @@ def test_commanded_strokes_are_found(noise):
             assert time[first] <= command + 0.7 < time[last] + 0.7, seed
 
 
+@pytest.mark.parametrize(
+    ("target", "changes"),
+    [(0.81, [0.15, 0.68]), (0.81, [0.1]), (0.9, [0.1]), (1.15, [0.15, 0.68]), (0.81, [-5.0]), (0.81, [-5.0, 0.68])],
+)
+def test_a_move_after_a_long_rest_is_a_stroke_also_if_its_command_came_early(target, changes):
+    time = np.linspace(0.0, 3.0, 301)
+    position = np.interp(time, [0.2, 0.7, 1.5, 1.8], [0.0, 1.0, 1.0, target])
+    rows = find_strokes(time, position, np.abs(np.gradient(position, time)), changes)
+    assert [position[last] - position[first] for first, last in rows] == pytest.approx([1.0, target - 1.0])
+
+
 @pytest.mark.parametrize("noise", [0.0, 5e-4])
 def test_strokes_without_commands_are_returns_after_a_standstill(noise):
     for seed in SEEDS:
         time, position, speed, _, travels = draw_motion(seed, alternate=True, noise=noise)
-        rows = find_strokes(time, position, speed, [])
-        found = [position[last] - position[first] for first, last in rows]
-        assert np.sign(found).tolist() == np.sign(travels).tolist(), seed
+        for changes in ([], [0.05]):
+            rows = find_strokes(time, position, speed, changes)
+            found = [position[last] - position[first] for first, last in rows]
+            assert np.sign(found).tolist() == np.sign(travels).tolist(), seed

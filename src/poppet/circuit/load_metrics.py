@@ -26,6 +26,11 @@ MIN_STROKE = 0.02
 """Fraction of the whole travel of a run below which a motion is not a stroke."""
 STANDSTILL = 0.05
 """Fraction of the peak speed of a motion below which a body stands still."""
+LONG_REST = 2.0
+"""Multiple of the time of the next motion that a standstill without a change of an input must exceed.
+
+A return by more than 20 % of the whole travel, or without any change of an input, needs a standstill of its own time.
+"""
 STROKE_START, STROKE_END = 0.02, 0.98
 """Fractions of the travel at which the measurement of the stroke time begins and ends."""
 MIN_TRAVEL = 1e-9
@@ -82,7 +87,7 @@ class LoadMetrics:
     ----------
     strokes : tuple of BodyStroke
         Motions from a standstill or turning point to the next. A standstill divides strokes if an input changes
-        during it, or if the body then returns by more than 20 % of its whole travel. Without a standstill, it must
+        during it, or if it is longer than a following return (see `find_strokes`). Without a standstill, it must
         return by more than 20 % of its travel since the last standstill: overshoots and rebounds do not divide a
         stroke, nor does stick-slip.
     arrivals : tuple of Arrival
@@ -304,8 +309,10 @@ def find_strokes(time: Array, position: Array, speed: Array, changes: Sequence[f
     """Return the first and last index of each stroke of a body.
 
     Strokes are the motions between turning points since the last standstill. A standstill counts if an input changes
-    during it (`changes` are the times). It also counts if the body then returns by more than 20 % of its whole travel,
-    or by more than 2 % if no input changes in the run. Without motion, the list is empty.
+    during it (`changes` are the times; those outside `time` have no effect). It counts if an input changes in the
+    motion before and it lasts more than twice as long as the motion until the next change. It also counts if the body
+    then returns by more than 2 % of its whole travel and it lasts longer than the return, or twice as long if the
+    return is less than 20 % and an input changes in the run. Without motion, the list is empty.
 
     Examples
     --------
@@ -320,19 +327,32 @@ def find_strokes(time: Array, position: Array, speed: Array, changes: Sequence[f
         return []
     starts = {0}
     # Standstills during which an input changes. Two inputs often change together.
-    rows = np.unique(np.searchsorted(time, [change for change in changes if change < time[-1]], "right") - 1).tolist()
+    rows = np.unique(
+        np.searchsorted(time, [change for change in changes if time[0] <= change < time[-1]], "right") - 1
+    ).tolist()
     for before, row, after in zip([0, *rows], rows, [*rows[1:], time.size - 1], strict=False):
         if speed[row] <= STANDSTILL * min(speed[before : row + 1].max(), speed[row : after + 1].max()):
             starts.add(row)
+            continue
+        # A change before the body arrives marks the next long standstill.
+        moving = row + np.flatnonzero(speed[row : after + 1] > STANDSTILL * speed[row : after + 1].max())
+        steps = np.diff(time)[moving[:-1]]
+        for k, (stop, end) in enumerate(pairwise(moving)):
+            is_long = time[end] - time[stop] > LONG_REST * steps[k + 1 :].sum()
+            if is_long and abs(position[after] - position[end]) > MIN_STROKE * span:
+                starts.add(int(stop + end) // 2)
+                break
     # Standstills before a return, or after the return from an overshoot. If inputs change elsewhere, a small return
-    # without a new input is the correction of an overshoot.
-    turns = turning_points(position, TURNED * span if rows else MIN_STROKE * span)
+    # after a short rest is the correction of an overshoot.
+    turns = turning_points(position, MIN_STROKE * span)
     for before, first, last in zip(turns, turns[1:], turns[2:], strict=False):
         moving = before + np.flatnonzero(speed[before : last + 1] > STANDSTILL * speed[first : last + 1].max())
         return_time = np.diff(time[first : last + 1])[moving[moving > first] - first - 1].sum()
         way = abs(position - position[first])
         for stop, end in pairwise(moving):
-            is_long = end > first and time[end] - time[stop] > return_time
+            is_small = bool(rows) and abs(position[last] - position[first]) < TURNED * span
+            rest = time[end] - time[stop]
+            is_long = end > first and rest > (LONG_REST if is_small else 1.0) * return_time
             if is_long and way[stop] < TURNED * span and way[last] - way[end] > 0.5 * MIN_STROKE * span:
                 starts.add(int(stop + end) // 2)
                 break

@@ -33,7 +33,9 @@ need a fifth more steps without a more accurate motion."""
 ELASTIC = 0.95
 """Default break-away displacement of the elasto-plastic law, as a fraction of the deflection at the Coulomb force."""
 CREEP_LIMIT, CREEP_FORCE = 0.1, 0.95
-"""Fractions of the Stribeck velocity and of the break-away force below which bristles creep, but the body sticks."""
+"""Fractions of the Stribeck velocity and of the break-away force below which a body creeps instead of sliding.
+
+The speed is the mean between two extremes of the friction force."""
 DRIFT_CYCLES = 3
 """Number of load cycles without sliding after which a drift is reported."""
 STICTION_LIMIT = 0.01
@@ -127,7 +129,7 @@ class _MovingBody(Body):
         initial_position: Any
 
     def list_internal_outputs(self) -> tuple[str, ...]:
-        return "acceleration", f"actuator_{self.effort}", f"stop_{self.effort}"
+        return "acceleration", f"actuator_{self.effort}", f"stop_{self.effort}", f"breakaway_{self.effort}"
 
     @property
     def _law(self) -> str:
@@ -224,6 +226,9 @@ class _MovingBody(Body):
             limit = STICTION_LIMIT * scope["friction.stribeck_velocity"]
             direction = where(velocity > 0.0, 1.0, -1.0)
             outputs["friction_state"] = (where(abs(velocity) > limit, direction, 0.0), "1")
+            coulomb, static = (scope[f"friction.{level}_{self.effort}"] for level in ("coulomb", "static"))
+            breakaway = where(coulomb > static, coulomb, static) + added_friction
+            outputs[f"breakaway_{self.effort}"] = (breakaway, self.effort_unit)
         # Separate powers: the scale of an energy residual is the energy transferred, not a small difference.
         powers = driving * velocity, (stop_effort - friction_effort) * velocity
         return BodyDynamics(outputs, rates, 0.5 * inertia * velocity * velocity, powers)
@@ -250,7 +255,7 @@ class _MovingBody(Body):
         if self._law == "lugre":
             rate = friction.bristle_rate(deflection, velocity, level, stiffness)
         else:
-            elastic = scope["friction.breakaway_displacement"]
+            elastic = scope["friction.breakaway_displacement"] + ELASTIC * added / stiffness
             rate = friction.elasto_plastic_rate(deflection, velocity, level, stiffness, elastic)
         rates["deflection"] = rate
         damping = scope["friction.bristle_damping"]
@@ -274,28 +279,33 @@ class _MovingBody(Body):
         return *impact_notes("velocity", f"{self.unit}/s", impacts), *self._drift_notes(name, series)
 
     def _drift_notes(self, name: str, series: Callable[[str], Any]) -> Iterator[Note]:
-        """Yield a note on the largest drift of a body that sticks by the LuGre law under an oscillating load."""
-        if self._law != "lugre":
+        """Yield a note on the largest drift of a body that sticks under an oscillating load."""
+        if self._law not in BRISTLE_LAWS:
             return
-        coulomb, static, stiffness = self._bristles()
-        level, time, force = max(coulomb, static), series("time"), series(f"{name}.friction_{self.effort}")
+        stiffness, limit = self._bristles()[2], CREEP_LIMIT * float(self.friction.stribeck_velocity)
+        time, force, level = (
+            series(k) for k in ("time", f"{name}.friction_{self.effort}", f"{name}.breakaway_{self.effort}")
+        )
         # Without the reversible deflection of the bristles.
         displacement = series(f"{name}.position") - force / stiffness
-        largest, facts = level / stiffness, {}
-        # Slower than sliding and below its friction at these speeds.
-        speed, limit = abs(series(f"{name}.velocity")), CREEP_LIMIT * float(self.friction.stribeck_velocity)
-        is_stuck = np.concatenate([[False], (speed < limit) & (abs(force) < CREEP_FORCE * level), [False]])
-        for first, after in np.flatnonzero(np.diff(is_stuck)).reshape(-1, 2):
-            rows = slice(first, after)
-            drift = abs(float(displacement[rows][-1] - displacement[rows][0]))
-            turns = np.count_nonzero(np.diff(np.sign(np.diff(force[rows]))))
-            if drift > largest and turns >= 2 * DRIFT_CYCLES:
-                largest, times = drift, time[rows]
-                facts = {"drift": drift, "start": float(times[0]), "duration": float(times[-1] - times[0])}
-                facts |= {"low": float(force[rows].min()), "high": float(force[rows].max())}
+        turns = 1 + np.flatnonzero(np.diff(np.sign(np.diff(force))))
+        bounds = np.unique([0, *turns, time.size - 1])
+        # Between two extremes of the force: slower than sliding and below its friction at these speeds.
+        is_slow = abs(np.diff(displacement[bounds])) < limit * np.diff(time[bounds])
+        is_above = np.concatenate([[0], np.cumsum(abs(force) >= CREEP_FORCE * level)])
+        is_stuck = is_slow & (is_above[bounds[1:] + 1] == is_above[bounds[:-1]])
+        largest, facts = 0.0, {}
+        for first, after in np.flatnonzero(np.diff(is_stuck, prepend=False, append=False)).reshape(-1, 2):
+            start, end = bounds[first], bounds[after]
+            rows, drift = slice(start, end + 1), abs(float(displacement[end] - displacement[start]))
+            breakaway = float(level[rows].max())
+            if drift > max(largest, breakaway / stiffness) and after - first > 2 * DRIFT_CYCLES:
+                largest = drift
+                facts = {"drift": drift, "start": float(time[start]), "duration": float(time[end] - time[start])}
+                facts |= {"low": float(force[rows].min()), "high": float(force[rows].max()), "level": breakaway}
         if facts:
             units = {"unit": self.unit, "effort": self.effort, "effort_unit": self.effort_unit}
-            yield Note("bodies.drift", "position", **facts, level=level, **units)
+            yield Note("bodies.drift" if self._law == "lugre" else "bodies.creep", "position", **facts, **units)
 
 
 def impact_notes(address: str, unit: str, impacts: Sequence[tuple[float, float]]) -> tuple[Note, ...]:
@@ -363,12 +373,13 @@ class Mass(_MovingBody):
     At an inclination alpha of 90 degrees, larger positions are higher.
 
     The friction laws `lugre` and `elasto_plastic` stick. `lugre` drifts under an oscillating load below the break-away
-    force, which a note reports. `elasto_plastic` does not drift while the deflection is below the break-away
-    displacement. `stribeck` has no force at a velocity of zero: a body under less than the break-away force creeps at a
-    speed of the order of the transition velocity, which therefore has no default.
+    force. `elasto_plastic` does not drift while the deflection is below the break-away displacement; at larger loads it
+    creeps. A note reports both. `stribeck` has no force at a velocity of zero: a body under less than the break-away
+    force creeps at a speed of the order of the transition velocity, which therefore has no default.
 
     The default bristle stiffness breaks away after 10 um; the default bristle damping makes the stuck mass critically
-    damped. The default break-away displacement is 95 % of the deflection at the Coulomb force.
+    damped. The default break-away displacement is 95 % of the deflection at the Coulomb force. Seal friction increases
+    it by 95 % of the deflection at this friction.
 
     Examples
     --------

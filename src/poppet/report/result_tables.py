@@ -15,7 +15,9 @@ from poppet.timeseries.recording import Recording
 MAX_STROKES = 12
 ROUNDING = 1e-13
 """Fraction of the largest eigenvalue below which a real eigenvalue is zero."""
-STROKES = "Strokes; the time is from 2 % of the travel, or from the last change of a command, to 98 %."
+STROKES = (
+    "Strokes; the time is from 2 % of the travel, or from the last jump or beginning of a ramp of a command, to 98 %."
+)
 ENERGY = "Air, work and efficiency: work of the actuators divided by the exergy of the supplied air."
 _UNITS = {"m": ("mm", 1e3), "rad": ("deg", 180.0 / math.pi), "m/s": ("mm/s", 1e3), "rad/s": ("deg/s", 180.0 / math.pi)}
 _CODES = "regime", "contact", "friction_state"

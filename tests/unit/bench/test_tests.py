@@ -6,13 +6,14 @@ import math
 
 import numpy as np
 import pytest
+from scipy.signal import lfilter
 
 from poppet.bench.iso10094.bench_result import TESTS
 from poppet.bench.iso10094.evaluation import Evaluation
 from poppet.bench.iso10094.run_bench import run_bench, run_recordings
 from poppet.bench.iso10094.scale import Record, Scale
 from poppet.bench.iso10094.smoothing import smoothed
-from poppet.bench.iso10094.uncertainty import Noise
+from poppet.bench.iso10094.uncertainty import Noise, noise_about
 from poppet.bench.iso10094.virtual_valve import StandIn
 from poppet.core.codes import Note
 from poppet.core.errors import InputError
@@ -147,6 +148,25 @@ def test_overshoot_below_the_noise_is_a_bound():
     evaluation = evaluated("step", noisy)
     assert evaluation.figures["overshoot"].bound == "at most"
     assert evaluation.figures["overshoot"].value == pytest.approx(1.0, rel=0.2)
+
+
+def test_noise_does_not_delay_the_settling_time():
+    """The standard deviation of the noise is 2 % of the step, so many single samples leave the band of 5 %."""
+    truth, figures = 0.1 * math.log(20.0), []
+    for seed in range(12):
+        noise = np.random.default_rng(seed).normal(0.0, 0.02, 3000)
+        evaluation = evaluated("step", step_record(lambda t, noise=noise: first_order(t) + noise))
+        figures.append(evaluation.figures["settling_time"])
+    assert np.mean([figure.value for figure in figures]) == pytest.approx(truth, rel=0.02)
+    assert sum(figure.interval[0] <= truth <= figure.interval[1] for figure in figures) >= 10
+
+
+def test_correlated_noise_of_short_recordings():
+    """A line through 60 samples removes part of the noise, whose correlation decays with 0.8 per sample."""
+    white = np.random.default_rng(1).normal(0.0, 1.0, (800, 160))
+    coloured = lfilter([1.0], [1.0, -0.8], white)[:, 100:]
+    means = [noise_about(list(parts)).mean(60) for parts in coloured.reshape(200, 4, 60)]
+    assert np.sqrt(np.mean(np.square(means))) == pytest.approx(np.std(coloured.mean(axis=1)), rel=0.2)
 
 
 @pytest.mark.parametrize("noise", [1e-4, 1e-3, 5e-3])

@@ -53,6 +53,7 @@ FEWEST_STAIRS = 8
 ZERO_STEP, ZERO_SPAN, JUMP = 0.5, 3.5, 5.0
 # Number of lags after which the start of the sweep has decayed, and remaining error relative to the lag.
 STARTED, UNDER_WAY = 3.0, 0.04
+SLOW = 8  # polynomials along a branch that show slow noise
 WIDEST = 5.0  # largest change of the setpoint between two samples of a sweep [% FS]
 SHORT = 5.0  # deviation above which the setpoint is not reached [% FS]
 STOPPING = 70.0  # setpoint above which clipped samples exclude a sweep from the lag [% FS]
@@ -99,7 +100,7 @@ class Branches:
     up: FloatArray
     down: FloatArray
     error: float  # one standard deviation of a single value by noise [% FS]
-    share: int  # number of neighbouring values with the same noise: grid points between two stairs
+    share: float  # number of neighbouring values with the same noise: grid points between two stairs, slow noise
 
 
 def _evaluate(evaluation: Evaluation, records: Sequence[Record]) -> None:
@@ -182,8 +183,23 @@ def _branch_curves(swept: Sequence[SetpointSweep]) -> tuple[Branches, float]:
             rows[branch.sign].append(value)
             shares.append(share)
     up, down = (np.array(rows[sign]).reshape(-1, GRID.size) for sign in (1, -1))
-    share = max(shares)
-    return Branches(up, down, roughness(np.concatenate([up, down])[:, INSIDE], share), share), largest_jump
+    error = roughness(np.concatenate([up, down])[:, INSIDE], max(shares))
+    return Branches(up, down, error, max(*shares, _slow_noise([up, down], error))), largest_jump
+
+
+def _slow_noise(groups: Sequence[FloatArray], error: float) -> float:
+    """Return the number of neighbouring values with the same noise, from the differences of repeated branches.
+
+    Correlated noise changes slowly along a branch: the differences of repetitions then have larger low-order
+    polynomials than independent values with the standard deviation `error`.
+    """
+    basis = np.linalg.qr(np.vander(np.linspace(-1.0, 1.0, np.count_nonzero(INSIDE)), SLOW))[0]
+    power, freedom = 0.0, 0
+    for rows in (rows[:, INSIDE] for rows in groups if len(rows) > 1):
+        if np.isfinite(rows).all():
+            power += float(np.sum(((rows - rows.mean(axis=0)) @ basis) ** 2))
+            freedom += SLOW * (len(rows) - 1)
+    return power / (freedom * error**2) if freedom and error > 0.0 else 1.0
 
 
 def _add_deviations(evaluation: Evaluation, sweep: Branches, up: FloatArray, down: FloatArray, lag: float) -> None:

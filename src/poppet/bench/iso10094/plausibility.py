@@ -8,7 +8,7 @@ import numpy as np
 
 from poppet.bench.iso10094.scale import FloatArray, Mask, Record, Scale
 from poppet.core.codes import Note
-from poppet.timeseries.measurements.measurement import noise_of
+from poppet.timeseries.measurements.measurement import noise_of, quantum_of
 
 WINDOW = 7  # samples of the median with which a sample is compared
 LONGEST = 3  # samples of one spike
@@ -55,8 +55,12 @@ def without_spikes(values: FloatArray) -> tuple[FloatArray, Mask]:
     edges = np.flatnonzero(np.diff(np.concatenate([[0], is_spike.astype(int), [0]])))
     if np.max(edges[1::2] - edges[::2]) > LONGEST:
         return values, none
-    index = np.arange(values.size)
-    return np.where(is_spike, np.interp(index, index[~is_spike], values[~is_spike]), values), is_spike
+    index, valid = np.arange(values.size), values[~is_spike]
+    filled = np.interp(index, index[~is_spike], valid)
+    step = quantum_of(valid)
+    if step > 0.0:  # a value between two steps would change the resolution of the series
+        filled = valid[0] + step * np.rint((filled - valid[0]) / step)
+    return np.where(is_spike, filled, values), is_spike
 
 
 def suspicions(record: Record, scale: Scale) -> list[Note]:

@@ -10,7 +10,7 @@ from itertools import pairwise
 import numpy as np
 
 from poppet.bench.iso10094.scale import FloatArray, Mask
-from poppet.bench.iso10094.uncertainty import Uncertainty, mean_of, noise_about
+from poppet.bench.iso10094.uncertainty import Noise, Uncertainty, mean_of, noise_about
 from poppet.timeseries.measurements.measurement import noise_of
 
 _CLEAR = 6.0  # limit of the noise in a recording, in standard deviations
@@ -261,9 +261,11 @@ def lag_of(time: FloatArray, x: FloatArray, y: FloatArray, branch: Branch, follo
     is_before = (distance > COMING) & (time < stop) & (time >= time[branch.first])
     if not go - stop > FEWEST * step or is_held.sum() < FEWEST:
         return None
-    held, held_error = float(np.mean(y[is_held])), noise_about([y[is_held]]).mean(int(is_held.sum()))
+    # A short section would underestimate correlated noise.
+    noise = noise_about([y[is_before & (distance < max(SECTIONS)[0])]], max(SECTIONS)[1])
+    held, held_error = float(np.mean(y[is_held])), noise.mean(int(is_held.sum()))
     sections = ((is_before & (distance < width), degree) for width, degree in SECTIONS)
-    ends = [_end_of_sweep(time, x, y, stop, held, is_coming, degree) for is_coming, degree in sections]
+    ends = [_end_of_sweep(time, x, y, stop, held, is_coming, degree, noise) for is_coming, degree in sections]
     valid_ends = [end for end in ends if end is not None]
     if not valid_ends:
         return None
@@ -294,12 +296,12 @@ class SweepEnd:
 
 
 def _end_of_sweep(
-    time: FloatArray, x: FloatArray, y: FloatArray, stop: float, held: float, is_coming: Mask, degree: int
+    time: FloatArray, x: FloatArray, y: FloatArray, stop: float, held: float, is_coming: Mask, degree: int, noise: Noise
 ) -> SweepEnd | None:
     """Return motion and rate of the outlet at the end of a sweep.
 
-    Both come from a polynomial of degree `degree` in a section before the end. `held` is the outlet in the hold. The
-    result is None without enough samples or if the outlet is constant.
+    Both come from a polynomial of degree `degree` in a section before the end. `held` is the outlet in the hold, and
+    `noise` the noise of the outlet. The result is None without enough samples or if the outlet is constant.
     """
     if is_coming.sum() < (FEWEST if degree == SECTIONS[0][1] else 2 * FEWEST):
         return None
@@ -312,7 +314,7 @@ def _end_of_sweep(
         return None
     # The uncertainty of the line of the swept quantity also affects the stop.
     stopped = EXTENDED * noise_of(x) * abs(rate) / math.sqrt(float(is_coming.sum())) / max(abs(sweep), 1e-300)
-    noise, moved = noise_about([y[is_coming]], 3), held - float(coefficients[-1])
+    moved = held - float(coefficients[-1])
     error, rate_error = math.hypot(noise.of(inverse[-1]), stopped), noise.of(inverse[-2]) / duration
     return SweepEnd(moved, error, rate, rate_error, sweep)
 

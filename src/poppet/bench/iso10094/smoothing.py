@@ -19,10 +19,10 @@ from poppet.bench.iso10094.uncertainty import DRAWS, NORMAL, SEED, Noise, Uncert
 WIDTHS = (1, 2, 3, 4, 6, 8, 12, 16, 24, 32, 48, 64, 96, 128, 192, 256, 384, 512)
 APART = 1.0  # permitted deviation between wider and narrower parabolas, in standard deviations
 # Fractions of the peak height for the fit of a peak, and fractions of the window for the fit at the band limit.
-FLANKS, SPANS = (0.6, 0.8, 0.9, 0.96), (1.0, 0.5, 0.25)
+FLANKS, SPANS = (0.6, 0.8, 0.9, 0.96), (0.5, 0.25)
 LOPSIDED = 2.0  # ratio of both sides of an interval, above which it is asymmetric
 CLEAR = 3.0  # standard deviations beyond a level, at which the crossing is certain
-AGREED = 1.5  # permitted difference of polynomials through more and fewer samples, in standard deviations
+AGREED = 1.0  # permitted difference of polynomials through more and fewer samples, in standard deviations
 WIDER = 1.2  # factor on the standard deviation of a parabola, because the width depends on the noise
 
 
@@ -103,7 +103,8 @@ class SmoothedSeries:
         """
         away = replace(self, values=np.abs(self.values - 1.0))
         time, uncertainty = away.crossing(band, extra, last=True)
-        if not math.isfinite(uncertainty.standard) or self.noise.sigma <= 0.0 or time <= self.time[0]:
+        is_uncertain = not math.isfinite(uncertainty.standard) or uncertainty.ends is not None
+        if is_uncertain or self.noise.sigma <= 0.0 or time <= self.time[0]:
             return time, uncertainty
         k = int(np.clip(np.searchsorted(self.time, time), 1, self.time.size - 1))
         side = 1.0 if self.values[k - 1] > 1.0 else -1.0
@@ -114,11 +115,9 @@ class SmoothedSeries:
         reach = k - max(first, int(outer[-1]) if outer.size else 0)
         exits = [self._left_on_cubic(k, int(reach * part), side, band) for part in SPANS]
         estimates = [(t, Uncertainty(WIDER * error, uncertainty.even)) for t, error in exits if math.isfinite(t)]
-        if not estimates:
-            return time, uncertainty
         # The band depends on the final value; its uncertainty divided by the slope is an uncertainty of the time.
         slope = band / max(time - float(self.time[max(k - reach, 0)]), 1e-300)
-        exit_time, error = _first_agreeing_estimate(estimates)
+        exit_time, error = _first_agreeing_estimate([*estimates, (time, uncertainty)])
         return exit_time, error.wider(extra / slope)
 
     def _left_on_cubic(self, k: int, reach: int, side: float, band: float) -> tuple[float, float]:
@@ -180,11 +179,12 @@ class SmoothedSeries:
         return float(time[k - 1] + part * (time[k] - time[k - 1]))
 
 
-def smoothed(time: FloatArray, values: FloatArray, noise: Noise) -> SmoothedSeries:
+def smoothed(time: FloatArray, values: FloatArray, noise: Noise, narrowest: int = 0) -> SmoothedSeries:
     """Smooth a series by local parabolas, whose widths adapt to the curvature.
 
     The method is the intersection of confidence intervals [1]_: a parabola widens while its value agrees with those of
-    the narrower parabolas.
+    the narrower parabolas. `narrowest` is the smallest half width of a parabola in samples; the result omits as many
+    samples at the end.
 
     References
     ----------
@@ -203,12 +203,17 @@ def smoothed(time: FloatArray, values: FloatArray, noise: Noise) -> SmoothedSeri
     widths = np.zeros(values.size, dtype=np.int64)
     if noise.sigma <= 1e-9 * float(np.ptp(values)):
         return SmoothedSeries(time, best, np.zeros(values.size), values, widths, noise)
-    low, high = values - APART * noise.sigma, values + APART * noise.sigma
     is_open = np.ones(values.size, dtype=bool)
-    for width in WIDTHS:
+    if narrowest:
+        weights, inner = parabola(narrowest), slice(narrowest, values.size - narrowest)
+        best[inner] = np.convolve(values, weights, "valid")
+        errors[inner], widths[inner] = noise.of(weights), narrowest
+        is_open[:narrowest] = is_open[values.size - narrowest :] = False
+    low, high = best - APART * errors, best + APART * errors
+    for width in (width for width in WIDTHS if width > narrowest):
         if 2 * width + 1 > values.size or not is_open.any():
             break
-        weights = _parabola_weights(width)
+        weights = parabola(width)
         inner = slice(width, values.size - width)
         fitted = np.convolve(values, weights, "valid")
         error = noise.of(weights)
@@ -223,7 +228,8 @@ def smoothed(time: FloatArray, values: FloatArray, noise: Noise) -> SmoothedSeri
         is_open[:width] = is_open[values.size - width :] = False
         best[inner] = np.where(is_open[inner], fitted, best[inner])
         errors[is_open], widths[is_open] = error, width
-    return SmoothedSeries(time, best, WIDER * errors, values, widths, noise)
+    part = slice(0, values.size - narrowest)
+    return SmoothedSeries(time[part], best[part], WIDER * errors[part], values[part], widths[part], noise)
 
 
 def _first_agreeing_estimate(estimates: Sequence[tuple[float, Uncertainty]]) -> tuple[float, Uncertainty]:
@@ -238,7 +244,7 @@ def _first_agreeing_estimate(estimates: Sequence[tuple[float, Uncertainty]]) -> 
 
 
 @cache
-def _parabola_weights(width: int) -> FloatArray:
+def parabola(width: int) -> FloatArray:
     """Return weights for the smoothed value at the centre of some samples.
 
     The weights are those of a parabola fitted to `width` samples on either side. For `width` = 1, a straight line is

@@ -12,13 +12,15 @@ import numpy as np
 from poppet.bench.iso10094.evaluation import AT_LEAST, AT_MOST, DYNAMIC, BenchTest, Evaluation, Row, Trial
 from poppet.bench.iso10094.scale import FloatArray, Record, Scale
 from poppet.bench.iso10094.shapes import Jump, jumps, rested
-from poppet.bench.iso10094.smoothing import smoothed
+from poppet.bench.iso10094.smoothing import WIDTHS, parabola, smoothed
 from poppet.bench.iso10094.uncertainty import NORMAL, Noise, Uncertainty, greatest, mean_of, noise_about
 from poppet.timeseries.measurements.measurement import noise_of
 from poppet.timeseries.signals import Steps
 
 LOW, HIGH = 0.1, 0.9  # fractions of a step at the start and end of the rise time
 BAND = 0.05  # half width of the settling band, as a fraction of the step
+FINE = 15.0  # settling band relative to the noise above which samples are not smoothed by wider parabolas
+NARROWEST = 0.2  # half width of the widest parabola that keeps the shape of a response, as a fraction of the rise time
 SEEN = 5.0  # limit of the noise of the largest smoothed sample, in standard deviations
 LEAST_STEP = 2.0  # smallest change of the setpoint that counts as a step [% FS]
 TAIL = 0.2  # last fraction of a hold, in which the outlet is in steady state
@@ -123,8 +125,8 @@ def _add_times(
     noise = noise_about([y[hold] for hold in holds])
     noise = Noise(noise.covariance / (end - start) ** 2)
     # The step response from 0 (initial value) to 1 (final value), from the last sample before the step.
-    response = smoothed(record.time[section] - jump.time, (y[section] - start) / (end - start), noise)
-    response = response.since(jump.before - section.start)
+    time, relative = record.time[section] - jump.time, (y[section] - start) / (end - start)
+    response = smoothed(time, relative, noise).since(jump.before - section.start)
     start_error, end_error = (noise.mean(hold.stop - hold.start) for hold in holds)
     # A setpoint from the clock of the recording changes exactly at a sample, in all repetitions alike.
     instant = Uncertainty(0.0, common=0.0 if record.is_exact else 0.5 * jump.duration)
@@ -134,6 +136,11 @@ def _add_times(
         evaluation.set_value(row, "delay", low, low_doubt.plus(instant))
         evaluation.set_value(row, "rise_time", high - low, low_doubt.plus(high_doubt))
         evaluation.set_value(row, "response_time", high, high_doubt.plus(instant))
+    # Single noisy samples must not leave the band: the parabolas are wide enough, if the rise time permits it.
+    widths = [width for width in WIDTHS if width * record.step < NARROWEST * (high - low)]
+    clear = (width for width in widths if FINE * noise.of(parabola(width)) < BAND)
+    narrowest = 0 if FINE * noise.sigma < BAND else next(clear, max(widths, default=0))
+    response = smoothed(time, relative, noise, narrowest).since(jump.before - section.start)
     summit, uncertainty = response.summit()
     excess, error = summit - 1.0, uncertainty.wider(end_error).standard
     # Without overshoot, the largest sample is noise.
@@ -146,12 +153,13 @@ def _add_times(
     last = response.raw[response.time >= begin]
     half = last.size // 2
     drift = abs(float(np.mean(last[half:]) - np.mean(last[:half])))
-    time, uncertainty = response.leaving(BAND, end_error)
-    if drift > max(DRIFT, 4.0 * math.sqrt(2.0) * noise.mean(half)) or not math.isfinite(time):
+    settling_time, uncertainty = response.leaving(BAND, end_error)
+    if drift > max(DRIFT, 4.0 * math.sqrt(2.0) * noise.mean(half)) or not math.isfinite(settling_time):
         return "unsettled"
-    if not math.isfinite(uncertainty.standard) or uncertainty.interval(time)[1] > begin:
+    is_noisy = SEEN * float(np.max(response.errors)) > BAND
+    if is_noisy or not math.isfinite(uncertainty.standard) or uncertainty.interval(settling_time)[1] > begin:
         return "noisy"
-    evaluation.set_value(row, "settling_time", time, uncertainty.plus(instant))
+    evaluation.set_value(row, "settling_time", settling_time, uncertainty.plus(instant))
     return ""
 
 
@@ -168,9 +176,7 @@ def _add_characteristic_values(evaluation: Evaluation) -> None:
     reference = [row for row in first if row["amplitude"] > 0.98 * size]
     rows_by_direction = {way: [row for row in reference if row["direction"] == way] for way in ("up", "down")}
     if reference:
-        means = [mean_of(*evaluation.pairs(rows, "delay")) for rows in rows_by_direction.values() if rows]
-        value, uncertainty, _ = greatest(*zip(*means, strict=True))
-        evaluation.add("delay", value, uncertainty, **_case(reference[0]))
+        _add_longest(evaluation, "delay", reference)
     else:
         evaluation.note_absence("unsettled", "delay")
     for direction, rows in rows_by_direction.items():
@@ -179,8 +185,11 @@ def _add_characteristic_values(evaluation: Evaluation) -> None:
                 evaluation.add(f"{key}_{direction}", *mean_of(*evaluation.pairs(rows, key)), **_case(rows[0]))
             else:
                 evaluation.note_absence(f"unsettled_{direction}", f"{key}_{direction}")
-    reason = "noisy" if first else "unsettled"
-    evaluation.add_greatest("settling_time", "settling_time", reason, rows=first, conditions=CASE)
+    settled = [row for row in first if "settling_time" in row]
+    if settled:
+        _add_longest(evaluation, "settling_time", settled)
+    else:
+        evaluation.note_absence("noisy" if first else "unsettled", "settling_time")
     _overshoot(evaluation, first)
     row = evaluation.add_greatest("hum_amplitude", "hum_amplitude", conditions=CASE)
     if row is None:
@@ -202,6 +211,21 @@ def _add_characteristic_values(evaluation: Evaluation) -> None:
     if "hum_amplitude" not in evaluation.figures:
         evaluation.notes = [note for note in evaluation.notes if note.code != "bench.step.rests"]
         evaluation.note_absence("clipped", "hum_amplitude", "hum_frequency")
+
+
+def _add_longest(evaluation: Evaluation, name: str, rows: Sequence[Row]) -> None:
+    """Add the longest time of the rows to the evaluation, where repetitions of one step count with their mean."""
+    groups: list[list[Row]] = []
+    for row in rows:
+        alike = (group for group in groups if all(abs(group[0][key] - row[key]) < LEAST_STEP for key in ("from", "to")))
+        group = next(alike, None)
+        if group is None:
+            groups.append([row])
+        else:
+            group.append(row)
+    means = [mean_of(*evaluation.pairs(group, name)) for group in groups]
+    value, uncertainty, k = greatest(*zip(*means, strict=True))
+    evaluation.add(name, value, uncertainty, **_case(groups[k][0]))
 
 
 def _overshoot(evaluation: Evaluation, rows: Sequence[Row]) -> None:

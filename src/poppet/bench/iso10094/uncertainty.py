@@ -19,6 +19,7 @@ from poppet.timeseries.measurements.measurement import quantum_of
 COVERAGE = 0.95
 NORMAL = 1.959964  # half width of the 95 % interval of a normal distribution, in standard deviations
 SHORT = 1.2  # variance of a mean of coloured noise relative to its estimate from a short record
+LEAST_LEFT = 0.4  # smallest fraction of the slow noise that a polynomial leaves in a short record
 LAGS = 24  # largest lag of the autocovariance [samples]
 DRAWS = 400  # number of noise draws for the bias and the scatter of a maximum
 DEGREES = 14  # highest degree of a polynomial fitted to a curve
@@ -166,6 +167,12 @@ def noise_about(parts: Sequence[FloatArray], degree: int = 1) -> Noise:
     # The autocovariance ends at the first insignificant lag.
     small = np.flatnonzero(np.abs(covariance) < 2.0 * covariance[0] / math.sqrt(count))
     covariance = covariance[: int(small[0])] if small.size and small[0] else covariance
+    # Each coefficient of a polynomial removes slow noise from all lags.
+    slow = float(np.sum(covariance[1:]))
+    if slow > 0.0:
+        removed = (degree + 1) * len(residuals) * 2.0 * (covariance.size - 1) / count
+        total = (float(covariance[0]) + 2.0 * slow) / max(1.0 - removed, LEAST_LEFT)
+        covariance[1:] *= (total - float(covariance[0])) / (2.0 * slow)
     floor = max(quantum_of(part) for part in parts) ** 2 / 12.0
     covariance[0] = max(float(covariance[0]), floor)
     return Noise(covariance)
@@ -205,7 +212,7 @@ class SmoothCurve:
     values: FloatArray
     basis: FloatArray  # (n, m), orthonormal basis of the remaining noise
     sigma: float  # standard deviation of each coefficient
-    # Number of selected columns of the basis; the next column contributes to the uncertainty.
+    # Number of selected columns of the basis; further columns contribute to the uncertainty only.
     kept: int
 
     def draws(self, random: np.random.Generator) -> tuple[FloatArray, FloatArray]:
@@ -237,7 +244,7 @@ def smooth(grid: FloatArray, values: FloatArray, sigma: float, share: float = 1.
     --------
     >>> x = np.linspace(0.0, 1.0, 81)
     >>> found = smooth(x, 2.0 + x**2 + np.random.default_rng(1).normal(0.0, 0.1, 81), 0.1)
-    >>> found.basis.shape[1] <= 5, bool(np.max(np.abs(found.values - 2.0 - x**2)) < 0.1)
+    >>> found.kept <= 4, bool(np.max(np.abs(found.values - 2.0 - x**2)) < 0.1)
     (True, True)
     """
     count = grid.size
@@ -256,10 +263,13 @@ def smooth(grid: FloatArray, values: FloatArray, sigma: float, share: float = 1.
     freedom = (count - best - 1) / share
     if residual[best] / spread**2 > freedom + 4.0 * math.sqrt(2.0 * freedom):
         return SmoothCurve(values, np.eye(count), sigma, count)
-    return SmoothCurve(basis[:, : best + 1] @ coefficients[: best + 1], basis[:, : best + 2], spread, best + 1)
+    return SmoothCurve(
+        basis[:, : best + 1] @ coefficients[: best + 1], basis[:, : best + 1 + OMITTED], spread, best + 1
+    )
 
 
-COST = 4.0  # penalty of a coefficient in the sum of squares, in variances of the noise
+COST = 3.0  # penalty of a coefficient in the sum of squares, in variances of the noise
+OMITTED = 3  # further coefficients that contribute to the uncertainty, because small true ones cannot be seen
 
 
 def unbiased(
@@ -290,20 +300,29 @@ def unbiased(
 def mean_of(values: Sequence[float], uncertainties: Sequence[Uncertainty]) -> tuple[float, Uncertainty]:
     """Return the mean of repeated values and its uncertainty.
 
-    The uncertainty includes the scatter between the values.
+    The uncertainty includes the scatter between the values. If the values scatter within their common range by more
+    than the noise, the range is not the same in all repetitions: the true value is within the ranges of all values,
+    which narrows it.
 
     Examples
     --------
     >>> value, doubt = mean_of([1.0, 3.0], [Uncertainty(0.1), Uncertainty(0.1)])
     >>> value, doubt.standard > 0.9
     (2.0, True)
+    >>> mean_of([1.0, 1.5], [Uncertainty(0.0, common=0.5), Uncertainty(0.0, common=0.5)])
+    (1.25, Uncertainty(normal=0.0, even=0.25, ends=None, common=0.0))
     """
     if len(values) == 1:
         return float(values[0]), uncertainties[0]
     common = float(np.mean([uncertainty.common for uncertainty in uncertainties]))
     variance = float(np.mean([replace(uncertainty, common=0.0).standard ** 2 for uncertainty in uncertainties]))
-    excess = float(np.var(values, ddof=1)) - variance * SCATTER
-    return float(np.mean(values)), Uncertainty(math.sqrt((variance + max(0.0, excess)) / len(values)), common=common)
+    excess = max(0.0, float(np.var(values, ddof=1)) - variance * SCATTER - 2.0 * common**2)
+    scatter = float(np.ptp(values)) - NORMAL * math.sqrt(2.0 * variance)
+    if common > 0.0 and scatter > 0.0:
+        middle = 0.5 * (max(values) + min(values))
+        half_width = max(common - 0.5 * scatter, 0.0)
+        return middle, Uncertainty(math.sqrt(0.5 * variance + excess / len(values)), half_width)
+    return float(np.mean(values)), Uncertainty(math.sqrt((variance + excess) / len(values)), common=common)
 
 
 SCATTER = 3.0  # ratio of scatter to noise variance that can occur by chance in a few repetitions
@@ -334,7 +353,8 @@ def greatest(values: Sequence[float], uncertainties: Sequence[Uncertainty]) -> t
     weights = spread**-2.0
     total = float(weights.sum())
     mean = float(weights @ array) / total
-    excess = float(weights @ (array - mean) ** 2) - (array.size - 1)
+    freedom = array.size - 1
+    excess = float(weights @ (array - mean) ** 2) - freedom - math.sqrt(2.0 * freedom)
     variance_between = max(0.0, excess / (total - float(weights @ weights) / total))
     weight = variance_between / (variance_between + spread**2)
     shrunk = mean + weight * (array - mean)

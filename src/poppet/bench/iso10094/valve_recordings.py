@@ -319,5 +319,5 @@ def _outlet_moves_in_section(x: FloatArray, outlet: FloatArray, run: slice) -> b
     # Correlated noise: scatter of the means about a smooth curve.
     clock = np.linspace(-1.0, 1.0, y.size)
     rough = float(np.std(y - np.polyval(np.polyfit(clock, y, min(4, y.size - 1)), clock)))
-    noise = max(CLEAR * noise_of(outlet) / width**0.5, ROUGH * rough)
+    noise = max(CLEAR * noise_of(outlet) * (2.0 / width) ** 0.5, ROUGH * rough)  # of a difference of two means
     return bool(min(rise, fall) > max(RETURNED * float(np.ptp(outlet)), noise))
