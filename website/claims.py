@@ -108,6 +108,11 @@ SOURCES = {
         "Tank tests of known truth, by a program that takes nothing from the library: tests/exact/independent_tanks.py",
         "MIT",
     ),
+    "leaktests": Source(
+        "Random tank tests with leaks of up to 3 % of C, sensors of 10 to 16 bits and supplies that are up to 0.5 % "
+        "off, by a program that takes nothing from the library: tests/exact/independent_edge_tanks.py",
+        "MIT",
+    ),
     "benchtests": Source(
         "Flow benches and valves of known truth, by programs that take nothing from the library: "
         "tests/exact/independent_flow_benches.py and independent_characteristics.py",
@@ -823,6 +828,29 @@ def tank_twins() -> Figures:
     tests = module("exact.test_independent_coverage")
     twins = [seed for seed in range(TANK_TESTS) if tests.drawn(seed).has_twin]
     return {"twins": len(twins), "determined": len(tests.twins_called_determined(TANK_TESTS))}
+
+
+@claim(
+    "leaktests",
+    "Coverage of the intervals with the default uncertainty budget, for tanks that leak",
+    unseen="the true values",
+    ours="{C} of {C_said}, {b} of {b_said} and {hA} of {hA_said} determined values, in {tests} tests; none is more "
+    "than five standard errors off",
+    theirs="at least 93 of 100",
+    when="each count is consistent with a coverage of at least 93 % at a significance of 0.1 %",
+    holds=lambda f: all(_is_covered(f[name], f[f"{name}_said"]) for name in ("C", "b", "hA")),
+)
+def leaking_tanks() -> Figures:
+    covered = module("exact.test_thermal_limits").random_coverage(TANK_TESTS)
+    figures: Figures = {"tests": TANK_TESTS}
+    for name, values in zip(("C", "b", "hA"), covered.values(), strict=True):
+        figures |= {name: sum(values), f"{name}_said": len(values)}
+    return figures
+
+
+def _is_covered(contained: int, count: int) -> bool:
+    """Return True if the count is consistent with intervals of at least 93 %."""
+    return bool(contained >= module("exact.test_independent_coverage").bounds(count)[0])
 
 
 @claim(

@@ -116,17 +116,21 @@ DISCHARGE = EdgeTank(
 """Discharge with a leak of 2 % of C."""
 
 
-def identify_discharge(tank: EdgeTank, rest: float = 0.0, **changes: Any) -> Result:
-    """Identify a discharge that begins after a rest at constant pressure, of `rest` times its duration."""
+def identify_discharge(tank: EdgeTank, rest: float = 0.0, scale: float = 0.0, **changes: Any) -> Result:
+    """Identify a discharge that begins after a rest at constant pressure, of `rest` times its duration.
+
+    `scale` is the relative error of the gauge scale.
+    """
     time = np.linspace(0.0, tank.duration, tank.samples)
     count = round(rest * tank.samples)
     pressure = np.append(np.full(count, tank.begin), simulate(tank, time))
-    noise = np.random.default_rng(2404).normal(0.0, tank.noise, pressure.size)
+    pressure = pressure + np.random.default_rng(2404).normal(0.0, tank.noise, pressure.size)
+    pressure = AIR + (pressure - AIR) * (1.0 + scale)
     opens = count * float(time[1])
     times = {"time": time[1] * np.arange(pressure.size), "opens": opens, "closes": opens + tank.closes}
     return identify_tank(
         TankTest(
-            recordings={"test": {"tank.pressure": pressure + noise, **times}},
+            recordings={"test": {"tank.pressure": pressure, **times}},
             volume=tank.volume,
             ambient_temperature=tank.temperature,
             **changes,
@@ -157,8 +161,48 @@ def test_rest_before_discharge_excludes_leak() -> None:
 def test_free_or_stated_leak_is_no_source(leak: Any) -> None:
     result = identify_discharge(DISCHARGE, leak_conductance=leak)
     (note,) = (note for note in result.remarks if note.code == "finding.budget")
-    assert note.facts["leak"] == 0.0
+    assert note.facts["leak"] is None
+    assert ("leak" in note.facts["exact"]) == (leak != "free")
     assert not any("leak" in row["sources"] for row in result.comparison["uncertainty"].values())
+
+
+@pytest.mark.parametrize(("scale", "samples"), [(0.0003, 100), (0.003, 1600), (0.01, 1600)])
+def test_contribution_of_gauge_scale_equals_change_of_fits(scale: float, samples: int) -> None:
+    """The contribution is proportional to the uncertainty, and does not grow with the number of samples."""
+    tank = replace(DISCHARGE, leak=0.0, samples=samples, noise=1500.0)
+    sizes = {"volume": 0, "leak": 0, "gauge_scale": scale, "gauge_zero": 0}
+    budget = identify_discharge(tank, uncertainties=sizes).comparison["uncertainty"]
+    above, below = (identify_discharge(tank, scale=k * scale, uncertainties=0).parameters for k in (1.0, -1.0))
+    for name in (C, "tank.initial_pressure"):
+        change = 0.5 * abs(above[name].value - below[name].value)
+        size = budget[name]["sources"]["gauge scale"]
+        print(f"{scale:g}, {samples} samples, {name}: budget {size:.4g}, fits {change:.4g}")
+        assert size == pytest.approx(change, rel=0.15)
+
+
+@pytest.mark.parametrize("leak", [None, 0.0, "0 l/(min bar)", "0 m^3/(s Pa)"])
+def test_zero_leak_is_no_measured_leak(leak: Any) -> None:
+    result = identify_discharge(DISCHARGE, leak_conductance=leak)
+    (note,) = (note for note in result.remarks if note.code == "finding.budget")
+    assert note.facts["leak"] == 0.015
+    assert "leak" not in note.facts["exact"]
+
+
+def test_invalid_leak_has_its_own_name() -> None:
+    with pytest.raises(InputError) as caught:
+        identify_discharge(DISCHARGE, leak_conductance="1 %")
+    assert caught.value.address == "leak_conductance"
+
+
+def test_sizes_of_zero_are_not_shown() -> None:
+    sizes = {"volume": 0, "gauge_scale": 0, "leak": 0}
+    result = identify_discharge(DISCHARGE, uncertainties={**sizes, "gauge_zero": "100 Pa"})
+    (note,) = (note for note in result.remarks if note.code == "finding.budget")
+    assert "uncertainties: gauge zero 100 Pa. " in str(note)
+    assert note.facts["exact"][:3] == ("volume", "leak", "gauge scale")
+    result = identify_discharge(DISCHARGE, uncertainties={**sizes, "gauge_zero": 0, "leak": "1 %"})
+    (note,) = (note for note in result.remarks if note.code == "finding.budget")
+    assert "uncertainties: leak 1 % of C. " in str(note)
 
 
 def test_budget_is_always_shown(tmp_path: Any) -> None:
@@ -167,7 +211,10 @@ def test_budget_is_always_shown(tmp_path: Any) -> None:
     assert sum(note.facts["shares"].values()) == pytest.approx(1.0)
     assert set(note.facts["assumed"]) == {"volume", "supply pressure", "leak", "gauge scale", "gauge zero"}
     assert str(note) in result_summary(result, 0)
-    assert "finding.budget" not in {note.code for note in without.remarks}
+    (exact,) = (note for note in without.remarks if note.code in ("finding.budget", "finding.exact"))
+    assert exact.code == "finding.exact"
+    assert str(exact) in result_summary(without, 0)
+    assert exact.facts["exact"][0] == "volume"
     result.save(tmp_path / "result.toml")
     assert read_result(tmp_path / "result.toml").comparison["uncertainty"] == result.comparison["uncertainty"]
 

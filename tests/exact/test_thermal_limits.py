@@ -98,18 +98,25 @@ def test_wrong_verdicts_of_repeated_charges(tank: EdgeTank, limit: int) -> None:
     assert sum(not e.low <= tank.conductance <= e.high for e in determined) <= limit
 
 
-@pytest.mark.slow
-def test_intervals_of_random_tests_cover_truth() -> None:
-    """Half of the tanks leak up to 3 % of C, and half of the charges have a supply that is off by up to 0.5 %."""
-    held: dict[str, list[bool]] = {C: [], B: [], HA: []}
-    for seed in range(2000, 2100):
+def random_coverage(count: int) -> dict[str, list[bool]]:
+    """Return whether each determined value of C, b and wall conductance is covered, in random tests.
+
+    Half of the tanks leak up to 3 % of C, and half of the charges have a supply that is off by up to 0.5 %.
+    """
+    covered: dict[str, list[bool]] = {C: [], B: [], HA: []}
+    for seed in range(2000, 2000 + count):
         tank = draw(seed)
         parameters = identify(tank, *record(tank, seed)).parameters
         for name, truth in ((C, tank.conductance), (B, tank.ratio), (HA, tank.wall)):
             estimate = parameters[name]
             if estimate.verdict == "determined":
                 assert abs(estimate.value - truth) < 5.0 * estimate.standard_error
-                held[name].append(estimate.low <= truth <= estimate.high)
-    for name, values in held.items():
+                covered[name].append(estimate.low <= truth <= estimate.high)
+    return covered
+
+
+@pytest.mark.slow
+def test_intervals_of_random_tests_cover_truth() -> None:
+    for name, values in random_coverage(100).items():
         print(f"{name}: {sum(values)} of {len(values)} determined values covered")
         assert sum(values) >= binom.ppf(0.001, len(values), 0.93)

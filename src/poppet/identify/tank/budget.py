@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -21,7 +21,7 @@ from poppet.identify.fit.statistics import influences, verdict
 from poppet.identify.free_parameter import by_name
 from poppet.identify.gum import coverage_factor
 from poppet.identify.result import VERDICTS, Estimate, Result
-from poppet.identify.tank.tank_plan import COMMON_RATIO, PRESSURE, SUPPLY, TankRun, is_free, plan_tank_fit
+from poppet.identify.tank.tank_plan import COMMON_RATIO, PRESSURE, SUPPLY, TankRun, has_leak, is_free, plan_tank_fit
 from poppet.identify.tank.test import TankTest
 from poppet.timeseries.checks import FloatArray
 
@@ -95,7 +95,7 @@ def read_uncertainties(test: TankTest, plan: FitPlan) -> Uncertainties:
         "gauge_scale": ("1", 1.0),
     }
     # A stated leak was measured.
-    defaults = DEFAULTS | ({"leak": 0.0} if test.leak_conductance not in (None, 0.0) else {})
+    defaults = DEFAULTS | ({"leak": 0.0} if has_leak(test) else {})
     sizes: dict[str, float] = {}
     with ErrorCollector() as errors:
         stated = read_fields(errors, test.uncertainties or {}, FIELDS, "uncertainties", table="table of uncertainties")
@@ -146,8 +146,10 @@ def add_budget(
     """
     number = f"{test.part}.sonic_conductance"
     changes = _residual_changes(test, runs, plan, result, uncertainties)
+    stated = _stated_quantities(test, runs)
+    exact = tuple(SOURCES[name] for name in FIELDS if name in stated and not getattr(uncertainties, name)) + EXACT
     if not changes:
-        return ambient
+        return replace(ambient, remarks=(*ambient.remarks, Note("finding.exact", number, exact=exact)))
     errors = np.column_stack([*changes.values()])
     rows, moments = _local_model(plan, result, errors)
     budget: dict[str, dict[str, Any]] = {}
@@ -174,25 +176,31 @@ def add_budget(
     result = replace(ambient, parameters=parameters, comparison=comparison)
     if number not in budget:
         return result
-    note = _budget_note(uncertainties, changes, budget[number]["sources"], number)
-    return replace(result, remarks=(*result.remarks, note))
-
-
-def _budget_note(
-    uncertainties: Uncertainties, changes: Mapping[str, Any], sources: Mapping[str, float], number: str
-) -> Note:
+    sources = budget[number]["sources"]
     variance = sum(size**2 for size in sources.values())
+    fractions = {SOURCES[name]: getattr(uncertainties, name) for name in DEFAULTS if name in changes and name != "leak"}
     facts = {
-        "sizes": {
-            SOURCES[name]: getattr(uncertainties, name) for name in DEFAULTS if name in changes and name != "leak"
-        },
-        "leak": uncertainties.leak if "leak" in changes else 0.0,
-        "zero": uncertainties.gauge_zero,
+        "sizes": fractions,
+        "leak": uncertainties.leak if "leak" in changes else None,
+        "zero": uncertainties.gauge_zero if "gauge_zero" in changes else None,
+        "others": bool(fractions) or "leak" in changes,
         "assumed": tuple(SOURCES[name] for name in uncertainties.assumed if name in changes),
         "shares": {name: size**2 / variance for name, size in sources.items()},
-        "exact": tuple(SOURCES[name] for name in FIELDS if not getattr(uncertainties, name)) + EXACT,
+        "exact": exact,
     }
-    return Note("finding.budget", number, **facts)
+    return replace(result, remarks=(*result.remarks, Note("finding.budget", number, **facts)))
+
+
+def _stated_quantities(test: TankTest, runs: Sequence[TankRun]) -> set[str]:
+    """Return the names of the quantities with an uncertainty that the fit uses as they are stated."""
+    fitted_runs = [run for run in runs if run.use == "fit"]
+    is_stated = {
+        "volume": not any(is_free(run.volume) for run in fitted_runs),
+        "supply_pressure": any(run.direction == "charge" for run in fitted_runs)
+        and not any(is_free(run.supply_pressure) for run in fitted_runs),
+        "leak": not is_free(test.leak_conductance),
+    }
+    return {name for name in FIELDS if is_stated.get(name, True)}
 
 
 def update_parameter_notes(plan: FitPlan, result: Result) -> Result:
@@ -239,6 +247,8 @@ def _local_model(plan: FitPlan, result: Result, errors: FloatArray) -> tuple[Flo
     parameters can imitate, and w is the variance factor:
 
     .. math:: \Sigma = (1 + C^T C / w)^{-1}, \quad m = -\Sigma C^T r / w, \quad E[e e^T] = \Sigma + m m^T
+
+    Each element of m is limited to -1 to 1: a larger mean indicates a lack of fit instead of an error.
     """
     x = np.array([result.parameters[f.name].value for f in plan.free])
     sigmas = _sigmas(plan, result)
@@ -252,7 +262,7 @@ def _local_model(plan: FitPlan, result: Result, errors: FloatArray) -> tuple[Flo
     pieces = [residual[fitted.rows] for fitted in channels_of(plan.experiments)]
     factor = float(np.average([*map(widening_of, pieces)], weights=[piece.size for piece in pieces]))
     covariance = np.linalg.inv(np.eye(errors.shape[1]) + visible.T @ visible / factor)
-    mean = -covariance @ (visible.T @ residual) / factor
+    mean = np.clip(-covariance @ (visible.T @ residual) / factor, -1.0, 1.0)
     return rows, covariance + np.outer(mean, mean)
 
 
@@ -275,43 +285,38 @@ def _residual_changes(
 
     A quantity changes by one standard uncertainty. Quantities that are exact, free or without effect are omitted.
     """
-    fitted_runs = [run for run in runs if run.use == "fit"]
-    is_fixed = {
-        "volume": not any(is_free(run.volume) for run in fitted_runs),
-        "supply_pressure": any(run.direction == "charge" for run in fitted_runs)
-        and not any(is_free(run.supply_pressure) for run in fitted_runs),
-    }
+    stated = _stated_quantities(test, runs)
     channels = channels_of(plan.experiments)
     sigmas = np.repeat(_sigmas(plan, result), [c.channel.values.size for c in channels])
     n_priors = sum(f.prior is not None for f in plan.free)
     values = by_name(plan.free, [result.parameters[f.name].value for f in plan.free])
     changes: dict[str, FloatArray] = {}
+
+    def outputs(experiments: Sequence[Experiment]) -> FloatArray:
+        return np.concatenate([series for e in experiments for series in e.outputs(values)])
+
     for name in ("volume", "supply_pressure"):
         size = getattr(uncertainties, name)
-        if size > 0.0 and is_fixed[name]:
+        if size > 0.0 and name in stated:
             step = min(size, LARGEST_STEP)
             above, below = (
-                np.concatenate(
-                    [
-                        series
-                        for e in plan.experiments
-                        for series in _scaled_experiment(e, plan, name, times).outputs(values)
-                    ]
-                )
+                outputs([_scaled_experiment(e, plan, name, times) for e in plan.experiments])
                 for times in (1.0 + step, 1.0 - step)
             )
             changes[name] = (above - below) * (0.5 * size / step) / sigmas
+    # Not the readings: their noise would correlate with the residuals.
+    model = outputs(plan.experiments)
     for name, size in (("gauge_scale", uncertainties.gauge_scale), ("gauge_zero", uncertainties.gauge_zero)):
         if size > 0.0:
             readings = np.zeros(sigmas.size)
             experiments = [e for e in plan.experiments for _ in e.measurement.channels]
             for fitted, e in zip(channels, experiments, strict=True):
                 if fitted.channel.address == PRESSURE:
-                    gauge = fitted.channel.values - float(e.measurement.ambient_pressure)
+                    gauge = model[fitted.rows] - float(e.measurement.ambient_pressure)
                     readings[fitted.rows] = size * (gauge if name == "gauge_scale" else 1.0)
             changes[name] = -readings / sigmas
     changes = {name: np.append(change, np.zeros(n_priors)) for name, change in changes.items()}
-    if uncertainties.leak > 0.0 and not is_free(test.leak_conductance):
+    if uncertainties.leak > 0.0 and "leak" in stated:
         leaky = plan_tank_fit(replace(test, leak_conductance="free"), runs)
         parameters, number = plan.experiments[0].instance.parameters, f"{test.part}.sonic_conductance"
         size = uncertainties.leak * values.get(number, parameters[number])

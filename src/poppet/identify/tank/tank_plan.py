@@ -321,7 +321,7 @@ def _circuit(test: TankTest, run: TankRun, ambient: Ambient) -> BaseCircuit:
         argument = _start_value(run.supply_temperature, test.room)
         temperature = test.room if argument is None else argument
         parts = {"supply": Reservoir(pressure=run.supply, temperature=temperature)} | parts
-    if test.leak_conductance != 0.0:
+    if has_leak(test):
         start = _start_value(test.leak_conductance, LEAK * float(valve.sonic_conductance))  # type: ignore[arg-type]
         parts["leak"] = Orifice(from_="tank", to="ambient", sonic_conductance=start, critical_ratio=COMMON_RATIO)
     return BaseCircuit(parts, ambient=ambient, title=test.title)
@@ -345,6 +345,15 @@ def _start_value(argument: Any, common: Any) -> Any:
 def is_free(argument: Any) -> bool:
     """Return True if an argument of a tank test declares a free parameter."""
     return isinstance(argument, Mapping) or argument == "free"
+
+
+def has_leak(test: TankTest) -> bool:
+    """Return True if a tank test states a leak other than zero, or if the leak is free."""
+    if test.leak_conductance is None or is_free(test.leak_conductance):
+        return test.leak_conductance is not None
+    declared = specs(Orifice)["sonic_conductance"]
+    assert isinstance(declared, NumberSpec)
+    return read_number("leak_conductance", declared, test.leak_conductance).value > 0.0
 
 
 def _initial_conductance(run: TankRun, volume: float, ambient: Ambient) -> float:

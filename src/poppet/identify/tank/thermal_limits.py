@@ -21,7 +21,7 @@ from poppet.identify.fit.statistics import estimates
 from poppet.identify.free_parameter import FreeParameter, NormalPrior, by_name
 from poppet.identify.result import DETERMINED, Estimate, Result
 from poppet.identify.tank.budget import Uncertainties
-from poppet.identify.tank.tank_plan import USUAL_ZERO, TankRun, is_free, plan_tank_fit
+from poppet.identify.tank.tank_plan import USUAL_ZERO, TankRun, has_leak, is_free, plan_tank_fit
 from poppet.identify.tank.test import TankTest
 
 SUPPLY = 0.01
@@ -165,7 +165,7 @@ def _uncertain_plan(
     in the fit.
     """
     changed: dict[str, object] = {}
-    if test.leak_conductance in (None, 0.0) and uncertainties.leak > 0.0:
+    if not has_leak(test) and uncertainties.leak > 0.0:
         changed["leak_conductance"] = "free"
     freed = list(runs)
     if uncertainties.supply_pressure > 0.0 and not any(is_free(run.supply_pressure) for run in runs):

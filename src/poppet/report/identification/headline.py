@@ -13,7 +13,7 @@ from poppet.identify.result import VERDICTS, Result, behind
 
 SYMBOLS = {"sonic_conductance": "C", "critical_ratio": "b"}
 """Symbols of the parameters in a headline; without such a parameter it shows the first two of the circuit."""
-ALWAYS = ("finding.budget",)
+ALWAYS = ("finding.budget", "finding.exact")
 """Codes of findings that a terminal always shows."""
 READING_CODES = ("table", "measured", "series", "signals")
 """First words of the codes on reading a recording."""
