@@ -175,8 +175,8 @@ class Definition:
 
     @property
     def full(self) -> str:
-        """Description of the characteristic value, followed by its limits in brackets."""
-        return f"{self.text} ({self.limits})"
+        """Description of the characteristic value, followed by its limits."""
+        return f"{self.text} {self.limits}"
 
     @property
     def standard(self) -> str:
