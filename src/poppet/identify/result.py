@@ -155,7 +155,7 @@ class Result(ResultFileMixin, HtmlMixin):
     def __getitem__(self, address: str) -> Estimate:
         if address not in self.parameters:
             near = NameSuggestion(address, self.parameters)
-            raise InputError("names.unknown", address, meaning="a parameter of this result", near=near)
+            raise InputError("names.unknown", address, meaning="a parameter of this result", suggestion=near)
         return self.parameters[address]
 
     def _ipython_key_completions_(self) -> list[str]:
@@ -364,7 +364,7 @@ def read_result(path: str | Path) -> Result:
     for name, estimate in parameters.items():
         if estimate.verdict not in VERDICTS:
             near = NameSuggestion(str(estimate.verdict), VERDICTS)
-            facts: dict[str, Any] = {"value": estimate.verdict, "meaning": "verdict", "near": near}
+            facts: dict[str, Any] = {"value": estimate.verdict, "meaning": "verdict", "suggestion": near}
             raise InputError("fields.not_an_option", f"parameters.{name}.verdict", **facts).located(file=str(path))
     return Result(
         data.get("method", "fit"),
