@@ -70,7 +70,13 @@ def _joint_table(design: Design) -> ReportTable:
         fitted = design.simulated.get(name)
         row = (name, scaled(p.value, p.unit, unit), "" if unit == "1" else unit, width(p.half), p.verdict)
         rows.append((*row, width(TWO_SIDED * fitted.standard_error), fitted.verdict) if fitted else row)
-    columns: list[Column | str] = ["parameter", Column("about", ".4g"), "unit", Column("half interval", ".2g"), "verdict"]
+    columns: list[Column | str] = [
+        "parameter",
+        Column("about", ".4g"),
+        "unit",
+        Column("half interval", ".2g"),
+        "verdict",
+    ]
     if design.simulated:
         columns += [Column("simulated fits: half interval", ".2g"), "their verdict"]
     return ReportTable(tuple(columns), rows, "After these tests, if the circuit is correct")
