@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from poppet.core.message_format import sentence
-from poppet.core.number_format import pretty, readable_unit, scaled
+from poppet.core.number_format import readable_unit, scaled
 from poppet.identify import Design, Prediction
 from poppet.identify.design.identify_design import TWO_SIDED
 from poppet.report.html_page import Section, document, findings, head, items, picture, write_page
