@@ -136,7 +136,7 @@ def _title_and_results(result: Result, method: MethodReport) -> str:
     rows = [(tables.verdict_word(e.verdict), code(name), tables.estimate_text(e)) for name, e in estimates]
     # Without headings the table of the summary is not stacked.
     summary = bands or ReportTable(("", "", ""), rows).html().replace("scroll stack", "scroll")
-    reasons = "" if bands else items(verdict_reasons(result))
+    reasons = "" if bands else "".join(map(paragraph, verdict_reasons(result)))
     step = next_step(result)
     next_line = f"<p><strong>Next:</strong> {html.escape(step)}</p>\n" if step else ""
     return (

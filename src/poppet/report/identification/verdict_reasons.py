@@ -8,14 +8,14 @@ from poppet.identify.fit.statistics import OF_RATIOS
 from poppet.identify.methods import METHODS
 from poppet.identify.result import DETERMINED, WEAK, Estimate, Result
 
+WIDTH_CODES = ("finding.number.not_determined", "finding.number.weak", "flow.ratio_open")
+"""Codes of the findings that state only that an interval is wide."""
 CODES = (
     "finding.choking.throughout",
     "flow.choked_only",
-    "flow.ratio_open",
     "flow.at_bound",
     "finding.number.bound",
-    "finding.number.not_determined",
-    "finding.number.weak",
+    *WIDTH_CODES,
     "flow.scatter_only",
 )
 """Codes of the findings that give the reason for a verdict, the most specific first."""
@@ -41,7 +41,7 @@ def _reason(result: Result, name: str, estimate: Estimate) -> str:
         for note in result.remarks:
             is_related = note.address == name or code in capping or name in note.facts.get("names", ())
             if note.code == code and is_related:
-                return f"{note}{_ratio_limit(result, name, estimate)}"
+                return f"{note}{_ratio_limit(result, name, estimate) if code in WIDTH_CODES else ''}"
     unit = readable_unit(estimate.unit, estimate.value)
     width = with_unit(interval(estimate.low, estimate.high, estimate.unit, unit), unit)
     return f"{name}: the 95 % interval is {width}.{_ratio_limit(result, name, estimate)}"
