@@ -204,9 +204,11 @@ class Result(ResultFileMixin, HtmlMixin):
         Returns
         -------
         list of str
+            A line with headings precedes those of the estimates.
         """
-        lines = []
-        width = max((len(name) for name in self.parameters), default=0)
+        width = max((len(name) for name in ("parameter", *self.parameters)), default=0)
+        headings = f"  {'parameter':<{width}}  value +/- standard uncertainty  [95 % interval]  verdict"
+        lines = [headings] if self.parameters else []
         for name, e in self.parameters.items():
             error, interval = f"{e.standard_error:.2g}{behind(e.unit)}", f"[{e.low:.5g} ... {e.high:.5g}]"
             lines.append(f"  {name:<{width}}  {e.value:.6g} +/- {error}  {interval}  {e.verdict}")
