@@ -174,7 +174,7 @@ def test_errors_suggest_names_and_state_missing_channels(folder):
     ):
         with pytest.raises(InputError) as caught:
             read(folder, **changes)
-        assert caught.value.facts["near"].names == names
+        assert caught.value.facts["suggestion"].names == names
     with pytest.raises(InputError) as caught:
         read(folder, recording={"test": "flow"})
     assert caught.value.address == "recordings.one.outlet.mass_flow_rate"

@@ -87,7 +87,7 @@ def test_test_valve_is_selected():
     with pytest.raises(InputError) as caught:
         find_valve(single, "tank")
     assert (caught.value.code, caught.value.address) == ("names.unknown", "tank")
-    assert caught.value.facts["near"].valid_names == ["valve"]
+    assert caught.value.facts["suggestion"].valid_names == ["valve"]
 
 
 def test_record_begins_in_steady_state_after_the_lead():

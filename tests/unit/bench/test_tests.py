@@ -267,7 +267,7 @@ def test_each_absent_value_has_a_reason():
 def test_unknown_test_is_rejected_and_missing_recording_is_reported():
     with pytest.raises(InputError) as caught:
         run_bench(VirtualValve(), tests=("frequancy",))
-    assert (caught.value.code, caught.value.facts["near"].names) == ("fields.not_an_option", ["frequency"])
+    assert (caught.value.code, caught.value.facts["suggestion"].names) == ("fields.not_an_option", ["frequency"])
     result = run_recordings("t", {}, SCALE, tests=("step",))
     assert result.figures == {}
     assert result.notes["bench"] == (Note("bench.not_given", "step"),)

@@ -226,7 +226,7 @@ def find_valve(circuit: BaseCircuit, name: str | None = None, kind: type[Part] =
     name = name or valves[0]
     if name not in valves:
         suggestion = NameSuggestion(name, valves)
-        raise InputError("names.unknown", name, meaning="a pressure valve of this circuit", near=suggestion)
+        raise InputError("names.unknown", name, meaning="a pressure valve of this circuit", suggestion=suggestion)
     return name
 
 

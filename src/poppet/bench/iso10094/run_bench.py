@@ -244,7 +244,7 @@ def check_tests(tests: Sequence[str]) -> None:
     for test in tests:
         if test not in TESTS:
             suggestion = NameSuggestion(test, TESTS)
-            raise InputError("fields.not_an_option", "tests", value=test, meaning="test", near=suggestion)
+            raise InputError("fields.not_an_option", "tests", value=test, meaning="test", suggestion=suggestion)
 
 
 def _combine_evaluations(

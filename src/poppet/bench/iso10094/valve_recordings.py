@@ -134,7 +134,7 @@ def _read_recording(name: str, table: Any, folder: Path, ambient: float, scale: 
                 errors.add("recordings.unused", f"{address}.{key}")
             elif "." in key and key not in CHANNELS:
                 near = NameSuggestion(key, CHANNELS)
-                errors.add("names.unknown", f"{address}.{key}", meaning="a channel of the bench", near=near)
+                errors.add("names.unknown", f"{address}.{key}", meaning="a channel of the bench", suggestion=near)
         # Only tests at a constant setpoint require an additional series.
         needs = TESTS[fields["test"]].needs if "test" in fields else ""
         if "setpoint" in raw and not needs:
