@@ -282,7 +282,7 @@ class _Tracer:
                 if source not in all_outputs:
                     address = f"connections.{self._shown(target)}"
                     near = NameSuggestion(source, shown)
-                    errors.add("fields.not_an_option", address, value=source, meaning="output", near=near)
+                    errors.add("fields.not_an_option", address, value=source, meaning="output", suggestion=near)
         connected = self._resolve({t: self.ca.SX(all_outputs[source][0]) for t, source in self.connections.items()})
         with ErrorCollector() as errors:
             for target, source in self.connections.items():

@@ -295,7 +295,7 @@ def test_unknown_channel_is_rejected():
     with pytest.raises(InputError) as error:
         Experiment(Circuit(PARTS).instance, measurement, FREE)
     assert (error.value.code, error.value.address) == ("names.unknown", "recordings.run.tank.presure")
-    assert error.value.facts["near"].names[0] == "tank.pressure"
+    assert error.value.facts["suggestion"].names[0] == "tank.pressure"
 
 
 def test_invalid_free_parameters_are_rejected():

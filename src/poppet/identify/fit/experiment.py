@@ -82,7 +82,7 @@ class Experiment:
             if channel.address not in outputs:
                 location = f"recordings.{measurement.name}.{channel.address}"
                 near = NameSuggestion(channel.address, outputs)
-                raise InputError("names.unknown", location, meaning="an output of this circuit", near=near)
+                raise InputError("names.unknown", location, meaning="an output of this circuit", suggestion=near)
         starts = start_values(measurement, instance)
         try:
             started = instance.with_values(starts) if starts else instance
