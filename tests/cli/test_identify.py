@@ -308,7 +308,7 @@ def test_misspelt_keys_have_a_suggestion(bench, way, old, wrong, meant):
     with pytest.raises(InputError) as error:
         READERS[way](path)
     assert error.value.code == "fields.unknown"
-    assert meant in error.value.facts["near"].names
+    assert meant in error.value.facts["suggestion"].names
 
 
 @pytest.mark.parametrize("way", READERS)

@@ -139,4 +139,4 @@ def _change_nested(current: Any, spec: Spec, name: str, path: str, value: Any) -
 
 def _unknown_field(name: str, path: str, valid: Iterable[str]) -> InputError:
     suggestion = NameSuggestion(f"{name}.{path}", [f"{name}.{key}" for key in valid])
-    return InputError("names.unknown", f"{name}.{path}", meaning="an address of this circuit", near=suggestion)
+    return InputError("names.unknown", f"{name}.{path}", meaning="an address of this circuit", suggestion=suggestion)

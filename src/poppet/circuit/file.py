@@ -71,7 +71,9 @@ def read_circuit(file: TomlFile, circuit_class: type[CircuitT]) -> CircuitT:
         data = file.content
         for key in data:
             if key not in TOP_LEVEL + ABOVE:
-                errors.add("fields.unknown", key, table="circuit file", near=NameSuggestion(key, TOP_LEVEL + ABOVE))
+                errors.add(
+                    "fields.unknown", key, table="circuit file", suggestion=NameSuggestion(key, TOP_LEVEL + ABOVE)
+                )
         tables = {name: _table(errors, name, data.get(name, {})) for name in TOP_LEVEL[1:] if name != "gas"}
         # `gas = "nitrogen"` is short for a table with a name.
         gas_table = data.get("gas", {})
@@ -164,7 +166,11 @@ def _kind(table: Any) -> type[Part]:
     kind = table["kind"]
     if not isinstance(kind, str) or kind not in KINDS:
         raise InputError(
-            "fields.not_an_option", "kind", value=kind, meaning="kind of part", near=NameSuggestion(str(kind), KINDS)
+            "fields.not_an_option",
+            "kind",
+            value=kind,
+            meaning="kind of part",
+            suggestion=NameSuggestion(str(kind), KINDS),
         )
     return KINDS[kind]
 

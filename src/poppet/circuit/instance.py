@@ -213,7 +213,7 @@ class Instance:
             for name in values:
                 if name not in inputs:
                     suggestion = NameSuggestion(name, inputs)
-                    errors.add("names.unknown", name, meaning="an input of this circuit", near=suggestion)
+                    errors.add("names.unknown", name, meaning="an input of this circuit", suggestion=suggestion)
             for name, item in inputs.items():
                 signal = self.signals.get(name)
                 if name in values:

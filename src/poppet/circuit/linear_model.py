@@ -196,7 +196,7 @@ def index_of(names: tuple[str, ...], name: str, kind: str) -> int:
     """
     if name not in names:
         suggestion = NameSuggestion(name, names)
-        raise InputError("names.unknown", name, meaning=f"an {kind} of the linear model", near=suggestion)
+        raise InputError("names.unknown", name, meaning=f"an {kind} of the linear model", suggestion=suggestion)
     return names.index(name)
 
 

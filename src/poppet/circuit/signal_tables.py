@@ -51,7 +51,9 @@ def check_signal_table(table: Any) -> Mapping[str, Any]:
     kind = table.get("kind")
     if not isinstance(kind, str) or kind not in KINDS:
         code = "fields.not_an_option" if "kind" in table else "inputs.no_kind"
-        raise InputError(code, "kind", value=kind, meaning="kind of signal", near=NameSuggestion(str(kind), KINDS))
+        raise InputError(
+            code, "kind", value=kind, meaning="kind of signal", suggestion=NameSuggestion(str(kind), KINDS)
+        )
     required, optional = fields_of(kind)
     valid = (*required, *optional)
     unknown = [key for key in table if key not in ("kind", *valid)]
@@ -60,7 +62,7 @@ def check_signal_table(table: Any) -> Mapping[str, Any]:
             if key not in table and not get_close_matches(key, unknown, n=1):  # a misspelt field is one error
                 errors.extend([_missing(key, kind)])
         for key in unknown:
-            errors.add("fields.unknown", key, table=f"{kind} signal", near=NameSuggestion(key, valid))
+            errors.add("fields.unknown", key, table=f"{kind} signal", suggestion=NameSuggestion(key, valid))
     return dict(table)
 
 

@@ -37,7 +37,7 @@ def parse_stop_condition(text: str, outputs: Mapping[str, str], ambient_pressure
     # "tank.presure" is a misspelt address; "5 bar" is a threshold.
     for name in (left, right) if _ADDRESS.fullmatch(right) else (left,):
         if name not in outputs:
-            raise error("stop.unknown_output", name=name, near=NameSuggestion(name, outputs))
+            raise error("stop.unknown_output", name=name, suggestion=NameSuggestion(name, outputs))
     names, unit = list(outputs), outputs[left]
     reason, sign = Note("run.condition_met", condition=text), 1.0 if relation in (">", ">=") else -1.0
     if right in outputs:

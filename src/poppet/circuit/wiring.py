@@ -112,7 +112,7 @@ def check_wiring(errors: ErrorCollector, wiring: Wiring) -> None:
                 if owner not in wiring or owner_port not in wiring[owner].ports:
                     ports = [f"{n}.{local}" for n, other in wiring.items() if n != name for local in other.ports]
                     near = NameSuggestion(store, ports)
-                    errors.add("fields.not_an_option", address, value=store, meaning="port", near=near)
+                    errors.add("fields.not_an_option", address, value=store, meaning="port", suggestion=near)
                 elif (joint := wiring[owner].ports[owner_port]) not in (name, f"{name}.{cell}"):
                     facts = {"end": store, "tube": name, "store": joint, "owner": owner, "port": owner_port}
                     errors.add("tube.not_met", address, **facts)
@@ -124,7 +124,7 @@ def check_wiring(errors: ErrorCollector, wiring: Wiring) -> None:
                 errors.add(code, address, store=store, kind=wiring[store].kind.kind, stores=members)
             elif store not in stores and store != AMBIENT:
                 suggestion = NameSuggestion(store, {*stores, AMBIENT})
-                errors.add("fields.not_an_option", address, value=store, meaning="gas node", near=suggestion)
+                errors.add("fields.not_an_option", address, value=store, meaning="gas node", suggestion=suggestion)
         # A gas node that a part joins at both ends of a flow path. All paths of a valve with three ports end at the
         # outlet, of a valve with five ports at a or b.
         ends = list(part.ports.values())
@@ -165,7 +165,7 @@ def check_bodies(errors: ErrorCollector, wiring: Wiring) -> None:
                 errors.add("wiring.no_body", address, body=part.body, kind=wiring[part.body].kind.kind)
             else:
                 suggestion = NameSuggestion(part.body, bodies)
-                errors.add("fields.not_an_option", address, value=part.body, meaning="body", near=suggestion)
+                errors.add("fields.not_an_option", address, value=part.body, meaning="body", suggestion=suggestion)
         elif name in bodies and name not in driven:
             errors.add("wiring.unmoved", f"parts.{name}")
 
@@ -211,7 +211,9 @@ def check_connections(
             errors.add("wiring.signal_only", f"connections.{target}")
         elif item is None:
             suggestion = NameSuggestion(target, inputs)
-            errors.add("names.unknown", f"connections.{target}", meaning="an input of this circuit", near=suggestion)
+            errors.add(
+                "names.unknown", f"connections.{target}", meaning="an input of this circuit", suggestion=suggestion
+            )
         elif not isinstance(source, str) or source.partition(".")[0] not in parts:
             example = f"{next(iter(parts), 'part')}.pressure"
             errors.add("wiring.no_output", f"connections.{target}", source=source, example=example)
@@ -272,4 +274,4 @@ def check_starts(
 def unknown_input(address: str, inputs: Collection[str]) -> InputError:
     """Return the error for a signal whose address is not an input."""
     suggestion = NameSuggestion(address, inputs)
-    return InputError("names.unknown", f"signals.{address}", meaning="an input of this circuit", near=suggestion)
+    return InputError("names.unknown", f"signals.{address}", meaning="an input of this circuit", suggestion=suggestion)

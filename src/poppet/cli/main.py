@@ -136,7 +136,9 @@ def _dispatch(arguments: list[str]) -> int:
         return WRONG_INPUT
     name, rest = split_command(arguments)
     if name not in COMMANDS and name not in (commands := all_commands()):
-        raise InputError("names.unknown", name, meaning="a command of poppet", near=NameSuggestion(name, commands))
+        raise InputError(
+            "names.unknown", name, meaning="a command of poppet", suggestion=NameSuggestion(name, commands)
+        )
     parser = command_parser(name)
     try:
         options = parser.read(rest)

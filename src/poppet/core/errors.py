@@ -197,7 +197,7 @@ class ErrorCollector:
     >>> valid_names = ("volume", "thermal")
     >>> with ErrorCollector() as errors:
     ...     for name in ("volum", "termal"):
-    ...         errors.add("fields.unknown", name, table="part", near=NameSuggestion(name, valid_names))
+    ...         errors.add("fields.unknown", name, table="part", suggestion=NameSuggestion(name, valid_names))
     Traceback (most recent call last):
     poppet.core.errors.InputErrors: volum is not a valid field of a part. Did you mean volume?
     termal is not a valid field of a part. Did you mean thermal?

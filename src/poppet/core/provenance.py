@@ -43,7 +43,9 @@ class Source:
     def __post_init__(self) -> None:
         if self.kind not in SOURCE_KINDS:
             suggestion = NameSuggestion(str(self.kind), SOURCE_KINDS)
-            raise InputError("fields.not_an_option", "kind", value=self.kind, meaning="kind of source", near=suggestion)
+            raise InputError(
+                "fields.not_an_option", "kind", value=self.kind, meaning="kind of source", suggestion=suggestion
+            )
 
     def __str__(self) -> str:
         text = f"{self.kind}: {self.locator}" if self.locator else self.kind
@@ -89,7 +91,7 @@ class Number:
     def __post_init__(self) -> None:
         if self.reference not in REFERENCES:
             suggestion = NameSuggestion(str(self.reference), filter(None, REFERENCES))
-            facts: dict[str, Any] = {"meaning": "reference of a pressure", "near": suggestion}
+            facts: dict[str, Any] = {"meaning": "reference of a pressure", "suggestion": suggestion}
             raise InputError("fields.not_an_option", "reference", value=self.reference, **facts)
 
     def __float__(self) -> float:

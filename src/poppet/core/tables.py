@@ -103,7 +103,7 @@ class Field(NumberRange):
             return value
         if self.choices:
             suggestion = NameSuggestion(str(raw), self.choices)
-            raise InputError("fields.not_an_option", address, value=raw, meaning=meaning, near=suggestion)
+            raise InputError("fields.not_an_option", address, value=raw, meaning=meaning, suggestion=suggestion)
         if self.type == "table" and not isinstance(raw, Mapping):
             raise InputError("fields.no_table", address, value=raw)
         if self.type in _TYPES:
@@ -163,7 +163,7 @@ def read_fields(
     prefix = f"{address}." if address else ""
     unknown = [key for key in raw if key not in fields]
     for key in unknown:
-        errors.add("fields.unknown", f"{prefix}{key}", table=table, near=NameSuggestion(key, fields))
+        errors.add("fields.unknown", f"{prefix}{key}", table=table, suggestion=NameSuggestion(key, fields))
     values = {}
     for key, field in fields.items():
         if key in raw and not (field.type == "table" and field.is_required and raw[key] == {}):

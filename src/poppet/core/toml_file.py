@@ -33,9 +33,9 @@ class TomlFile:
     >>> file = TomlFile("[parts.tank]\\nvolume = 1.0\\n", "bench.toml")
     >>> with file.errors() as errors:
     ...     if "volume" in file.content["parts"]["tank"]:
-    ...         errors.add("fields.unknown", "parts.tank.volume", table="part", near="Remove it.")
+    ...         errors.add("fields.unknown", "parts.tank.volume", table="part", suggestion="Remove this entry.")
     Traceback (most recent call last):
-    poppet.core.errors.InputError: bench.toml:2: parts.tank.volume is not a valid field of a part. Remove it.
+    poppet.core.errors.InputError: bench.toml:2: parts.tank.volume is not a valid field of a part. Remove this entry.
     """
 
     text: str
@@ -222,7 +222,9 @@ def read_text(path: Path, table: str = "") -> str:
         suggestion = _similar_files(path, table)
         is_lost = not suggestion.names
         new = is_lost and table == "parts"
-        raise InputError("toml.no_file", path=name, near="" if is_lost else suggestion, lost=is_lost, new=new) from None
+        raise InputError(
+            "toml.no_file", path=name, suggestion="" if is_lost else suggestion, lost=is_lost, new=new
+        ) from None
     except OSError as error:
         raise InputError("toml.unreadable", path=name, why=error.strerror) from None
     if len(data) > LARGEST:

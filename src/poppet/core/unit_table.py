@@ -256,4 +256,8 @@ def _unknown_symbol_error(text: str, symbol: str) -> UnitError:
         return UnitError("unit.normal", base=symbol[1:], **facts)
     same_letters = [symbol_of_table for symbol_of_table in TABLE if symbol_of_table.lower() == symbol.lower()]
     similar = [_MEANT[symbol]] if symbol in _MEANT else same_letters or difflib.get_close_matches(symbol, TABLE)
-    return UnitError("unit.misspelt", near=tuple(similar), **facts) if similar else UnitError("unit.unknown", **facts)
+    return (
+        UnitError("unit.misspelt", suggestion=tuple(similar), **facts)
+        if similar
+        else UnitError("unit.unknown", **facts)
+    )

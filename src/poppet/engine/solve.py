@@ -43,7 +43,7 @@ def solve(
     if stalled is None:
         if solver not in SOLVERS:
             near = NameSuggestion(solver, ("rosenbrock", *SOLVERS))
-            raise InputError("fields.not_an_option", "run.solver", value=solver, meaning="solver", near=near)
+            raise InputError("fields.not_an_option", "run.solver", value=solver, meaning="solver", suggestion=near)
         return solve_with_reference(problem, solver, progress)
     # From the initial state, because the end of the stalled run can be inaccurate.
     for tolerance in dict.fromkeys(max(factor * problem.relative_tolerance, TIGHTEST) for factor in TIGHTER):

@@ -139,7 +139,7 @@ def read_distribution(raw: Any, spec: NumberSpec, number: Number, address: str, 
         elif raw.get("distribution") not in FORMS:
             kind = raw.get("distribution", "")
             near = NameSuggestion(str(kind), FORMS)
-            facts = {"value": kind, "meaning": "distribution", "near": near}
+            facts = {"value": kind, "meaning": "distribution", "suggestion": near}
             errors.add("fields.not_an_option", f"{address}.distribution", **facts)
     kind = raw["distribution"]
     form, relative = FORMS[kind], FORMS[kind].relative

@@ -256,14 +256,14 @@ def read_plan(circuit: BaseCircuit, ensemble: Any, requirements: Any, folder: Pa
                 if error.code == "fields.not_an_option":
                     if error.facts["value"] in raw_metrics:  # an invalid metric is one error, not two
                         continue
-                    error.facts["near"] = NameSuggestion(error.facts["value"], raw_metrics)
+                    error.facts["suggestion"] = NameSuggestion(error.facts["value"], raw_metrics)
                 errors.extend([error])
         keep, curves = read.get("keep", "metrics"), read.get("curves", ())
         curves = (curves,) if isinstance(curves, str) else tuple(map(str, curves))
         for address in curves:
             if address not in outputs:
                 near = NameSuggestion(address, outputs)
-                errors.add("fields.not_an_option", "ensemble.curves", value=address, meaning="output", near=near)
+                errors.add("fields.not_an_option", "ensemble.curves", value=address, meaning="output", suggestion=near)
         if not curves and keep != "metrics":
             curves = tuple(dict.fromkeys(metric.of[0] for metric in metrics.values()))
         if not metrics and not curves:
@@ -360,7 +360,7 @@ class _ParameterReader:
     def _spec(self, address: str, location: str) -> NumberSpec:
         if address not in self.specs:
             near = NameSuggestion(address, self.specs)
-            raise InputError("names.unknown", location, meaning="a parameter of this circuit", near=near)
+            raise InputError("names.unknown", location, meaning="a parameter of this circuit", suggestion=near)
         if address in self.circuit.signals or address in self.circuit.connections:
             raise InputError("ensemble.driven", location)
         return self.specs[address]

@@ -104,7 +104,7 @@ def _open_pool(executor: Any, workers: int | None, shards: int) -> Iterator[tupl
         return
     if isinstance(executor, str):
         if "://" not in executor and ":" not in executor:
-            raise InputError("ensemble.executor", value=executor, near=NameSuggestion(executor, EXECUTORS))
+            raise InputError("ensemble.executor", value=executor, suggestion=NameSuggestion(executor, EXECUTORS))
         with needed("distributed", "Dask", "dask"):
             import distributed
         with distributed.Client(executor) as client:
@@ -115,7 +115,7 @@ def _open_pool(executor: Any, workers: int | None, shards: int) -> Iterator[tupl
     elif hasattr(executor, "submit"):
         yield executor, getattr(executor, "_max_workers", _DEFAULT_WIDTH)
     else:
-        raise InputError("ensemble.executor", value=str(executor), near=NameSuggestion(str(executor), EXECUTORS))
+        raise InputError("ensemble.executor", value=str(executor), suggestion=NameSuggestion(str(executor), EXECUTORS))
 
 
 def _dask_pool(client: Any) -> tuple[Any, int]:

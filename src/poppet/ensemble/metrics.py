@@ -243,7 +243,7 @@ def read_metric(name: str, raw: Any, outputs: Mapping[str, str], ambient: float,
             is_own = True
         elif kind not in METRIC_KINDS:
             near = NameSuggestion(str(kind), METRIC_KINDS)
-            errors.add("fields.not_an_option", f"{address}.metric", value=str(kind), meaning="metric", near=near)
+            errors.add("fields.not_an_option", f"{address}.metric", value=str(kind), meaning="metric", suggestion=near)
         addresses = read.get("of", ())
         addresses = (addresses,) if isinstance(addresses, str) else tuple(map(str, addresses))
         if not addresses or (len(addresses) > 1 and not is_own):
@@ -252,7 +252,7 @@ def read_metric(name: str, raw: Any, outputs: Mapping[str, str], ambient: float,
             if output in outputs:
                 continue
             near = NameSuggestion(output, outputs)
-            errors.add("fields.not_an_option", f"{address}.of", value=output, meaning="output", near=near)
+            errors.add("fields.not_an_option", f"{address}.of", value=output, meaning="output", suggestion=near)
         valid = METRIC_KINDS[kind].fields if not is_own and kind in METRIC_KINDS else ()
         for key in ("value", "target", "band"):
             if key in read and key not in valid:
@@ -363,7 +363,7 @@ def read_requirement(name: str, text: Any, metrics: Mapping[str, Metric], ambien
     left, sign, metric_name, relation, right = match.groups()
     if metric_name not in metrics:
         near = NameSuggestion(metric_name, metrics)
-        raise InputError("fields.not_an_option", address, value=metric_name, meaning="metric", near=near)
+        raise InputError("fields.not_an_option", address, value=metric_name, meaning="metric", suggestion=near)
     metric = metrics[metric_name]
     if left and relation[0] != "<":  # 1 < x > 2 bounds one side twice
         raise InputError("ensemble.requirement", address, text=text)

@@ -191,7 +191,7 @@ def size(
     spec = varied_specs(circuit).get(free)
     if spec is None:
         near = NameSuggestion(free, varied_specs(circuit))
-        raise InputError("names.unknown", free, meaning="a parameter of this circuit", near=near)
+        raise InputError("names.unknown", free, meaning="a parameter of this circuit", suggestion=near)
     if free in circuit.signals or free in circuit.connections:
         raise InputError("ensemble.driven", free)
     ambient = circuit.surroundings.pressure
@@ -215,7 +215,9 @@ def size(
     requirements = {requirement.name: requirement for requirement in plan.requirements}
     for name in meet:
         if name not in requirements:
-            raise InputError("names.unknown", name, meaning="a requirement", near=NameSuggestion(name, requirements))
+            raise InputError(
+                "names.unknown", name, meaning="a requirement", suggestion=NameSuggestion(name, requirements)
+            )
     if not requirements:
         raise InputError("size.no_requirement", "requirements")
     selected = tuple(requirements[name] for name in dict.fromkeys(meet or requirements))

@@ -290,7 +290,7 @@ def responses_of(measurement: Measurement, commands: Mapping[str, str]) -> list[
         if command not in inputs:
             near = NameSuggestion(command, inputs)
             location = f"recordings.{measurement.name}.inputs.{command}"
-            raise InputError("names.unknown", location, meaning="an input of this recording", near=near)
+            raise InputError("names.unknown", location, meaning="an input of this recording", suggestion=near)
         item = inputs[command]
         name = f"{measurement.name}.{channel.address}"
         responses.append(Response(name, channel.time, channel.values, item.time, item.values, first_value(channel)))
@@ -331,7 +331,7 @@ def baselines(plan: FitPlan, commands: Mapping[str, str], result: Result | None 
         )
         if not training:
             near = NameSuggestion(channel, {r.name.partition(".")[2] for r in fitted})
-            raise InputError("names.unknown", channel, meaning="a channel of a fitted recording", near=near)
+            raise InputError("names.unknown", channel, meaning="a channel of a fitted recording", suggestion=near)
         lag, arx = fit_first_order(training), fit_arx(training)
         for r, held_out in [*((r, False) for r in training), *((r, True) for r in validation)]:
             pairs = {FIRST_ORDER: (lag.simulate(r), r.measured), ARX: (arx.simulate(r), r.measured)}

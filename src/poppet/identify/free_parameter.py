@@ -130,7 +130,7 @@ def read_free(
     location = where or (f"recordings.{recording}.start.{address}" if recording else f"free.{address}")
     if address not in specs:
         near = NameSuggestion(address, specs)
-        raise InputError("names.unknown", location, meaning="a parameter of this circuit", near=near)
+        raise InputError("names.unknown", location, meaning="a parameter of this circuit", suggestion=near)
     spec, ambient = specs[address], circuit.surroundings.pressure
     fields = {key: Field(unit=spec.unit, kind=spec.kind) for key in LIMITS} | {"prior": Field()}
     raw = table if isinstance(table, Mapping) else {"start": table}

@@ -51,7 +51,7 @@ def with_numbers(circuit: BaseCircuit, path: str | Path) -> tuple[BaseCircuit, l
     with file.errors() as errors:
         for key in file.content:
             if key != "parts":
-                errors.add("fields.unknown", key, table="parameter file", near=NameSuggestion(key, ("parts",)))
+                errors.add("fields.unknown", key, table="parameter file", suggestion=NameSuggestion(key, ("parts",)))
         parts = file.content["parts"]
         tables = parts if isinstance(parts, Mapping) else {"": parts}
         for name, table in tables.items():

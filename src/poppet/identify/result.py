@@ -155,7 +155,7 @@ class Result(ResultFileMixin, HtmlMixin):
     def __getitem__(self, address: str) -> Estimate:
         if address not in self.parameters:
             near = NameSuggestion(address, self.parameters)
-            raise InputError("names.unknown", address, meaning="a parameter of this result", near=near)
+            raise InputError("names.unknown", address, meaning="a parameter of this result", suggestion=near)
         return self.parameters[address]
 
     def _ipython_key_completions_(self) -> list[str]:
@@ -204,9 +204,11 @@ class Result(ResultFileMixin, HtmlMixin):
         Returns
         -------
         list of str
+            A line with headings precedes those of the estimates.
         """
-        lines = []
-        width = max((len(name) for name in self.parameters), default=0)
+        width = max((len(name) for name in ("parameter", *self.parameters)), default=0)
+        headings = f"  {'parameter':<{width}}  value +/- standard uncertainty  [95 % interval]  verdict"
+        lines = [headings] if self.parameters else []
         for name, e in self.parameters.items():
             error, interval = f"{e.standard_error:.2g}{behind(e.unit)}", f"[{e.low:.5g} ... {e.high:.5g}]"
             lines.append(f"  {name:<{width}}  {e.value:.6g} +/- {error}  {interval}  {e.verdict}")
@@ -365,7 +367,7 @@ def read_result(path: str | Path) -> Result:
     for name, estimate in parameters.items():
         if estimate.verdict not in VERDICTS:
             near = NameSuggestion(str(estimate.verdict), VERDICTS)
-            facts: dict[str, Any] = {"value": estimate.verdict, "meaning": "verdict", "near": near}
+            facts: dict[str, Any] = {"value": estimate.verdict, "meaning": "verdict", "suggestion": near}
             raise InputError("fields.not_an_option", f"parameters.{name}.verdict", **facts).located(file=str(path))
     return Result(
         data.get("method", "fit"),

@@ -74,7 +74,7 @@ def name_problems(names: tuple[str, ...], units: Iterable[str]) -> list[InputErr
     duplicates = [name for name in dict.fromkeys(names) if names.count(name) > 1]
     unnamed = [name for name in units if name not in names]
     return [InputError("series.twice", name=name) for name in duplicates] + [
-        InputError("series.no_unit_of", name=name, near=NameSuggestion(name, names)) for name in unnamed
+        InputError("series.no_unit_of", name=name, suggestion=NameSuggestion(name, names)) for name in unnamed
     ]
 
 

@@ -196,7 +196,7 @@ class Columns(HtmlMixin):
             if kind in _NO_NAMES:
                 raise InputError(f"series.key.{kind}", key=repr(name))
             near = NameSuggestion(str(name), self.names)
-            raise InputError("names.unknown", str(name), meaning="an output of the recording", near=near)
+            raise InputError("names.unknown", str(name), meaning="an output of the recording", suggestion=near)
         return row
 
     def unit(self, name: str) -> str:

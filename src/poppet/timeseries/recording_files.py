@@ -71,7 +71,7 @@ def _of_headings(table: Table, title: str, time_name: str, time_unit: str) -> Co
         if names.count(time_name) != 1:
             absent = "series.no_time" if time_name == "time" else "series.no_column"
             code = "series.two_times" if time_name in names else absent
-            raise InputError(code, column=time_name, near=NameSuggestion(time_name, names))
+            raise InputError(code, column=time_name, suggestion=NameSuggestion(time_name, names))
         collect(name_problems(names, {}))
         time_index = names.index(time_name)
         unit = time_unit or units[time_index]

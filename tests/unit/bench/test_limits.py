@@ -128,7 +128,7 @@ class TestPlan:
     def test_unknown_valve_is_rejected(self, valve):
         with pytest.raises(InputError) as caught:
             limits_plan(valve_circuit(), valve)
-        assert (caught.value.code, caught.value.facts["near"].valid_names) == ("names.unknown", ["valve"])
+        assert (caught.value.code, caught.value.facts["suggestion"].valid_names) == ("names.unknown", ["valve"])
 
     def test_several_valves_need_a_name(self):
         parts = valve_circuit().parts

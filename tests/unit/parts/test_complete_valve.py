@@ -111,7 +111,7 @@ def test_an_unknown_set_is_one_error():
     with refused("library.unknown", "data", name="vppm_6") as caught:
         ProportionalValve(supply="supply", outlet="tank", exhaust="ambient", data="vppm_6")
     (problem,) = caught.value.problems
-    assert problem.facts["near"].names == ["vppm_6l"]
+    assert problem.facts["suggestion"].names == ["vppm_6l"]
 
 
 def test_outputs_are_seen_under_the_name_of_the_whole():
@@ -515,7 +515,7 @@ def test_connections_that_end_nowhere(connections, code, address):
 def test_an_output_that_no_part_has_shows_when_the_circuit_is_traced():
     found = mistake(lambda: joined({"hole.opening": "valve.fil_duty"}).model)
     assert (found.code, found.address) == ("fields.not_an_option", "connections.hole.opening")
-    assert "valve.fill_duty" in found.facts["near"].names
+    assert "valve.fill_duty" in found.facts["suggestion"].names
 
 
 def test_a_signal_and_a_connection_on_one_input():
@@ -582,7 +582,7 @@ def test_an_address_one_level_too_high_is_led_to_its_place():
     with pytest.raises(InputError) as caught:
         circuit().with_values({"valve.outer.gain": 2.0})
     assert caught.value.code == "names.unknown"
-    assert "valve.electronics.outer.gain" in caught.value.facts["near"].names
+    assert "valve.electronics.outer.gain" in caught.value.facts["suggestion"].names
 
 
 # --- What a picture shows first ---

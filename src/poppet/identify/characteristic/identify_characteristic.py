@@ -238,7 +238,7 @@ def _check_options(
     with ErrorCollector() as errors:
         if form not in FORMS:
             near = NameSuggestion(str(form), FORMS)
-            errors.add("fields.not_an_option", "form", value=form, meaning="form", near=near)
+            errors.add("fields.not_an_option", "form", value=form, meaning="form", suggestion=near)
         for name, degree in degrees.items():
             with errors.collecting():
                 Field(type="integer", low=0, high=15).read(degree, name)

@@ -181,7 +181,7 @@ def check_tests(tests: Sequence[StrokeTest], domain: tuple[float, float] | None)
             parameters, measurement = test.circuit.numbers(), test.measurement
             if test.passage not in test.circuit.parts:
                 near = NameSuggestion(test.passage, test.circuit.parts)
-                errors.add("names.unknown", f"tests.{name}.passage", meaning="a part of the circuit", near=near)
+                errors.add("names.unknown", f"tests.{name}.passage", meaning="a part of the circuit", suggestion=near)
             elif any(f"{test.passage}.{number}" not in parameters for number in NUMBERS):
                 errors.add("stroke.no_own_numbers", test=name, passage=test.passage)
             floating = [c.address for c in measurement.channels if c.lag is None]

@@ -82,7 +82,7 @@ class Experiment:
             if channel.address not in outputs:
                 location = f"recordings.{measurement.name}.{channel.address}"
                 near = NameSuggestion(channel.address, outputs)
-                raise InputError("names.unknown", location, meaning="an output of this circuit", near=near)
+                raise InputError("names.unknown", location, meaning="an output of this circuit", suggestion=near)
         starts = start_values(measurement, instance)
         try:
             started = instance.with_values(starts) if starts else instance
@@ -300,10 +300,14 @@ class Experiment:
         trials = [{**values, name: value} for name, pair in pairs.items() for value in pair]
         # Separate arrays: after an interruption, a remaining thread cannot overwrite the results.
         runs = [RepeatedCall(self.problem(trial), np.empty(0)) for trial in trials]
-        with ThreadPoolExecutor(min(usable_cores(), len(runs))) as threads:
+        threads = ThreadPoolExecutor(min(usable_cores(), len(runs)))
+        try:
             channels = [
                 self._channels(*trial) for trial in zip(threads.map(RepeatedCall.run, runs), trials, strict=True)
             ]
+        finally:
+            # `map` cancels no runs if the interruption comes before its first result is requested.
+            threads.shutdown(cancel_futures=True)
         return {
             name: [(b - a) / (high - low) for a, b in zip(*channels[2 * k : 2 * k + 2], strict=True)]
             for k, (name, (low, high)) in enumerate(pairs.items())

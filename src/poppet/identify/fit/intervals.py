@@ -43,7 +43,7 @@ def add_profiles(plan: FitPlan, optimum: Optimum, result: Result, names: Sequenc
     for number, name in enumerate(names):
         valid = [f.name for f in plan.free]
         if name not in valid:
-            raise InputError("names.unknown", name, meaning="a free parameter", near=NameSuggestion(name, valid))
+            raise InputError("names.unknown", name, meaning="a free parameter", suggestion=NameSuggestion(name, valid))
         k, estimate = valid.index(name), estimates[name]
 
         def report(fits: int, ends: int, name: str = name, number: int = number) -> None:

@@ -93,7 +93,7 @@ def identify_muscle(
     assert isinstance(points, MusclePoints)  # `or_file` has read a file
     if law not in ("best", *CANDIDATES):
         near = NameSuggestion(law, ["best", *CANDIDATES])
-        raise InputError("fields.not_an_option", "law", value=law, meaning="law", near=near)
+        raise InputError("fields.not_an_option", "law", value=law, meaning="law", suggestion=near)
     fits = {name: fit for name in CANDIDATES if (fit := fit_force_law(points, name)) is not None}
     if law not in ("best", *fits) or not fits:
         raise InputError("force_map.too_few", "force", count=int(points.taut.sum()), least=len(points.groups[0]))

@@ -168,7 +168,7 @@ class TankTest:
             ):
                 if argument not in valid:
                     near = NameSuggestion(str(argument), valid)
-                    errors.add("fields.not_an_option", name, value=argument, meaning=meaning, near=near)
+                    errors.add("fields.not_an_option", name, value=argument, meaning=meaning, suggestion=near)
             if self.pressure_offset not in ("free", 0.0, None):
                 errors.add("tank.offset", "pressure_offset", value=self.pressure_offset)
             for name in ("bore", "bore_uncertainty"):

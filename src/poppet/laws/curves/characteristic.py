@@ -200,7 +200,9 @@ class Characteristic:
         """
         numbers = self.numbers()
         meaning, unknown = f"a parameter of {self.name}", [key for key in changes if key not in numbers]
-        collect([InputError("names.unknown", k, meaning=meaning, near=NameSuggestion(k, numbers)) for k in unknown])
+        collect(
+            [InputError("names.unknown", k, meaning=meaning, suggestion=NameSuggestion(k, numbers)) for k in unknown]
+        )
         curves: dict[str, Any] = {curve: self._curve(curve).with_numbers(_under(curve, changes)) for curve in _CURVES}
         return replace(self, **curves, closing=changes.get("closing", self.closing))
 
@@ -333,7 +335,7 @@ class Characteristic:
                 yield OutOfRangeError("curves.beyond_points", domain=_span(*self.domain), symbol=symbol, points=points)
         if self.edge not in EDGES:
             near = NameSuggestion(self.edge, EDGES)
-            yield InputError("fields.not_an_option", "edge", meaning="edge policy", value=self.edge, near=near)
+            yield InputError("fields.not_an_option", "edge", meaning="edge policy", value=self.edge, suggestion=near)
         if self.closing is not None and not 0.0 < float(self.closing) < math.inf:
             yield OutOfRangeError("curves.closing", shown=self.closing.display())
 

@@ -106,7 +106,9 @@ class Curve(ABC):
         numbers = self.numbers()
         unknown = [name for name in changes if name not in numbers]
         meaning = "a parameter of this curve"
-        collect([InputError("names.unknown", n, meaning=meaning, near=NameSuggestion(n, numbers)) for n in unknown])
+        collect(
+            [InputError("names.unknown", n, meaning=meaning, suggestion=NameSuggestion(n, numbers)) for n in unknown]
+        )
         return self._with_values(list({**numbers, **changes}.values()))
 
     def __call__(self, x: Any) -> Any:

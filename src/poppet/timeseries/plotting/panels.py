@@ -103,7 +103,7 @@ def chosen_names(recordings: Sequence[Columns], select: str | Iterable[str] | No
         matches = [name for name in names if name == pattern or fnmatchcase(name, pattern)]
         if not matches:
             near = NameSuggestion(pattern, names)
-            raise InputError("names.unknown", pattern, meaning="an output of any recording", near=near)
+            raise InputError("names.unknown", pattern, meaning="an output of any recording", suggestion=near)
         selected.update(dict.fromkeys(matches))
     return tuple(selected)
 
@@ -131,7 +131,7 @@ def shown_series(
         if index not in applied:
             candidates = {item.name if pattern else item.unit for item in series}
             near = NameSuggestion(pattern or unit, candidates)
-            raise InputError("drawing.unused_unit", name=pattern or unit, near=near)
+            raise InputError("drawing.unused_unit", name=pattern or unit, suggestion=near)
     return series
 
 

@@ -101,7 +101,7 @@ class Table:
             raise InputError("table.ambiguous", column=column, places=tuple(indices))
         suggestion = NameSuggestion(column, self.names)
         code = "table.misspelt" if suggestion.names else "table.unknown"  # if unknown, `near` lists all names
-        raise InputError(code, column=column, near=suggestion, names=self.names)
+        raise InputError(code, column=column, suggestion=suggestion, names=self.names)
 
 
 def table_of(
@@ -165,7 +165,7 @@ def groups_of(groups: Mapping[str, Mapping[str, FloatArray]], group: str | int |
         group = names[group]
     if group is not None and group not in groups:
         near = NameSuggestion(str(group), names)
-        raise InputError("fields.not_an_option", "group", value=group, meaning="group of the file", near=near)
+        raise InputError("fields.not_an_option", "group", value=group, meaning="group of the file", suggestion=near)
     if isinstance(group, str) or len(names) == 1:
         return dict(groups[group if isinstance(group, str) else names[0]])
     return {f"{name}/{column}": values for name in names for column, values in groups[name].items()}
