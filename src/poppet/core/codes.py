@@ -81,17 +81,16 @@ def notes_of(arguments: Iterable[Note | str | Mapping[str, Any]]) -> tuple[Note,
 
     A text is a message of a user. A table is the result of `Note.plain`.
     """
-    return tuple(map(_note, arguments))
-
-
-def _note(argument: Note | str | Mapping[str, Any]) -> Note:
-    if isinstance(argument, Note):
-        return argument
-    if isinstance(argument, str):
-        return Note("said", text=argument)
-    # Files contain lists in place of tuples, and TOML cannot contain None.
-    facts = {k: tuple(v) if isinstance(v, list) else v for k, v in argument.items() if k not in ("code", "address")}
-    code = argument["code"]
-    return Note(
-        code, argument.get("address", ""), **(dict.fromkeys(message_format.facts_of(code) - {"address"}) | facts)
-    )
+    notes = []
+    for argument in arguments:
+        if isinstance(argument, Note):
+            notes.append(argument)
+        elif isinstance(argument, str):
+            notes.append(Note("said", text=argument))
+        else:
+            # Files contain lists in place of tuples, and TOML cannot contain None.
+            code, address = argument["code"], argument.get("address", "")
+            facts = dict.fromkeys(message_format.facts_of(code) - {"address"})
+            facts |= {key: tuple(value) if isinstance(value, list) else value for key, value in argument.items()}
+            notes.append(Note(code, address, **{k: v for k, v in facts.items() if k not in ("code", "address")}))
+    return tuple(notes)

@@ -44,9 +44,13 @@ def late_input(item: InputChannel, channels: Sequence[Channel]) -> list[Note]:
     0.4 s in simulated tanks of 7.5 litres. The function reports delays of 5 to 39 samples. Recordings of more than
     2000 samples are averaged first.
     """
-    pressures = [
-        _averaged_channel(channel) for channel in channels if channel.unit == "Pa" and channel.time.size > 3 * _WINDOW
-    ]
+    pressures = []
+    for channel in channels:
+        if channel.unit == "Pa" and channel.time.size > 3 * _WINDOW:
+            count = -(-channel.time.size // _MAX_SAMPLES)
+            length = channel.time.size // count * count
+            time, values = (row[:length].reshape(-1, count).mean(axis=1) for row in (channel.time, channel.values))
+            pressures.append(replace(channel, time=time, values=values))
     if item.unit != "kg/s" or not pressures or not np.ptp(item.values):
         return []
     item = replace(item, time=item.time - (item.delay or 0.0))
@@ -80,14 +84,6 @@ def late_input(item: InputChannel, channels: Sequence[Channel]) -> list[Note]:
         if rise > max(_CERTAIN * noise, _SLIGHT * float(np.ptp(channel.values))):
             facts |= {"silent_until": begin, "moved": rise}
     return [Note("suspicion.recorded_late" if delay > 0.0 else "suspicion.recorded_early", item.address, **facts)]
-
-
-def _averaged_channel(channel: Channel) -> Channel:
-    """Average neighbouring samples of a channel, so that it has at most `_MAX_SAMPLES` samples."""
-    count = -(-channel.time.size // _MAX_SAMPLES)
-    length = channel.time.size // count * count
-    time, values = (row[:length].reshape(-1, count).mean(axis=1) for row in (channel.time, channel.values))
-    return replace(channel, time=time, values=values)
 
 
 def _fit_for_delays(item: InputChannel, channel: Channel, stride: int = 1) -> tuple[FloatArray, FloatArray, FloatArray]:

@@ -170,8 +170,15 @@ class _MeasurementReader:
                 self.errors.add("measured.no_first_sample", location, channel=measured)
         self._refuse_all()
         origin, samples = from_first([column.samples for column in channels], skip, end)
-        read = tuple(self._channel(column, shifted) for column, shifted in zip(channels, samples, strict=True))
-        driving = []
+        read, driving = [], []
+        for column, shifted in zip(channels, samples, strict=True):
+            time, values = shifted.time, shifted.values
+            if time.size < LEAST_SAMPLES:
+                self.errors.add("measured.few_samples", column.location, samples=time.size, least=LEAST_SAMPLES)
+            self._refuse_slips(column, time, values)
+            noise, (mean, offset) = self._deviation(column, "noise"), self._offset(column)
+            quantum = quantum_of(values)
+            read.append(Channel(column.address, time, values, column.unit, noise, column.lag, quantum, offset, mean))
         for column in inputs:
             time, values, fields = column.samples.time - origin, column.samples.values, column.fields
             if "before" in fields:
@@ -185,7 +192,7 @@ class _MeasurementReader:
         self._refuse_all()
         gauge = frozenset(column.address for column in (*channels, *inputs) if column.is_gauge)
         return Measurement(
-            name, read, tuple(driving), start, self.ambient, tuple(self.notes),
+            name, tuple(read), tuple(driving), start, self.ambient, tuple(self.notes),
             (*self.findings, *verdicts(read, driving, self.ambient, gauge)),
             max(float(channel.time[-1]) for channel in read),
         )  # fmt: skip
@@ -316,17 +323,6 @@ class _MeasurementReader:
             address = location.removeprefix(f"{self.location}.")
             self.findings |= dict.fromkeys(heading_verdicts(address, table.names[index], table.units[index], unit))
         return stamps
-
-    def _channel(self, column: _MappedColumn, samples: Samples) -> Channel:
-        count = samples.time.size
-        if count < LEAST_SAMPLES:
-            self.errors.add("measured.few_samples", column.location, samples=count, least=LEAST_SAMPLES)
-        self._refuse_slips(column, samples.time, samples.values)
-        noise, (mean, offset) = self._deviation(column, "noise"), self._offset(column)
-        quantum = quantum_of(samples.values)
-        return Channel(
-            column.address, samples.time, samples.values, column.unit, noise, column.lag, quantum, offset, mean
-        )
 
     def _refuse_slips(self, column: _MappedColumn, time: FloatArray, values: FloatArray) -> None:
         """Collect an error if samples exceed the plausible range of their quantity.

@@ -137,6 +137,8 @@ class Sheet:
 
     def draw(self) -> Figure:
         """Draw all panels, the timeline and the legends, and return the figure."""
+        from matplotlib.patches import Patch
+
         usual = 1.6 if len(self.panels) <= 4 else 1.25
         heights = [max(usual, _ROW * len(panel.names) + 0.1) for panel in self.panels]
         heights += [_BAND * len(self.bands)] * bool(self.bands)
@@ -176,7 +178,16 @@ class Sheet:
         if self.limits[0] < self.limits[1]:  # a single sample has no span, for which Matplotlib warns
             axes.set_xlim(*self.limits)
         axes.set_xlabel(f"time [{self.time_name}]")
-        self._foot(top - _GAP + _TIME_AXIS, keys, notes)
+        top = top - _GAP + _TIME_AXIS
+        page_height = self.figure.get_size_inches()[1]
+        for row in keys:
+            patches = [Patch(**_fill_options(style)) for style in row]
+            self._row(patches, [style.text for style in row], 1.0 - top / page_height, handlelength=1.6)
+            top += _KEY_ROW
+        for note in notes:
+            options = {"x": _LEFT / self.across, "y": 1.0 - top / page_height, "va": "top"}
+            self.figure.text(**options, s=note, fontsize=_SMALL_TEXT, color=GREY, parse_math=False)
+            top += _NOTE_ROW
         return self.figure
 
     @property
@@ -214,19 +225,6 @@ class Sheet:
         """
         options = {"bbox_to_anchor": (_LEFT / self.across, y), "handlelength": handlelength}
         _legend(self.figure, handles, texts, **options, ncols=len(texts), columnspacing=1.4)
-
-    def _foot(self, top: float, keys: Sequence[Sequence[CodeStyle]], notes: Sequence[str]) -> None:
-        from matplotlib.patches import Patch
-
-        height = self.figure.get_size_inches()[1]
-        for styles in keys:
-            patches = [Patch(**_fill_options(style)) for style in styles]
-            self._row(patches, [style.text for style in styles], 1.0 - top / height, handlelength=1.6)
-            top += _KEY_ROW
-        for note in notes:
-            options = {"x": _LEFT / self.across, "y": 1.0 - top / height, "va": "top"}
-            self.figure.text(**options, s=note, fontsize=_SMALL_TEXT, color=GREY, parse_math=False)
-            top += _NOTE_ROW
 
     def _notes(self) -> list[str]:
         notes = []
