@@ -483,7 +483,11 @@ def test_read_table_with_options():
             'source = "messured" must begin with the kind of the source, for example "measured". Did you mean',
         ),
         (CONSTANT, {"source": 3}, "source = 3 must be text."),
-        (CONSTANT, {"critical_ratio": 1.2}, "critical_ratio = 1.2 at a stroke of 0 mm is physically impossible: the value of b in"),
+        (
+            CONSTANT,
+            {"critical_ratio": 1.2},
+            "critical_ratio = 1.2 at a stroke of 0 mm is physically impossible: the value of b in",
+        ),
         (POLYNOMIAL, {"domain": ["0 mm"]}, "domain = ['0 mm'] must be a list of two values."),
         (POLYNOMIAL, {"argument_unit": "kg"}, "kg"),
         (POLYNOMIAL, {"sonic_conductance": [-2e-8, 1e-8]}, "sonic_conductance = -1e-08"),
