@@ -144,7 +144,7 @@ def _read_recording(name: str, table: Any, folder: Path, ambient: float, scale: 
         for series in ("outlet", *(() if "setpoint" in raw else ("setpoint",)), *((needs,) if needs else ())):
             if (channel := SERIES[series]) not in table:
                 example = f'"{channel}" = {{ column = "...", unit = "..." }}'
-                field = Field(meaning=CHANNELS[channel].removeprefix("the "), example=example)
+                field = Field(meaning=CHANNELS[channel].removeprefix("The ").removesuffix("."), example=example)
                 errors.extend([missing_field(f"{address}.{channel}", field)])
     own_names = tuple(OF_RECORDING)
     other_fields = {key: value for key, value in table.items() if key not in own_names}
