@@ -21,7 +21,7 @@ from poppet.core.tables import Field, missing_field, read_fields
 from poppet.core.units import quantity
 from poppet.timeseries.measurements import read_measurement
 from poppet.timeseries.measurements.measurement import Measurement, noise_of, quantum_of
-from poppet.timeseries.measurements.verdicts import cuts_a_peak, stays_in_noise
+from poppet.timeseries.measurements.verdicts import cuts_a_peak, is_stuck_at
 
 TOP_LEVEL = {
     "title": Field(type="text"),
@@ -247,7 +247,7 @@ def find_clipped_samples(series: Mapping[str, FloatArray]) -> dict[str, Mask]:
             if not runs or (name == "outlet" and sign < 0.0 and level <= FLOOR):
                 continue
             # A digital setpoint has no noise to test.
-            is_cut = name != "setpoint" and stays_in_noise(values, level, quantum_of(values))
+            is_cut = name != "setpoint" and is_stuck_at(values, level, quantum_of(values))
             if not is_cut and name in ("setpoint", "flow"):
                 is_cut = any(_outlet_moves_in_section(sign * values, series["outlet"], run) for run in runs)
             elif not is_cut and name == "outlet":
