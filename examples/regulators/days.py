@@ -114,7 +114,7 @@ def rows(channel: int, scores: Mapping[str, list[Score]], anew: Mapping[str, lis
 def main() -> None:
     copy = Path(sys.argv[1])
     print(
-        "| channel | day, command | files | circuit | first order + dead time | ARX | better by | steady numbers anew |"
+        "| channel | day, command | files | circuit | first order + dead time | ARX | factor | circuit, refitted |"
     )
     print("|---|---|---|---|---|---|---|---|")
     for channel in CHANNELS:
