@@ -195,7 +195,7 @@ def test_a_spline_reports_that_the_data_reject_its_constraint(poppet, bench):
     path.write_text(path.read_text().replace('"polynomial"', '"spline"'))
     code, out, _ = poppet("identify", "characteristic", str(path))
     assert code == 0
-    assert "- The data contradict a conductance C(x) that never falls" in out
+    assert "but the data contradict this constraint" in out
 
 
 # Results and options ----------------------------------------------------------------------------------------------

@@ -456,11 +456,12 @@ def _air_and_exergy(run: LoadData) -> tuple[dict[str, float], float, float]:
     return consumption, total, stored
 
 
-def flow_exergy(pressure: Any, temperature: Any, air: Surroundings) -> Any:
+def flow_exergy(pressure: Array, temperature: Array, air: Surroundings) -> Array:
     """Return the specific flow exergy of gas [J/kg].
 
     This is the maximum work that flowing gas can do until it reaches the ambient state.
     """
     heat, ratio = air.heat_capacity_pressure, temperature / air.temperature
     entropy = heat * np.log(ratio) - air.gas_constant * np.log(pressure / air.pressure)
-    return heat * (temperature - air.temperature) - air.temperature * entropy
+    exergy: Array = heat * (temperature - air.temperature) - air.temperature * entropy
+    return exergy

@@ -54,7 +54,6 @@ def circuit_schema() -> Schema:
         "part": by_kind("part", {name: name for name in KINDS}),
         **{name: _part(name) for name in KINDS},
         "signal": by_kind("signal", {kind: f"signal_{kind}" for kind in signal_tables.KINDS}),
-        **{f"signal_{kind}": _signal(kind) for kind in signal_tables.KINDS},
         "connected": {"type": "object", "additionalProperties": {"type": "string"}},
         "input": {
             "description": "a constant, a signal, or signals of inputs further down the address",
@@ -69,6 +68,12 @@ def circuit_schema() -> Schema:
             "else": {"$ref": "#/$defs/value"},
         },
     }
+    for kind in signal_tables.KINDS:
+        required, optional = signal_tables.fields_of(kind)
+        fields = {field: _SIGNAL_FIELDS.get(field, {"$ref": "#/$defs/value"}) for field in (*required, *optional)}
+        definitions[f"signal_{kind}"] = closed(
+            {"kind": {"const": kind}} | fields, ["kind", *required], f"{kind} signal"
+        )
     return {
         "$schema": DRAFT,
         "title": "poppet circuit file",
@@ -185,12 +190,6 @@ def _number_schema(spec: NumberSpec, owner: type) -> Schema:
         "description": f"{spec.doc} [{spec.unit}]" + ("" if spec.default is None else f"; default {spec.default}"),
     }
     return schema if spec.default is None else schema | {"default": spec.default}
-
-
-def _signal(kind: str) -> Schema:
-    required, optional = signal_tables.fields_of(kind)
-    fields = {field: _SIGNAL_FIELDS.get(field, {"$ref": "#/$defs/value"}) for field in (*required, *optional)}
-    return closed({"kind": {"const": kind}} | fields, ["kind", *required], f"{kind} signal")
 
 
 def _gas_name() -> Schema:

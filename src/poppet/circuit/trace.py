@@ -21,7 +21,6 @@ from poppet.parts.part import (
     ActuatorForce,
     Body,
     BodyDynamics,
-    BodyMotion,
     Controller,
     GasBalance,
     GasState,
@@ -103,20 +102,12 @@ class _Tracer:
 
         inputs = select({**self.input, **self.joined})
         states, memory = ({}, {}) if at_start else (select(self.symbols), select(self.memory))
-        motion = self._motion(self.parts[name].body_name(), at_start)
+        body_name, motion = self.parts[name].body_name(), None
+        if body_name is not None:
+            body, body_scope = self.parts[body_name], self.scope(body_name, at_start=at_start)
+            assert isinstance(body, Body)
+            motion = body.motion(replace(body_scope, states=body.start(body_scope)) if at_start else body_scope)
         return Scope(select(self.number), states, inputs, self.surroundings, memory, self.t, motion)
-
-    def _motion(self, name: str | None, at_start: bool) -> BodyMotion | None:
-        """Return the motion of the body with a given name.
-
-        The result is None without a name.
-        """
-        if name is None:
-            return None
-        body = self.parts[name]
-        assert isinstance(body, Body)
-        scope = self.scope(name, at_start=at_start)
-        return body.motion(replace(scope, states=body.start(scope)) if at_start else scope)
 
     def _ports(self, name: str) -> dict[str, str]:
         """Return a mapping from the ports of a part to addresses of gas nodes.
@@ -180,13 +171,22 @@ class _Tracer:
             "memory_start": memory_start,
             "update": self._update(scopes, connected, fired),
         }
+        inputs = []
+        for name, item in self.inputs:
+            default, low, high = (
+                f"{name}.{value}" if isinstance(value, str) else value for value in (item.default, item.low, item.high)
+            )
+            delay = f"{name}.{item.delay}" if item.delay else ""
+            slope_of = self._shown(f"{name}.{item.slope_of}") if item.slope_of else ""
+            address = self._shown(f"{name}.{item.name}")
+            inputs.append(InputInfo(address, item.unit, item.kind, default, low, high, delay, slope_of))
         return Model(
             states=tuple(
                 StateInfo(self._shown(f"{name}.{s.name}"), s.unit, s.nominal, s.tolerance, s.floor, s.positive)
                 for name, s in self.states
             ),
             n_quadratures=len(quadratures),
-            inputs=tuple(self._input_info(name, item) for name, item in self.inputs),
+            inputs=tuple(inputs),
             parameters=self.names,
             outputs=tuple((name, unit) for name, (_, unit) in outputs.items()),
             flows=tuple(flows),
@@ -390,12 +390,3 @@ class _Tracer:
                 shown = [f"{name}.{local}" for local in part.outside()]  # type: ignore[attr-defined]
                 result |= {address: all_outputs[address_of[address]] for address in shown}
         return result
-
-    def _input_info(self, name: str, item: Any) -> InputInfo:
-        default, low, high = (
-            f"{name}.{value}" if isinstance(value, str) else value for value in (item.default, item.low, item.high)
-        )
-        delay = f"{name}.{item.delay}" if item.delay else ""
-        slope_of = self._shown(f"{name}.{item.slope_of}") if item.slope_of else ""
-        address = self._shown(f"{name}.{item.name}")
-        return InputInfo(address, item.unit, item.kind, default, low, high, delay, slope_of)

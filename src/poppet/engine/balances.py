@@ -5,7 +5,7 @@ The change of the content of a gas node or body must equal the sum of the integr
 
 from __future__ import annotations
 
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, TypeVar
 
 import numpy as np
 
@@ -23,6 +23,7 @@ FLOOR = {"mass": 0.0, "energy": 0.0, "motion": 1e-7}
 The speed of a slow body is accurate only to its absolute tolerance."""
 STORED = 1e-12
 """Limit of the error relative to the inventory, added to the others."""
+_ValueT = TypeVar("_ValueT", float, Array)
 UNITS = {"mass": "kg", "energy": "J", "motion": "J"}
 
 
@@ -62,7 +63,7 @@ class Residual(NamedTuple):
         return self.error <= self.allowed
 
 
-def allowed(quantity: str, through: Any, inventory: Any) -> Any:
+def allowed(quantity: str, through: _ValueT, inventory: _ValueT) -> _ValueT:
     """Return the largest permitted error of a balance.
 
     The property `Residual.allowed` describes the limit. `through` is the integral of the absolute flows, and

@@ -221,8 +221,8 @@ class _Pool:
             self._run_slices(self.workers[0])
             return
         with ThreadPoolExecutor(len(self.workers)) as threads:
-            futures = [threads.submit(self._run_slices, worker) for worker in self.workers]
             try:
+                futures = [threads.submit(self._run_slices, worker) for worker in self.workers]
                 while wait(futures, 0.1).not_done:
                     if progress is not None:
                         progress(self.n_completed)

@@ -107,22 +107,22 @@ class Kernel:
 
         `outputs` contains their indices. All other machine code is shared. Fits use it, because they need few outputs.
         """
-        return KERNELS.get((self, tuple(outputs)), lambda: self._select_outputs(outputs))
 
-    def _select_outputs(self, indices: Sequence[int]) -> Kernel:
-        import casadi as ca
+        def compile_outputs() -> Kernel:
+            import casadi as ca
 
-        model, symbols = self.model, self.model.symbols
-        # Only this function is compiled; the rest, most of the code, is shared.
-        selected = ca.vertcat(*(model.expressions["outputs"][k] for k in indices))
-        arguments = [symbols[name] for name in ("t", "x", "u", "p")]
-        code = compile_functions({"outputs": ca.Function("outputs", arguments, [ca.densify(selected)])})
-        addresses = {**self.functions.addresses, **code.addresses}
-        functions = CompiledFunctions(addresses, (self.functions.owner, code.owner))
-        outputs = tuple(model.outputs[k] for k in indices)
-        expressions = {**model.expressions, "outputs": selected}
-        model = replace(model, outputs=outputs, expressions=expressions)
-        return replace(self, model=model, functions=functions, lanes={})
+            model, symbols = self.model, self.model.symbols
+            # Only this function is compiled; the rest, most of the code, is shared.
+            selected = ca.vertcat(*(model.expressions["outputs"][k] for k in outputs))
+            arguments = [symbols[name] for name in ("t", "x", "u", "p")]
+            code = compile_functions({"outputs": ca.Function("outputs", arguments, [ca.densify(selected)])})
+            addresses = {**self.functions.addresses, **code.addresses}
+            functions = CompiledFunctions(addresses, (self.functions.owner, code.owner))
+            selected_outputs = tuple(model.outputs[k] for k in outputs)
+            model = replace(model, outputs=selected_outputs, expressions={**model.expressions, "outputs": selected})
+            return replace(self, model=model, functions=functions, lanes={})
+
+        return KERNELS.get((self, tuple(outputs)), compile_outputs)
 
     def call(self, name: str, *arrays: Array) -> None:
         """Call a compiled model function by its name.

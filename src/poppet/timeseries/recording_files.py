@@ -61,10 +61,9 @@ def read(path: Path, *, time: str = "time", time_unit: str = "") -> Columns:
 
 
 def _of_headings(table: Table, title: str, time_name: str, time_unit: str) -> Columns:
-    """Convert a CSV table to a recording.
+    """Convert a CSV table, whose headings contain names and units, to a recording.
 
-    The headings contain names and units. `title` is the title of the recording. `time_name` and `time_unit` are the
-    name and the unit of the time column.
+    `title` is the title of the recording. `time_name` and `time_unit` are the name and the unit of the time column.
     """
     try:
         names, units = zip(*map(split_heading, table.names), strict=True)
@@ -170,9 +169,9 @@ def _write_mat(recording: Columns, stream: IO[bytes]) -> None:
 
 
 def _unique_column_names(names: Iterable[str]) -> list[str]:
-    """Make column names unique, and different from the name of the time column.
+    """Make column names unique, and different from `time`.
 
-    A repeated name gets a number as its ending.
+    A number is added to a repeated name.
     """
     plain_names = list(names)
     assigned = ["time", METADATA]

@@ -27,7 +27,7 @@ _MAX_PERIODS = _MAX_BITS // 2  # two edges per period
 
 @dataclass(frozen=True, eq=False)
 class _Course(Signal):
-    """Base class of signals that are given by values at strictly increasing times.
+    """Base class of signals that are defined by values at strictly increasing times.
 
     The first time is not negative. The arrays are read-only.
     """
@@ -315,7 +315,7 @@ class Prbs(Signal):
 class _Pulses(Signal):
     """Base class of signals that alternate between a high and a low level.
 
-    Each period begins with the high level, which has the fraction `duty` of the period.
+    Each period begins with the high level. `duty` is the fraction of the period with this level.
     """
 
     if TYPE_CHECKING:  # declared in each subclass in its own order
