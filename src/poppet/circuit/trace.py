@@ -204,9 +204,9 @@ class _Tracer:
         )
 
     def _shown(self, address: str) -> str:
-        """Return the public address of an element of a compound part.
+        """Return the address under which users see an element of the circuit.
 
-        A compound part is made of member parts, and its elements can have another address inside it.
+        Only elements inside compound parts can have another address in the equations. All others are unchanged.
         """
         return self.shown.get(address, address)
 
@@ -238,9 +238,9 @@ class _Tracer:
     def _balances(
         self, scopes: Mapping[str, Scope], passages: Mapping[str, PassageFlows]
     ) -> tuple[dict[str, GasBalance], list[FlowInfo], list[StoreInfo], list[Any]]:
-        """Return the gas balances of all gas nodes, with flows and rates of integrals.
+        """Return the gas balances of all gas nodes, with their flows and the rates of integrals.
 
-        A flow has integrals of mass and enthalpy. A gas node with a mass has integrals of heat and work.
+        Each flow has an integral of mass and one of enthalpy. A gas node with a mass has integrals of heat and work.
         """
         arriving: dict[str, list[tuple[Any, Any]]] = defaultdict(list)
         flows, stores = [], []
@@ -303,7 +303,7 @@ class _Tracer:
         return [*connected, *self._resolve(slopes)]
 
     def _resolve(self, expressions: Mapping[str, Any]) -> list[tuple[Any, Any]]:
-        """Substitute symbols of connected inputs until no expression contains such a symbol."""
+        """Substitute symbols of connected inputs in expressions until none of these symbols remains."""
         ca = self.ca
         dependencies = {
             target: [address for address in expressions if ca.depends_on(expression, self.joined[address])]
@@ -329,10 +329,10 @@ class _Tracer:
         return substituted
 
     def _update(self, scopes: Mapping[str, Scope], connected: Sequence[tuple[Any, Any]], fired: Any) -> casadi.SX:
-        """Return the discrete states after a sample instant.
+        """Return expressions for the discrete states after a sample instant.
 
-        `fired` contains 1 for each timer that is due. The timers act one after the other, each on the result of the
-        previous one.
+        `fired` contains a symbol for each timer, which is 1 if the timer is due. The timers act one after the other,
+        each on the result of the previous one.
         """
         ca = self.ca
         index = {name: k for k, name in enumerate(self.memory_names)}

@@ -64,7 +64,7 @@ def solve(
 
 
 def run_kernel(problem: Problem, progress: Callable[[float], Any] | None = None) -> RawRun:
-    """Run a problem with poppet's own integrator.
+    """Run a problem with the compiled Rosenbrock integrator of poppet.
 
     A run that stalls is not repeated with another solver.
     """

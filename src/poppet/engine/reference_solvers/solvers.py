@@ -84,9 +84,9 @@ class _Legs(ABC):
 
     @abstractmethod
     def over(self, segment: int, begin: float, end: float, x: Array) -> Iterator[Leg]:
-        """Yield the solution over a part of one segment, in successive legs.
+        """Yield the solution between two times of one segment of the inputs, in successive legs.
 
-        `segment` is the index of the segment, and x the state at the time `begin`. The part ends at the time `end` [s].
+        `segment` is the index of the segment. x is the state at the time `begin`, and `end` is the last time [s].
         """
 
     def has_too_many_steps(self) -> bool:
