@@ -97,8 +97,8 @@ class CircuitVariants(Protocol):
 class Instance:
     """Compiled model with parameter values, signals and ambient conditions.
 
-    Unlike a circuit, an instance contains no parts. For changes that affect the parts, `circuit` creates a changed
-    copy.
+    Unlike a circuit, an instance contains no parts. Its field `circuit` creates copies of the circuit for changes that
+    affect the parts.
     """
 
     kernel: Kernel

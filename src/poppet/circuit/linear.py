@@ -138,7 +138,7 @@ class _LinearisationPoint:
 
 
 def _run_slow_gas(point: _LinearisationPoint) -> Array:
-    """Return the final state of a transient in which only the gas is slowed down.
+    """Return the final state of a transient in which the gas dynamics are slower.
 
     The steady states are unchanged. With slow gas, fast mechanical parts do not cause oscillations.
     """

@@ -38,10 +38,10 @@ class ControlSystem(Protocol):
     state_labels: list[str]
 
     def dynamics(self, t: float, x: Array, u: Array, params: dict[str, float] | None = None) -> Array:
-        """Return the derivatives of the states, or the next states of a discrete-time system."""
+        """Return the derivatives of the states x, or their next values in discrete time."""
 
     def output(self, t: float, x: Array, u: Array, params: dict[str, float] | None = None) -> Array:
-        """Return the output vector of the system."""
+        """Return the outputs for the states x and the inputs u at the time t."""
 
     def __getattr__(self, name: str) -> Any: ...
 
@@ -55,7 +55,7 @@ class ControlStateSpace(ControlSystem, Protocol):
     D: Array
 
     def poles(self) -> NDArray[np.complex128]:
-        """Return the poles: in the s-plane [1/s], or in discrete time in the z-plane."""
+        """Return the poles in the s-plane [1/s], or in the z-plane for discrete time."""
 
     def zeros(self) -> NDArray[np.complex128]:
         """Return the transmission zeros of the system."""

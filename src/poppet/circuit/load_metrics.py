@@ -280,7 +280,10 @@ def load_metrics(run: LoadData) -> LoadMetrics | None:
 def _strokes(
     run: LoadData, body: str, rows: Sequence[tuple[int, int]], changes: Sequence[tuple[float, str | None]]
 ) -> Iterator[BodyStroke]:
-    """Yield the strokes of a body between the given rows, each with the command that caused it."""
+    """Yield the strokes of a body, each with the command that caused it.
+
+    `rows` contains the first and last output row of each stroke. `changes` is the result of `LoadData.input_changes`.
+    """
     time, position, speed = run.raw.time, run[f"{body}.position"], np.abs(run[f"{body}.velocity"])
     unit, previous_last, since, arrival = run.unit(f"{body}.position"), 0, -math.inf, -math.inf
     for first, last in rows:
@@ -374,7 +377,7 @@ def turning_points(position: Array, min_return: float) -> list[int]:
     """Return the indices at which a motion reverses, with the first and the last index.
 
     The body must return by at least `min_return`; smaller reversals do not count. The last index is that of the last
-    extreme. The list is empty if the motion is smaller.
+    extreme. The list is empty if the whole motion is smaller than `min_return`.
 
     Examples
     --------

@@ -59,7 +59,7 @@ class _OptionSection:
 class Ambient(_OptionSection):
     """Pressure and temperature of the ambient air.
 
-    They apply to gauge pressures, and to all plates and walls that are open to the ambient air.
+    Gauge pressures refer to this pressure. All plates and walls that are open to the ambient air have these conditions.
 
     Parameters
     ----------

@@ -26,8 +26,8 @@ def fields_of(kind: str) -> tuple[tuple[str, ...], tuple[str, ...]]:
 def read_signal(table: Any, item: Input, ambient_pressure: float, folder: Path) -> Signal:
     """Convert a table of a circuit file to the signal that it declares.
 
-    `item` is the declaration of the input. `ambient_pressure` is the reference of gauge values, and `folder` that of
-    file names.
+    `item` is the declaration of the input. Gauge values refer to `ambient_pressure`, and relative file names to
+    `folder`.
     """
     table = check_signal_table(table)
     reader = _SignalReader(table, item, ambient_pressure, folder)

@@ -22,7 +22,7 @@ _ADDRESS = re.compile(r"[A-Za-z][\w-]*(\.[A-Za-z][\w-]*)+")
 
 
 def parse_stop_condition(text: str, outputs: Mapping[str, str], ambient_pressure: float) -> StopCondition:
-    """Convert the text of a stop condition, for example `tank.pressure > 5 bar`.
+    """Convert the text of a stop condition, for example `tank.pressure > 5 bar`, to a `StopCondition`.
 
     `outputs` maps the addresses of the outputs to their units, in the order of the output vector y.
     """

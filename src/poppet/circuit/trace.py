@@ -93,7 +93,8 @@ class _Tracer:
     def scope(self, name: str, *, at_start: bool = False) -> Scope:
         """Return all symbols that the equations of the part `name` can use.
 
-        If `at_start` is True, states and discrete states are omitted, because initial values cannot depend on them.
+        If the keyword `at_start` is True, states and discrete states are omitted, because initial values cannot depend
+        on them.
         """
         prefix = f"{name}."
 
@@ -206,7 +207,7 @@ class _Tracer:
     def _shown(self, address: str) -> str:
         """Return the address under which users see an element of the circuit.
 
-        Only elements inside compound parts can have another address in the equations. All others are unchanged.
+        In the equations, elements inside a compound part can have other addresses.
         """
         return self.shown.get(address, address)
 
@@ -321,7 +322,10 @@ class _Tracer:
         return resolved
 
     def _substitute(self, expression: casadi.SX, connected: Sequence[tuple[Any, Any]]) -> casadi.SX:
-        """Return an expression in which connected inputs are replaced by their expressions."""
+        """Return an expression in which symbols of connected inputs are replaced by expressions.
+
+        `connected` contains pairs of such a symbol and its expression.
+        """
         if not connected or expression.is_empty():
             return expression
         symbols, values = zip(*connected, strict=True)

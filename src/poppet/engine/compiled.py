@@ -53,8 +53,8 @@ def _target_machine() -> llvmlite.binding.TargetMachine:
 def compile_functions(functions: Mapping[str, Any], *, further_text: str = "", fuses: bool = True) -> CompiledFunctions:
     """Compile traced functions to machine code.
 
-    `further_text` is LLVM IR of additional functions, which can call the traced functions. If `fuses` is True, the
-    processor can use fused multiply-add operations, which round once instead of twice.
+    The keyword `further_text` is LLVM IR of additional functions, which can call the traced functions. If the keyword
+    `fuses` is True, the processor can use fused multiply-add operations, which round once instead of twice.
     """
     text = PRELUDE + "\n".join(print_function(function, name) for name, function in functions.items()) + further_text
     if not fuses:
@@ -166,7 +166,7 @@ def lane_integrator() -> Callable[[int], int]:
 def as_function(compiled: CompiledFunctions) -> Callable[[int], int]:
     """Return the first of several compiled functions as a Python function.
 
-    Its argument is an address.
+    The Python function takes a memory address and returns an integer.
     """
     import ctypes
 

@@ -34,7 +34,7 @@ class Edge(NamedTuple):
         return self.value if self.condition is None else _apply_operation("OP_IF_ELSE_ZERO", self.condition, self.value)
 
     def multiply(self, factor: Edge) -> Edge:
-        """Return the product of this derivative and the next one (chain rule)."""
+        """Return the product of this derivative and the derivative `factor` (chain rule)."""
         if self.condition is None:
             return Edge(_apply_operation("OP_MUL", self.value, factor.value), factor.condition)
         return Edge(_apply_operation("OP_MUL", self.value, factor.expression()), self.condition)
@@ -142,9 +142,9 @@ def _edges_to_arguments(operation: int, arguments: list[Any]) -> list[Edge]:
 
 
 class _OperationGraph:
-    """Graph of the derivatives of an expression of t, x, u and p.
+    """Graph of the derivatives of an expression by the states x and by time.
 
-    The first vertices are the states x, followed by time.
+    The first vertices are the states, followed by time. The expression can also depend on inputs u and parameters p.
     """
 
     def __init__(self, expression: Any, symbols: tuple[Any, ...], slopes: Any) -> None:
@@ -198,10 +198,11 @@ class _OperationGraph:
 
 
 def differentiate_rates(rates: Any, symbols: tuple[Any, Any, Any, Any], slopes: Any) -> tuple[Any, Any, Any]:
-    """Return the rates with their sparse Jacobian by x and their drift, as CasADi expressions.
+    """Return the rates with their sparse Jacobian and their drift, as CasADi expressions.
 
-    The drift is the time derivative of the rates for constant x. `symbols` are t, x, u and p, and `slopes` are
-    expressions for the time derivatives of u. The rates are unchanged, and share operations with the derivatives.
+    `symbols` are time t, states x, inputs u and parameters p, and `slopes` are expressions for the time derivatives of
+    u. The Jacobian is the derivative by x, and the drift is the time derivative for constant x. The rates are
+    unchanged, and share operations with the derivatives.
     """
     import casadi as ca
 

@@ -159,9 +159,9 @@ class Model:
 
     @cached_property
     def balances(self) -> tuple[InventoryBalance, ...]:
-        """Balances that are valid for all runs.
+        """Balances that every run must satisfy.
 
-        They are those of the mass of each gas node, and of each energy that is linear in the states.
+        They are the mass balance of each gas node, and all energy balances that are linear in the states.
         """
         balances, energies = [], count()
         for store in self.stores:
@@ -186,7 +186,8 @@ class Model:
     def linear_function(self) -> casadi.Function:
         """CasADi function of the linear model without quadratures (integrals of flows).
 
-        The function is (t, x, u, p) -> (f, y, A, B, C, D) with rates f and outputs y.
+        Its arguments are time t, states x, inputs u and parameters p. Its results are rates f, outputs y and the
+        matrices A, B, C and D.
         """
         import casadi as ca
 
@@ -199,10 +200,12 @@ class Model:
 
     @cached_property
     def sampled_functions(self) -> tuple[Any, Any]:
-        """CasADi functions of a sampled model with exact derivatives by x and z.
+        """CasADi functions of a sampled model with exact derivatives.
 
-        Between instants: (t, x, u, p) -> (f, y, df/d(x, z), df/du, dy/d(x, z), dy/du). At an instant:
-        (t, x, u, p, fired) -> (z+, dz+/d(x, z), dz+/du).
+        The arguments are time t, states x, inputs u and parameters p, which end with the discrete states z. The first
+        function is valid between instants: (t, x, u, p) -> (f, y, df/d(x, z), df/du, dy/d(x, z), dy/du) with rates f
+        and outputs y. The second describes an instant at which timers are due: (t, x, u, p, fired) -> (z+, dz+/d(x, z),
+        dz+/du).
         """
         import casadi as ca
 

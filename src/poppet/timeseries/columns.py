@@ -60,7 +60,7 @@ class Columns(HtmlMixin):
         cls, time: ArrayLike, series: Mapping[str, ArrayLike], *, units: Mapping[str, str] | None = None,
         title: str = "", notes: Iterable[Note | str] = (), ambient_pressure: float = 1e5,
     ) -> Self:  # fmt: skip
-        """Return a recording of measured or computed arrays, after checks.
+        """Check measured or computed arrays, and return them as a recording.
 
         Parameters
         ----------

@@ -41,7 +41,7 @@ def write(recording: Columns, path: Path) -> Path:
 def read(path: Path, *, time: str = "time", time_unit: str = "") -> Columns:
     """Read a recording from a file, whose suffix determines the format.
 
-    For CSV files, `time` is the name of the time column and `time_unit` the unit of the time.
+    The keywords apply only to CSV files: `time` is the name of the time column, and `time_unit` the unit of the time.
     """
     # Imported here: writing a file does not need the readers.
     from poppet.timeseries.tables.reading import read_mat, read_parquet, read_with

@@ -79,16 +79,16 @@ class SampledPoint:
         return np.concatenate([self.numbers, memory])
 
     def at_clock(self, v: Array) -> tuple[Array, Array]:
-        """Return x and p of a run that starts from v at the time `clock.start`.
+        """Return state and parameter vector of a run that starts from v at the time `clock.start`.
 
-        x includes the quadratures (integrals of flows).
+        The state x includes the quadratures (integrals of flows).
         """
         return self._padded(v), self.p(v)
 
     def first(self) -> tuple[Array, Array]:
-        """Return x and p of a run that starts from the initial state at t = 0.
+        """Return initial state and parameter vector of a run that starts at t = 0.
 
-        x includes the quadratures (integrals of flows).
+        The state x includes the quadratures (integrals of flows).
         """
         return self._padded(self.start), np.concatenate([self.numbers, self.memory_start])
 
@@ -141,7 +141,7 @@ class SampledPoint:
         return change / self.size, jacobian * self.size[None, :] / self.size[:, None]
 
     def scaled_by_u(self, v: Array) -> Array:
-        """Return the derivatives by the inputs u of the rates that `scaled` returns."""
+        """Return the derivatives of the scaled rates (see `scaled`) by the inputs u."""
         _, _, by_u = self.instant(v, self.every_clock)
         return np.asarray(np.vstack([self.between(v).rates_by_u, by_u / self.clock.sample_time]) / self.size[:, None])
 

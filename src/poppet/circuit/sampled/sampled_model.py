@@ -62,7 +62,7 @@ class SampledModel(LinearModel):
     more: ClassVar[tuple[str, ...]] = ("sample_time",)
 
     def eigenvalues(self) -> NDArray[np.complex128]:
-        """Return the eigenvalues of A, which describe modes from sample to sample."""
+        """Return the eigenvalues z of A, the discrete-time poles."""
         values = eigenvalues_of(self.A * self.sizes[None, :] / self.sizes[:, None])
         return values[np.lexsort((values.imag, -np.abs(values)))]
 

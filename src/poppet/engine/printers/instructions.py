@@ -47,9 +47,9 @@ SIGNATURES = {
 
 
 def trace_functions(model: Model) -> dict[str, Any]:
-    """Return the CasADi functions of a model by name.
+    """Return the CasADi functions of a model by name, for example `rates` and `outputs`.
 
-    The names are those in `SIGNATURES`. `update` is included only if the model has discrete states.
+    The names are keys of `SIGNATURES`. The function `update` is included only if the model has discrete states.
     """
     import casadi as ca
 

@@ -68,8 +68,8 @@ class _Values:
     def read(self, function: Any, name: str, zero: Sequence[str] = ()) -> list[tuple[tuple[int, int], int]]:
         """Add the instructions of a function to the table, and return its results.
 
-        Each result is a pair: its result vector and element, and the index of its value. `zero` contains the names of
-        arguments that are always zero.
+        Each result is a pair. Its first item is the index of a result vector with the index of an element, and its
+        second item is the index of the value. `zero` contains the names of arguments that are always zero.
         """
         vectors = SIGNATURES[name].partition("->")[0].split()
         slots: dict[int, int] = {}
@@ -190,7 +190,7 @@ class _Values:
     def _needed(self, results: Sequence[int], *, stops: bool) -> list[int]:
         """Return the indices of all values that are required for given results, in order of computation.
 
-        If `stops` is True, operands of expressions that depend only on parameters are omitted.
+        If the keyword `stops` is True, operands of expressions that depend only on parameters are omitted.
         """
         needed, values = set(results), []
         for value in reversed(range(max(results, default=-1) + 1)):
@@ -205,11 +205,10 @@ class _Values:
     def order(
         self, results: Any, vectors: Mapping[str, int], n_p: int, derived: Mapping[int, int]
     ) -> list[Instruction]:
-        """Return the instructions that compute given results.
+        """Return the instructions that compute `results`, which have the form of those of `read`.
 
-        Each result is a pair: its result vector and element, and the index of its value. Values in `derived` are read
-        from p instead of being computed. `vectors` contains the indices of the arguments, and `n_p` is the original
-        length of p.
+        Values in `derived` are read from p instead of being computed. `vectors` contains the indices of the arguments,
+        and `n_p` is the original length of p.
         """
         needed = self._needed([value for _, value in results], stops=bool(derived))
         last: dict[int, int] = {}

@@ -26,9 +26,10 @@ _VECTOR_NAMES = {
 
 @cache
 def vector_functions(width: int) -> Mapping[str, tuple[str, int]]:
-    """Return the functions of the vector library by name.
+    """Return the functions of the vector math library, by name.
 
-    Each value contains symbol and address. The mapping is empty if this machine has no vector library.
+    Each value contains the symbol and the address of the function. The mapping is empty if this machine has no such
+    library.
     """
     import ctypes
     import platform
@@ -382,7 +383,7 @@ def _print_rows(outputs: Any, n_states: int, kind: Kind, name: str) -> str:
             elements[instruction.place[0]].add(instruction.place[1])
 
     def broadcast(pointer: str, element: int) -> str:
-        """Add a value of one lane as a vector of equal elements."""
+        """Add a vector whose elements all equal one double in memory, and return its name."""
         location = text.emit(f"getelementptr inbounds double, ptr {pointer}, i64 {element * n}")
         value = text.emit(f"load double, ptr {location}")
         first = text.emit(f"insertelement {d} undef, double {value}, i32 0")

@@ -80,8 +80,9 @@ def read_measurement(
 ) -> Measurement:  # fmt: skip
     """Read one table `[recordings.NAME]` and the data files that it names.
 
-    `other_fields` are names that an error message can suggest for a misspelt field. `source` is an already read data
-    file, which contains the columns of all channels and inputs without a field `file`.
+    The keyword `other_fields` contains names that an error message can suggest for a misspelt field. The keyword
+    `source` is a data file that has already been read. It contains the columns of channels and inputs without a field
+    `file`.
 
     Notes
     -----
