@@ -40,8 +40,8 @@ def grouped(notes: Iterable[Note | str]) -> list[Note]:
 
     Examples
     --------
-    >>> print(*grouped([Note("bench.unrecorded.flow", name) for name in "abcdefg"]))
-    a: the flow was not recorded. There are 6 more notes of this kind, on b, c, d and 3 others.
+    >>> print(*grouped([Note("bench.doubtful", name) for name in "abcdefg"]))
+    The measurement uncertainty of a could not be determined. Number of further notes of this kind: 6, on b, c, d ...
     """
     unique_notes = list(dict.fromkeys(notes_of(notes)))
     kinds: dict[str, list[Note]] = {}
