@@ -468,7 +468,8 @@ def test_a_target_above_the_supply_has_a_note():
     whole = circuit({"valve.setpoint": Steps([0.0, 1.0], [3e5, 6e5])}).with_values({"supply.pressure": "5 bar"})
     notes = whole.simulate(4.0, 0.01).notes
     assert (
-        "valve: the target of 6 bar at t = 1 s cannot be reached, because the supply pressure is only 5 bar." in notes
+        "valve: the outlet pressure of 6 bar that is requested at t = 1 s cannot be reached, "
+        "because the supply pressure is only 5 bar." in notes
     )
     assert any(
         note.startswith("valve: the outlet pressure did not reach its target of 6 bar by t = 4 s") for note in notes
