@@ -22,10 +22,7 @@ OPEN = 1e-3
 
 @dataclass(frozen=True)
 class StepMetric:
-    """Unit and meaning of one metric of a step response.
-
-    A smaller value of the metric is better.
-    """
+    """Unit and meaning of one metric of a step response; smaller values are better."""
 
     unit: str
     meaning: str
@@ -44,7 +41,7 @@ METRICS = {
 
 
 def readable_unit_of(unit: str) -> str:
-    """Return the unit in which values of an SI unit are displayed, such as bar."""
+    """Return the unit in which values are displayed, such as bar for Pa."""
     return _READ.get(unit) or USUAL.get(unit, unit)
 
 
@@ -78,7 +75,10 @@ def metrics_in(unit: str, command_unit: str = "1") -> dict[str, StepMetric]:
 
 
 def readable_metric_unit(metric: StepMetric, unit: str, command_unit: str = "1") -> str:
-    """Return the display unit of a metric for given SI units of a loop."""
+    """Return the display unit of a metric.
+
+    `unit` and `command_unit` are the SI units of the measured quantity and of the command.
+    """
     readable_units = {unit: readable_unit_of(unit), command_unit: readable_unit_of(command_unit)}
     if metric.unit in readable_units:
         return readable_units[metric.unit]
@@ -151,7 +151,7 @@ def _integral(time: Array, values: Array) -> float:
 def _metrics_of_step(time: Array, measured: Array, initial: float, final: float) -> tuple[float, float, float]:
     """Return rise time [s], settling time [s] and overshoot [%] of one step.
 
-    `initial` and `final` are the setpoints before and after the step.
+    `initial` and `final` are the setpoints before and after the step. A time is infinite if its level is not reached.
     """
     progress = (measured - initial) / (final - initial)
     if not np.all(np.isfinite(progress)):

@@ -36,7 +36,7 @@ MAX_SEGMENTS = 100_000
 
 
 class ExportParameter(NamedTuple):
-    """Parameter of the exported model, an element of the vector p.
+    """Parameter of the exported model: one element of the vector p.
 
     Values are in SI units, and pressures and temperatures are absolute.
     """
@@ -59,7 +59,7 @@ class ExportParameter(NamedTuple):
 
 
 class ExportInput(NamedTuple):
-    """Input of the exported model, an element of the vector u.
+    """Input of the exported model: one element of the vector u.
 
     Values are in SI units, and pressures and temperatures are absolute.
     """
@@ -89,7 +89,7 @@ class ExportModel:
     """Circuit in the form that all export targets use.
 
     It contains names, units, indices and start values of all quantities. The field `problem` contains the signals and
-    tolerances.
+    tolerances of the run.
     """
 
     name: str  # an identifier
@@ -109,10 +109,7 @@ class ExportModel:
 
     @cached_property
     def functions(self) -> dict[str, casadi.Function]:
-        """CasADi functions of the model by name.
-
-        A printer (code generator) writes code from them.
-        """
+        """CasADi functions of the model by name, from which the targets print code."""
         return trace_functions(self.model)
 
 
@@ -133,7 +130,7 @@ def build_export_model(circuit: BaseCircuit, name: str = "") -> ExportModel:
     Raises
     ------
     InputErrors
-        If the circuit has no duration, or signals of more than 100,000 segments.
+        If the circuit has no duration, or its signals have more than 100,000 segments.
     """
     # Checks without cost come before the compilation.
     circuit.run.grid()
@@ -205,7 +202,7 @@ def _parameter_specs(circuit: BaseCircuit) -> dict[str, NumberSpec]:
 
 
 def _next_float(limit: float, direction: float) -> float:
-    """Return the floating-point number next to a limit that is not a valid value itself.
+    """Return the floating-point number next to a limit that is excluded from a range.
 
     `direction` is 1 for the next larger number and -1 for the next smaller one. An infinite limit is returned
     unchanged.
@@ -216,12 +213,12 @@ def _next_float(limit: float, direction: float) -> float:
 
 
 def find_tied(circuit: BaseCircuit) -> frozenset[str]:
-    """Return the addresses of parameters that cannot be changed alone.
+    """Return the addresses of parameters that cannot be changed alone (tied parameters).
 
-    Either other parameters or the structure depend on such a parameter, or no neighbouring value is valid. A parameter
-    of a part acts on the run-time values of this part alone. If a part declares neither derived values nor checks, all
-    its parameters are independent. In any other part, each parameter is changed within the part. The ambient conditions
-    and the gas act on all parts.
+    A parameter is tied if other parameters or the structure of the circuit depend on it, or if no neighbouring value is
+    valid. To find out, each parameter is changed slightly. A parameter of a part affects this part alone, so the change
+    is made within the part; parts without derived values and checks have no tied parameters. The ambient conditions and
+    the gas affect all parts.
     """
     specs, values = _parameter_specs(circuit), circuit.parameters
     tied, neighbours = set(), {}
@@ -258,7 +255,7 @@ def find_tied(circuit: BaseCircuit) -> frozenset[str]:
 def _values_within(values: Mapping[str, float], name: str) -> dict[str, float]:
     """Return the values of one part or section by their names inside it.
 
-    `values` contains all addresses. Only those that begin with `name` and a dot are selected.
+    `values` maps complete addresses to values. Those that begin with `name` and a dot are selected.
     """
     return {key.removeprefix(f"{name}."): value for key, value in values.items() if key.startswith(f"{name}.")}
 
@@ -268,7 +265,8 @@ def _tied_in_part(
 ) -> set[str]:
     """Return the names of the parameters of a part that cannot be changed alone.
 
-    `neighbours` contains a changed value of each parameter. `check` raises an error if the changed part is not valid.
+    `neighbours` maps each parameter to a slightly changed value. `check` raises an error if the changed part is not
+    valid.
     """
     tied: set[str] = set()
     values = part.parameters(surroundings)

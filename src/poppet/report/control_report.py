@@ -96,7 +96,7 @@ def tuning_page(tuning: Tuning, circuit: BaseCircuit) -> str:
         else "small setpoint step of the linear loop, without limits and dead zones of the valves"
     )
     caption = f"Left: sensitivity |S| = |1/(1 + L)| of the tuned loops, its maximum Ms and its bound. Right: {step}."
-    lead = f"Form {tuning.form}. Bounded: {tuning.bounded}, {tuning.held}."
+    lead = f"Form {tuning.form}. Bounded: {tuning.bound_text}, {tuning.command_text}."
     with style("A report of a tuning"):
         sections = [
             Section("", head(title, lead) + findings(tuning.notes)),

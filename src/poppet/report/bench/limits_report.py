@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from poppet.bench.limits.bandwidth import WORTH, Point
+from poppet.bench.limits.bandwidth import WORTH, BandwidthPoint
 from poppet.bench.limits.maps import CONTROLLER, INTERRUPTED, LOAD, PARTS, LimitsPlan, LimitsResult
 from poppet.bench.limits.stability import DECAYS, OSCILLATES
 from poppet.report.html_page import Section, document, findings, folded, head, paragraph, picture, write_page
@@ -170,7 +170,11 @@ def bandwidth_figure(result: LimitsResult) -> Figure:
     plan = result.plan
     height = len(plan.volumes) * 0.62
     figure, (axes,) = _figure_with_panels(1, height, _SIDE + 0.35, 0.0)
-    values, noise, names = _array(result.grid("gain_frequency")), _array(result.grid("noise")), _limiting_parts(result)
+    values, noise, names = (
+        _array(result.bandwidth_map("gain_frequency")),
+        _array(result.bandwidth_map("noise")),
+        _limiting_parts(result),
+    )
     mesh, mark = _draw_heat_map(axes, values, (plan.lowest, plan.highest))
     _volume_axes(axes, plan)
     hertz = _formatter_of_cells(values, lambda v: frequency_text(plan, v))
@@ -187,7 +191,7 @@ def response_figure(result: LimitsResult) -> Figure:
     The step times are those of a step up and of a step down.
     """
     plan = result.plan
-    phase, up, down = (_array(result.grid(name)) for name in ("phase_frequency", "rise_up", "rise_down"))
+    phase, up, down = (_array(result.bandwidth_map(name)) for name in ("phase_frequency", "rise_up", "rise_down"))
     times = np.concatenate([grid[np.isfinite(grid)] for grid in (up, down)])
     # Both steps have one scale. Without times the minimum exceeds the maximum; `_heat` corrects this.
     span = (float(np.min(times, initial=10.0)), float(np.max(times, initial=1e-3)))
@@ -233,8 +237,8 @@ def stability_figure(result: LimitsResult) -> Figure:
     norm = SymLogNorm(10.0, vmin=-2000.0, vmax=2000.0)
 
     def draw(axes: Any, spring: float) -> QuadMesh:
-        growth, hum = (_array(result.map(name, spring)) for name in ("growth", "smooth_frequency"))
-        does = np.array(result.map("smooth", spring))
+        growth, hum = (_array(result.stability_map(name, spring)) for name in ("growth", "smooth_frequency"))
+        does = np.array(result.stability_map("smooth", spring))
         _write(
             axes, growth, lambda v: "white" if abs(v) > 300.0 else INK,
             _Line(0.17, 8.0, lambda cell: f"{growth[cell]:.3g}" if math.isfinite(growth[cell]) else "?"),
@@ -252,7 +256,7 @@ def hum_figure(result: LimitsResult) -> Figure:
     """
 
     def draw(axes: Any, spring: float) -> QuadMesh:
-        amplitude, frequency = (_array(result.map(name, spring)) for name in ("amplitude", "frequency"))
+        amplitude, frequency = (_array(result.stability_map(name, spring)) for name in ("amplitude", "frequency"))
         mesh, mark = _draw_heat_map(axes, amplitude, (10.0, 1e4), "viridis_r")
 
         def frequency_word(cell: Any) -> str:
@@ -287,7 +291,7 @@ def _limiting_parts(result: LimitsResult) -> list[list[str]]:
     effect is large enough.
     """
 
-    def word(point: Point | None) -> str:
+    def word(point: BandwidthPoint | None) -> str:
         if point is None or not point.limiting:
             return ""
         gains = {part: gain for part, gain in point.gains.items() if part != LOAD}

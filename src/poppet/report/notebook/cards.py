@@ -225,7 +225,7 @@ def limits_card(result: LimitsResult) -> str:
     The table has the bandwidth and the limiting part by load volume and amplitude.
     """
     plan, rows = result.plan, []
-    grid = zip(plan.volumes, result.grid("gain_frequency"), result.grid("limiting"), strict=True)
+    grid = zip(plan.volumes, result.bandwidth_map("gain_frequency"), result.bandwidth_map("limiting"), strict=True)
     for volume, frequencies, parts in grid if result.points else ():
         texts = [f"{frequency:.3g} Hz" if math.isfinite(frequency) else "-" for frequency in frequencies]
         cells = (f"{text}, {part}" if part else text for text, part in zip(texts, parts, strict=True))
