@@ -111,9 +111,9 @@ def run_page(
 
 
 def _parameter_tables(circuit: BaseCircuit) -> str:
-    """Return tables of the parameters, grouped by the source of their values.
+    """Return tables of the parameters as HTML, one for each kind of source.
 
-    The least certain source comes first.
+    The source is that of the value of a parameter. The least certain kind comes first.
     """
     text, ambient = "", circuit.surroundings.pressure
     for kind in LEAST_CERTAIN_FIRST:
