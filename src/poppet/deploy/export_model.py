@@ -149,32 +149,11 @@ def build_export_model(circuit: BaseCircuit, name: str = "") -> ExportModel:
         inputs.append(
             ExportInput(item.name, input_name, item.unit, float(value), low, high, parameter, is_driven, slope_of)
         )
-    discrete_start = problem.p[len(model.parameters) :]
-    states = zip(model.states, problem.x0[: len(model.states)], strict=True)
-    return ExportModel(
-        identifier(name or circuit.title or "model"), circuit.title, instance, problem,
-        _export_parameters(circuit, instance, problem),
-        tuple(inputs),
-        _export_quantities((state.name, state.unit, value) for state, value in states),
-        _export_quantities((*row, value) for row, value in zip(model.memory, discrete_start, strict=True)),
-        _export_quantities((*row, np.nan) for row in model.outputs),
-    )  # fmt: skip
-
-
-def _export_quantities(rows: Iterable[tuple[str, str, float]]) -> tuple[ExportQuantity, ...]:
-    rows = list(rows)
-    names = identifiers([address for address, _, _ in rows])
-    return tuple(ExportQuantity(a, name, unit, float(v)) for name, (a, unit, v) in zip(names, rows, strict=True))
-
-
-def _export_parameters(circuit: BaseCircuit, instance: Instance, problem: Problem) -> tuple[ExportParameter, ...]:
-    addresses = instance.model.parameters
-    specs, numbers = _parameter_specs(circuit), circuit.numbers()
-    delays = {item.delay for item in instance.model.inputs if item.delay}
-    guided = {item.slope_of for item in instance.model.inputs if item.slope_of in instance.signals}
-    tied = find_tied(circuit)
-    parameters = []
-    for address, name, value in zip(addresses, identifiers(addresses), problem.p[: len(addresses)], strict=True):
+    specs, numbers, tied = _parameter_specs(circuit), circuit.numbers(), find_tied(circuit)
+    delays = {item.delay for item in model.inputs if item.delay}
+    guided = {item.slope_of for item in model.inputs if item.slope_of in instance.signals}
+    parameters, values = [], problem.p[: len(model.parameters)]
+    for address, parameter_name, value in zip(model.parameters, identifiers(model.parameters), values, strict=True):
         number, spec = numbers.get(address), specs.get(address) or NumberSpec("1", address)
         if number is None:
             fixed = "derived"
@@ -186,8 +165,23 @@ def _export_parameters(circuit: BaseCircuit, instance: Instance, problem: Proble
             fixed = "tied" if address in tied else ""
         low, high = max(spec.ends[0], _next_float(spec.above, 1.0)), min(spec.ends[1], _next_float(spec.below, -1.0))
         unit = number.unit if number else spec.unit
-        parameters.append(ExportParameter(address, name, unit, float(value), low, high, spec.meaning, fixed))
-    return tuple(parameters)
+        parameters.append(ExportParameter(address, parameter_name, unit, float(value), low, high, spec.meaning, fixed))
+    discrete_start = problem.p[len(model.parameters) :]
+    states = zip(model.states, problem.x0[: len(model.states)], strict=True)
+    return ExportModel(
+        identifier(name or circuit.title or "model"), circuit.title, instance, problem,
+        tuple(parameters),
+        tuple(inputs),
+        _export_quantities((state.name, state.unit, value) for state, value in states),
+        _export_quantities((*row, value) for row, value in zip(model.memory, discrete_start, strict=True)),
+        _export_quantities((*row, np.nan) for row in model.outputs),
+    )  # fmt: skip
+
+
+def _export_quantities(rows: Iterable[tuple[str, str, float]]) -> tuple[ExportQuantity, ...]:
+    rows = list(rows)
+    names = identifiers([address for address, _, _ in rows])
+    return tuple(ExportQuantity(a, name, unit, float(v)) for name, (a, unit, v) in zip(names, rows, strict=True))
 
 
 def _parameter_specs(circuit: BaseCircuit) -> dict[str, NumberSpec]:

@@ -122,7 +122,12 @@ def bandwidth_point(
     end = _bandwidth(plan, sweep, begin)
     start = end if plan.lowest < end < plan.highest else begin
     lag = find_crossing(lambda f: -sweep.lag(f), -LAG, start, plan.lowest, plan.highest)
-    up, down = (_time_to_90_percent(plan, volume, amplitude, sign) for sign in (1.0, -1.0))
+    times = []  # to 90 % of a step up and of a step down, symmetric about the mean pressure
+    for change in (2.0 * amplitude, -2.0 * amplitude):
+        low = _settled_frequency_response(replace(plan, mean=plan.mean - 0.5 * change), volume, amplitude)
+        step = change * plan.per_pascal
+        times.append(math.nan if low is None else low.rig.response_time(step, change, RISEN, LONGEST))
+    up, down = times
     gains = {}  # the bandwidth with each part ideal, relative to the unchanged bandwidth
     for part in parts if 0.0 < end < math.inf else ():
         changes = ideal_part_changes(plan, part) if part in PARTS else None
@@ -149,14 +154,3 @@ def _settled_frequency_response(
         return FrequencyResponse(plan.rig(volume, changes), amplitude, plan.per_pascal)
     except SimulationError:
         return None
-
-
-def _time_to_90_percent(plan: LimitsPlan, volume: float, amplitude: float, sign: float) -> float:
-    """Return the time in which the outlet pressure completes 90 % of a step [s].
-
-    The step has twice the amplitude [Pa] and is symmetric about the mean pressure. `sign` is +1 for a step up and -1
-    for a step down. The result is NaN if the outlet does not reach 90 %.
-    """
-    sweep = _settled_frequency_response(replace(plan, mean=plan.mean - sign * amplitude), volume, amplitude)
-    change = 2.0 * sign * amplitude
-    return math.nan if sweep is None else sweep.rig.response_time(change * plan.per_pascal, change, RISEN, LONGEST)

@@ -79,7 +79,16 @@ def stability_point(plan: LimitsPlan, spring: float, damping: float, volume: flo
             rough = _detrended_oscillation(time, run.values[banded_rig.output], (ROUGH / 3.0, ROUGH))
     try:
         rig = plan.rig(volume, changes, bands=False)
-        v = _find_steady_state(plan, rig, spring, damping, volume)
+        v: Array | None = None
+        # The steady state does not depend on the damping: also search from the settled states with more damping.
+        for factor in CALM:
+            start = rig
+            if factor != 1.0:
+                start = plan.rig(volume, spring_and_damping_changes(plan, spring, damping * factor), bands=False)
+            # After the parameters, the vector contains the discrete states; `v` selects those that are not clocks.
+            v = rest_near(rig.point, start.point.v(start.x, start.p[start.point.numbers.size :]))
+            if v is not None:
+                break
     except SimulationError as error:
         v, note = None, error.note
     if v is None:
@@ -92,25 +101,16 @@ def stability_point(plan: LimitsPlan, spring: float, damping: float, volume: flo
         pole = moving[np.argmax(moving.real)]
     smooth, amplitude, frequency = _simulate_disturbance(rig, v)
     agrees = smooth == (DECAYS if is_stable else OSCILLATES) or smooth == MARGINAL
-    finding = _disagreement_note(is_stable, smooth, agrees, rough)
+    # Differences between the linear model and the nonlinear model without and with the bands of the controller.
+    finding: Note | None = None
+    rough_amplitude, rough_frequency = rough
+    if not agrees:
+        linear = "stable" if is_stable else "unstable"
+        finding = Note("limits.differs", linear=linear, full=smooth, push=PUSH, points=None)
+    elif is_stable == (math.isfinite(rough_amplitude) and rough_amplitude > LOUD * PUSH):
+        code = "held" if not is_stable else "hums" if rough_frequency >= HUM else "hunts"
+        finding = Note(f"limits.{code}", points=None)
     return Stability(complex(pole), is_stable, smooth, amplitude, frequency, *rough, agrees, finding)
-
-
-def _find_steady_state(plan: LimitsPlan, rig: SineRig, spring: float, damping: float, volume: float) -> Array | None:
-    """Return the steady state of the valve as a state vector.
-
-    This state does not depend on the damping. The search starts from the settled state of `rig`, then from the settled
-    states of circuits with more damping. The result is None if no search succeeds.
-    """
-    for factor in CALM:
-        start = rig
-        if factor != 1.0:
-            start = plan.rig(volume, spring_and_damping_changes(plan, spring, damping * factor), bands=False)
-        # After the parameters, the vector contains the discrete states; `v` selects those that are not clocks.
-        v = rest_near(rig.point, start.point.v(start.x, start.p[start.point.numbers.size :]))
-        if v is not None:
-            return v
-    return None
 
 
 def _simulate_disturbance(rig: SineRig, v: Array) -> tuple[str, float, float]:
@@ -143,20 +143,3 @@ def _detrended_oscillation(time: Array, values: Array, part: tuple[float, float]
     t, y = time[is_inside], values[is_inside]
     amplitude, period = oscillation(t, y - np.polyval(np.polyfit(t - t[0], y, 1), t - t[0]))
     return amplitude, 1.0 / period if math.isfinite(period) else math.nan
-
-
-def _disagreement_note(is_stable: bool, smooth: str, agrees: bool, rough: tuple[float, float]) -> Note | None:
-    """Return a note if the nonlinear model behaves differently from the linear model.
-
-    `smooth` is the motion without the bands of the controller. `rough` contains amplitude [Pa] and frequency [Hz] of
-    the motion with them. The result is None if the models agree.
-    """
-    amplitude, frequency = rough
-    moves = math.isfinite(amplitude) and amplitude > LOUD * PUSH
-    if not agrees:
-        linear = "stable" if is_stable else "unstable"
-        return Note("limits.differs", linear=linear, full=smooth, push=PUSH, points=None)
-    if is_stable == moves:
-        code = "held" if not is_stable else "hums" if frequency >= HUM else "hunts"
-        return Note(f"limits.{code}", points=None)
-    return None

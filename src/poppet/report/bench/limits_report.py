@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from poppet.bench.limits.bandwidth import WORTH, BandwidthPoint
+from poppet.bench.limits.bandwidth import WORTH
 from poppet.bench.limits.maps import CONTROLLER, INTERRUPTED, LOAD, PARTS, LimitsPlan, LimitsResult
 from poppet.bench.limits.stability import DECAYS, OSCILLATES
 from poppet.report.html_page import Section, document, findings, folded, head, paragraph, picture, write_page
@@ -170,16 +170,22 @@ def bandwidth_figure(result: LimitsResult) -> Figure:
     plan = result.plan
     height = len(plan.volumes) * 0.62
     figure, (axes,) = _figure_with_panels(1, height, _SIDE + 0.35, 0.0)
-    values, noise, names = (
-        _array(result.bandwidth_map("gain_frequency")),
-        _array(result.bandwidth_map("noise")),
-        _limiting_parts(result),
-    )
+    values, noise = (_array(result.bandwidth_map(name)) for name in ("gain_frequency", "noise"))
     mesh, mark = _draw_heat_map(axes, values, (plan.lowest, plan.highest))
     _volume_axes(axes, plan)
     hertz = _cell_formatter(values, lambda v: frequency_text(plan, v))
     rough = _CellLine(0.13, 9.5, lambda cell: f"~{hertz(cell)}" if noise[cell] > NOISY else hertz(cell), "bold")
-    _write(axes, values, mark, rough, _CellLine(-0.24, 7.5, lambda cell: names[cell[0]][cell[1]]))
+
+    def limiting_part(cell: tuple[int, int]) -> str:
+        point = result.points.get((plan.volumes[cell[0]], plan.amplitudes[cell[1]]))
+        if point is None or not point.limiting:
+            return ""
+        # Behind the load, the valve part with the largest effect.
+        gains = {part: gain for part, gain in point.gains.items() if part != LOAD}
+        second = max(gains, key=lambda part: gains[part]) if point.limiting == LOAD else ""
+        return SHORT[point.limiting] + (f", {SHORT[second]}" if second and gains[second] >= WORTH else "")
+
+    _write(axes, values, mark, rough, _CellLine(-0.24, 7.5, limiting_part))
     axes.set_title("-3 dB frequency [Hz], and the part that limits it", loc="left")
     _bar(figure, mesh, _WIDTH - _SIDE - 0.15, height, "")
     return figure
@@ -282,24 +288,6 @@ def amplitude_text(value: float) -> str:
     if value < STILL:
         return "rests"
     return f"{value:.3g}" if value < 1e3 else f"{value:.0f}"
-
-
-def _limiting_parts(result: LimitsResult) -> list[list[str]]:
-    """Return the short name of the limiting part for each cell of a bandwidth map.
-
-    The result has one inner list per volume, with one text per amplitude. If the load is the limit, the text also names
-    the valve part with the largest effect, unless this effect is below 5 %.
-    """
-
-    def word(point: BandwidthPoint | None) -> str:
-        if point is None or not point.limiting:
-            return ""
-        gains = {part: gain for part, gain in point.gains.items() if part != LOAD}
-        second = max(gains, key=lambda part: gains[part]) if point.limiting == LOAD else ""
-        return SHORT[point.limiting] + (f", {SHORT[second]}" if second and gains[second] >= WORTH else "")
-
-    plan = result.plan
-    return [[word(result.points.get((volume, size))) for size in plan.amplitudes] for volume in plan.volumes]
 
 
 class _CellLine(NamedTuple):

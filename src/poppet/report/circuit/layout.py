@@ -108,31 +108,24 @@ class Layout:
         self.rows: list[list[str]] = [[] for _ in range(max(layers.values(), default=0) + 1)]
         for name, layer in layers.items():
             self.rows[layer].append(name)
-        self.chains = {edge: self._points_along(edge) for edge in graph.edges}
+        self.chains: dict[Edge, list[str]] = {}  # points along each edge: flow path, waypoints, gas node
+        for edge in graph.edges:
+            passage, port, store = edge
+            first, last = self.layers[passage], self.layers[store]
+            step = 1 if last > first else -1
+            waypoints = {f"{passage}.{port}.{layer}": layer for layer in range(first + step, last, step)}
+            for name, layer in waypoints.items():
+                # A waypoint has the height of two pipes, so that boxes of its layer keep a distance from it.
+                self.layers[name], self.sizes[name], self.anchors[name] = layer, (0.0, 0.16), 0.0
+                self.rows[layer].append(name)
+            self.chains[edge] = [passage, *waypoints, store]
         self.links: dict[str, list[str]] = {name: [] for row in self.rows for name in row}
         for chain in self.chains.values():
-            for first, second in pairwise(chain):
-                self.links[first].append(second)
-                self.links[second].append(first)
+            for start, end in pairwise(chain):
+                self.links[start].append(end)
+                self.links[end].append(start)
         self._sort_rows()
         self.positions = self._positions()
-
-    def _points_along(self, edge: Edge) -> list[str]:
-        """Return the names of all points along an edge: flow path, waypoints, gas node.
-
-        Each waypoint is added to the layout.
-        """
-        passage, port, store = edge
-        first, last = self.layers[passage], self.layers[store]
-        step = 1 if last > first else -1
-        chain = [passage]
-        for layer in range(first + step, last, step):
-            name = f"{passage}.{port}.{layer}"
-            # A waypoint has the height of two pipes, so that boxes of its layer keep a distance from it.
-            self.layers[name], self.sizes[name], self.anchors[name] = layer, (0.0, 0.16), 0.0
-            self.rows[layer].append(name)
-            chain.append(name)
-        return [*chain, store]
 
     def _sort_rows(self) -> None:
         """Sort the boxes within each layer so that few connections cross.

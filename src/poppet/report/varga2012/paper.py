@@ -306,24 +306,6 @@ def _tables(results: runs.Findings, checked: Sequence[Statement]) -> Iterator[Re
 # --- Page ---
 
 
-def _first_paragraphs(results: runs.Findings, checked: Sequence[Statement]) -> str:
-    """Return the first paragraphs of the report as HTML.
-
-    They contain the number of statements with each verdict, and the main results.
-    """
-    counts, times = Counter(item.verdict for item in checked), results.fillings
-    tally = {"holds": counts[Verdict.HOLDS], "fails": counts[Verdict.FAILS], "unknown": counts[Verdict.OPEN]}
-    facts = {
-        "isentrope": times["isentrope"].time,
-        "adiabatic": times["adiabatic"].time,
-        "walled": times["wall of the peak"].time,
-        "reported": runs.REPORTED_RISE,
-        "share": 100.0 * results.conductances[0] / results.largest[1],
-    }
-    counts_text = sentence("paper.page.headline", {"count": len(checked), **tally})
-    return paragraph(counts_text, css_class="headline") + paragraph(sentence("paper.page.main", facts))
-
-
 def _report_html(
     results: runs.Findings,
     pictures: Mapping[str, Figure],
@@ -342,8 +324,21 @@ def _report_html(
         name: picture(figure, name, sentence(f"paper.caption.{name}", {}), kind="narrow" if name in _NARROW else "")
         for name, figure in pictures.items()
     }
+    counts, times = Counter(item.verdict for item in checked), results.fillings
+    tally = {"holds": counts[Verdict.HOLDS], "fails": counts[Verdict.FAILS], "unknown": counts[Verdict.OPEN]}
+    facts = {
+        "isentrope": times["isentrope"].time,
+        "adiabatic": times["adiabatic"].time,
+        "walled": times["wall of the peak"].time,
+        "reported": runs.REPORTED_RISE,
+        "share": 100.0 * results.conductances[0] / results.largest[1],
+    }
+    counts_text = sentence("paper.page.headline", {"count": len(checked), **tally})
+    main_results = paragraph(sentence("paper.page.main", facts))
     sections = [
-        Section("", head(texts["title"], texts["source"]) + _first_paragraphs(results, checked)),
+        Section(
+            "", head(texts["title"], texts["source"]) + paragraph(counts_text, css_class="headline") + main_results
+        ),
         Section("The three figures of the paper", [figures["fig3"], figures["fig4"], figures["fig6"]]),
         Section("Statements of the paper", statement_table),
         Section("Flow characteristic", tables["strokes"]),

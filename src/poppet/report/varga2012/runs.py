@@ -143,6 +143,20 @@ def run_simulations(progress: Callable[[str], Any]) -> Findings:
         main_stage_circuit("paper", initial_pressure=pressure).simulate(1.0)["valve.stroke"][-1]
         for pressure in (2e5, 4e5, 6e5)
     ]
+    # After the settling time, the stroke stays within 2 % of its travel from the final value.
+    run = main_stage_circuit("paper", Steps([0.0], [4e5])).simulate(0.05, 1e-5, 1e-6)
+    stroke = run["valve.stroke"]
+    is_away = np.abs(stroke - stroke[-1]) > _SETTLED * np.abs(stroke[-1] - stroke[0])
+    settling_time = float(run.time[np.flatnonzero(is_away)[-1] + 1])
+    time, series = np.zeros(0), {}
+    for name, options in TANKS.items():
+        progress(f"figure 6, {name}")
+        wall_option = {"wall_conductance": wall} if name == "wall" else {}
+        run = staircase_circuit(**options, **wall_option).simulate(STEPS_END, 0.1, 1e-6)
+        time = run.time
+        series[f"{name}.pressure [Pa]"] = run["tank.pressure"]
+        series[f"{name}.temperature [K]"] = run["tank.temperature"]
+    required = {"required.pressure [Pa]": Steps(STEP_TIMES, STEP_VALUES).evaluate(time)}
     return Findings(
         **_curve_findings(),
         downstream_error=(START_TEMPERATURE / fillings["adiabatic"].end_temperature) ** 0.5 - 1.0,
@@ -153,12 +167,12 @@ def run_simulations(progress: Callable[[str], Any]) -> Findings:
         pressure_drop=float(TARGET - end_pressure),
         slow_time=float(_simulate_filling(stroke=0.1e-3, thermal="isothermal").time[-1]),
         slow_time_constant=fillings["isothermal"].time,
-        settling_time=_stroke_settling_time(),
+        settling_time=settling_time,
         open_end=(float(open_ends[0]), float(open_ends[1])),
         exhaust_strokes=tuple(map(float, emptying)),
         stroke_printed=float(stage.simulate(0.1)["valve.stroke"][-1]),
         stroke_fig5=stroke_drawn,
-        staircase=_staircase(wall, progress),
+        staircase=Recording.from_series(time, required | series, title="Figure 6"),
     )
 
 
@@ -319,28 +333,4 @@ def _wall_conductance(supply: float) -> WallConductance:
 # --- Main stage ---
 
 
-def _stroke_settling_time() -> float:
-    """Return the settling time of the stroke after a pilot step of 3 bar [s].
-
-    After this time, the stroke stays within 2 % of its travel from the final value.
-    """
-    run = main_stage_circuit("paper", Steps([0.0], [4e5])).simulate(0.05, 1e-5, 1e-6)
-    stroke = run["valve.stroke"]
-    away = np.abs(stroke - stroke[-1]) > _SETTLED * np.abs(stroke[-1] - stroke[0])
-    return float(run.time[np.flatnonzero(away)[-1] + 1])
-
-
 # --- Fig. 6 ---
-
-
-def _staircase(wall: float, progress: Callable[[str], Any]) -> Recording:
-    time, series = np.zeros(0), {}
-    for name, options in TANKS.items():
-        progress(f"figure 6, {name}")
-        wall_option = {"wall_conductance": wall} if name == "wall" else {}
-        run = staircase_circuit(**options, **wall_option).simulate(STEPS_END, 0.1, 1e-6)
-        time = run.time
-        series[f"{name}.pressure [Pa]"] = run["tank.pressure"]
-        series[f"{name}.temperature [K]"] = run["tank.temperature"]
-    required = Steps(STEP_TIMES, STEP_VALUES).evaluate(time)
-    return Recording.from_series(time, {"required.pressure [Pa]": required, **series}, title="Figure 6")
