@@ -241,7 +241,7 @@ class ErrorCollector:
         elif isinstance(error, InputError):
             self.collected += error.problems
         if error is None or isinstance(error, InputError):
-            collect(self.collected)
+            raise_errors(self.collected)
 
 
 class SimulationError(PoppetError):
@@ -264,7 +264,7 @@ class SimulationError(PoppetError):
         return str(self.note)
 
 
-def collect(problems: Sequence[InputError]) -> None:
+def raise_errors(problems: Sequence[InputError]) -> None:
     """Raise a single error, or one `InputErrors` that contains several errors.
 
     If the list is empty, the function does nothing.

@@ -55,7 +55,7 @@ def printable(text: str) -> str:
 
 
 def readable_unit(unit: str, *sizes: float) -> str:
-    """Return a unit for display in which the largest of several values is readable.
+    """Return the display unit that suits the largest of several values.
 
     `unit` is the SI unit of the values.
 
@@ -104,9 +104,9 @@ def digits_of(value: float, largest: float) -> str:
 
 
 def decimals(error: float) -> int | None:
-    """Return the number of decimals that shows two significant digits of an uncertainty.
+    """Return the number of decimals that shows two significant digits of `error`.
 
-    The result is None if the uncertainty is below 1e-6, at least 1e6, or not a number.
+    The result is None if `error` is below 1e-6, at least 1e6, or not a number.
 
     Examples
     --------

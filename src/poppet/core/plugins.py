@@ -99,7 +99,7 @@ class Registry(UserDict[str, T]):
         return len(self.data)
 
     def _extend(self) -> None:
-        """Add the objects of all plugins when they are first needed.
+        """Add the objects of all plugins at the first call; later calls do nothing.
 
         A warning is issued for each plugin that is ignored.
         """

@@ -101,7 +101,7 @@ def _needs_own_header(path: str, value: Any) -> bool:
 def _basic_types(value: Any, *, as_text: bool = False) -> Any:
     """Convert the values of nested tables to basic Python types.
 
-    If `as_text` is True, infinite values and NaN become text.
+    If the keyword `as_text` is True, infinite values and NaN become text.
     """
     if isinstance(value, Mapping):
         # TOML cannot contain None.

@@ -437,10 +437,13 @@ def quantity(
 
     Notes
     -----
-    `pressure` accepts gauge (`6 bar g`, `6 bar(g)`, `6 barg`) and keeps the gauge value;
-    `pressure_difference` has no reference; `temperature` accepts degC and degF; `temperature_difference`
-    only K; `mass_flow` also accepts volume flows of air, `380 l/min ANR` or `N` (normal, also `380 Nl/min`);
-    `volume_flow_anr` accepts those two only.
+    Kinds of quantities:
+
+    - `pressure` accepts gauge pressures (`6 bar g`, `6 bar(g)`, `6 barg`) and returns the gauge value.
+    - `pressure_difference` has no reference.
+    - `temperature` accepts degC and degF, `temperature_difference` only K.
+    - `mass_flow` also accepts volume flows of air: `380 l/min ANR`, or `380 l/min N` and `380 Nl/min` (normal).
+    - `volume_flow_anr` accepts only such volume flows.
 
     Examples
     --------

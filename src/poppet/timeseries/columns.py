@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from poppet.core.codes import Note, notes_of
-from poppet.core.errors import InputError, NameSuggestion, collect
+from poppet.core.errors import InputError, NameSuggestion, raise_errors
 from poppet.core.note_groups import grouped
 from poppet.core.notebook import HtmlMixin
 from poppet.timeseries.checks import FloatArray, first_bad_time, name_problems, numbers, split_heading
@@ -60,7 +60,7 @@ class Columns(HtmlMixin):
         cls, time: ArrayLike, series: Mapping[str, ArrayLike], *, units: Mapping[str, str] | None = None,
         title: str = "", notes: Iterable[Note | str] = (), ambient_pressure: float = 1e5,
     ) -> Self:  # fmt: skip
-        """Return a recording of measured or computed arrays, after checks.
+        """Check measured or computed arrays, and return them as a recording.
 
         Parameters
         ----------
@@ -98,7 +98,7 @@ class Columns(HtmlMixin):
             for name, row in zip(names, rows, strict=True)
             if row.shape != base.shape
         ]
-        collect(problems)
+        raise_errors(problems)
         return cls(
             base, names, tuple(unit or units_by_name.get(name, "") for name, unit in headings),
             np.array(rows, dtype=float).reshape(len(rows), len(base)), title=title, notes=notes,

@@ -15,7 +15,7 @@ from poppet.bench.iso10094.plausibility import suspicion_notes, without_spikes
 from poppet.bench.iso10094.scale import FloatArray, Mask, Record, Scale, read_pressure_range, setpoint_scale
 from poppet.bench.iso10094.shapes import constant_sections
 from poppet.core.codes import Note
-from poppet.core.errors import ErrorCollector, InputError, NameSuggestion, collect
+from poppet.core.errors import ErrorCollector, InputError, NameSuggestion, raise_errors
 from poppet.core.message_format import sentence
 from poppet.core.tables import Field, missing_field, read_fields
 from poppet.core.units import quantity
@@ -102,7 +102,7 @@ def read_valve_recordings(
             continue
         records[record.test].append(record)
         notes += found_notes
-    collect(problems)
+    raise_errors(problems)
     conditions: dict[str, Any] = {
         "ambient_pressure": ambient,
         "recordings": {test: [record.name for record in group] for test, group in records.items() if group},

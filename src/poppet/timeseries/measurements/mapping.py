@@ -11,7 +11,7 @@ from typing import Any, TypeVar
 import numpy as np
 
 from poppet.core.codes import Note
-from poppet.core.errors import ErrorCollector, InputError, UnitError, collect
+from poppet.core.errors import ErrorCollector, InputError, UnitError, raise_errors
 from poppet.core.tables import Field, missing_field, read_fields
 from poppet.core.units import Kind, check_unit, convert, same_dimension, sizes_of, with_state
 from poppet.timeseries.checks import FloatArray, split_heading
@@ -80,8 +80,9 @@ def read_measurement(
 ) -> Measurement:  # fmt: skip
     """Read one table `[recordings.NAME]` and the data files that it names.
 
-    `other_fields` are names that an error message can suggest for a misspelt field. `source` is an already read data
-    file, which contains the columns of all channels and inputs without a field `file`.
+    The keyword `other_fields` contains names that an error message can suggest for a misspelt field. The keyword
+    `source` is a data file that has already been read. It contains the columns of channels and inputs without a field
+    `file`.
 
     Notes
     -----
@@ -216,7 +217,7 @@ class _MeasurementReader:
 
     def _refuse_all(self) -> None:
         # An error of the shared file or time occurs once per channel.
-        collect(list({(error.code, error.address): error for error in self.errors.collected}.values()))
+        raise_errors(list({(error.code, error.address): error for error in self.errors.collected}.values()))
 
     def _attempt(self, location: str, action: Callable[[], _T]) -> _T | None:
         try:

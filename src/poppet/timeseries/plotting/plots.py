@@ -58,7 +58,7 @@ def plot_recordings(
     -----
     Staircase series are drawn as steps, all others with straight lines. If there are more samples than pixels, each
     pixel column shows the range of its samples, so no peak is lost. The figure omits constant series and names them
-    below, unless they are selected. It also omits internal outputs; `inner` draws them.
+    below, unless they are selected. It also omits internal outputs, unless the keyword `inner` is True.
 
     With moving bodies, the order is positions, velocities, pressures, forces. The timeline then shows sticking and
     slipping, and temperatures, heat flows and masses are omitted in the same way as internal outputs.

@@ -32,9 +32,9 @@ _UNIT_PROPERTIES = ("unit_string", "NI_UnitDescription", "Unit", "unit")
 
 
 def read_tdms(path: Path, *, group: str | int | None = None) -> Table:
-    """Read the channels of a TDMS file.
+    """Read the channels of a TDMS file as columns.
 
-    `group` is the name or index of a group; the default is all groups.
+    The keyword `group` is the name or index of a group; by default, all groups are read.
     """
     with needed("npTDMS", "A TDMS file", "measured"):
         from nptdms import TdmsFile
@@ -72,9 +72,9 @@ def read_tdms(path: Path, *, group: str | int | None = None) -> Table:
 
 
 def read_mdf(path: Path, *, group: str | int | None = None) -> Table:
-    """Read the channels of an MDF file.
+    """Read the channels of a MDF file as columns.
 
-    `group` is the name or index of a group; the default is all groups.
+    The keyword `group` is the name or index of a group; by default, all groups are read.
     """
     with needed("asammdf", "An MDF file", "measured"):
         from asammdf import MDF

@@ -85,7 +85,7 @@ class Table:
     lines: Sequence[int] = ()  # of a text file: line of each sample, counted from 1
 
     def index(self, column: str | int) -> int:
-        """Return the index of the column with a given heading or index.
+        """Return the index of a column; `column` is its heading or its index.
 
         A column that does not exist raises an error.
         """

@@ -157,9 +157,9 @@ def read_exact(path: Path) -> Table:
 
 
 def _decoded_text(path: Path) -> tuple[str, int]:
-    """Return the text of a file, and its first line that is not UTF-8.
+    """Return the text of a file, and the number of its first line that is not UTF-8.
 
-    The line number is 0 if the whole file is UTF-8 or UTF-16. Otherwise the text is decoded as Latin-1.
+    The number is 0 if the whole file is UTF-8 or UTF-16. Otherwise the text is decoded as Latin-1.
     """
     with path.open("rb") as file:
         content = file.read(LARGEST_TEXT + 1)  # a device has no size and can be endless
