@@ -16,7 +16,7 @@ from poppet.cli.commands import COMMANDS
 from poppet.cli.main import FAILED, INTERRUPTED
 from poppet.cli.progress import BenchProgress, PointProgress
 from poppet.cli.summary import require_matplotlib, write_result
-from poppet.core.errors import InputError, collect
+from poppet.core.errors import InputError, raise_errors
 from poppet.core.note_groups import grouped
 from poppet.core.number_format import aligned
 
@@ -41,7 +41,7 @@ def run_bench_command(options: argparse.Namespace) -> int:
     if options.recording and not options.compare:  # the comparison may be a circuit
         declared = {option.name: option for option in COMMANDS["bench"].options if option.name in CIRCUIT_OPTIONS}
         unused = [option.names[-1] for name, option in declared.items() if getattr(options, name)]
-        collect([InputError("cli.bench.of_circuit", option=name) for name in unused])
+        raise_errors([InputError("cli.bench.of_circuit", option=name) for name in unused])
     require_matplotlib(options.report)
     # Both files are read before the first run: an error in the second must not cost a bench of the first.
     run = _result_provider(options, Path(options.file or options.recording), options.values, is_comparison=False)
