@@ -184,17 +184,19 @@ class Cylinder(Compound):
 
     Notes
     -----
-    Ports of other parts name the chambers `NAME.cap` and `NAME.rod`. A single-acting cylinder has no rod chamber: that
-    side is open to the ambient. `seal_friction` increases the dry friction of the body.
+    In the first equation, A is the piston area, A_r the rod area, p_a the ambient pressure, k the spring rate, h the
+    compression of the spring at the cap, and x the piston position. Ports of other parts are connected to the chambers
+    by the names `NAME.cap` and `NAME.rod`, where NAME is the name of the cylinder. A single-acting cylinder has no rod
+    chamber: its rod side is open to the ambient. `seal_friction` increases the dry friction of the body.
 
-    With a cushion, `cap` and `rod` are the volumes at the ports. `cap_cushion` and `rod_cushion` are the volumes
-    between piston and cover and exchange heat with the wall of their side. Within `length` before the end of the stroke
-    the spear closes the bore, and the two volumes are connected only by the throttle. The dead volume of a side
-    includes that of its cushion.
+    On a side with a cushion, `cap` or `rod` is the volume at the port, and `cap_cushion` or `rod_cushion` the volume
+    between piston and cover, which exchanges heat with the wall. Within the distance `length` of the cushion from the
+    end of the stroke, its spear closes the bore, and only a throttle connects the two volumes. The dead volume of a
+    side includes that of its cushion.
 
-    `force` is the force on the piston, without friction and contact with the end covers. `stop_force` is the contact
-    force of the end covers. The gas in each chamber has one temperature. The wall conductance does not depend on the
-    stroke.
+    The output `force` is the force on the piston, without friction and without contact with the covers. `stop_force` is
+    the contact force of the covers. The gas in each chamber has one temperature. The wall conductance does not depend
+    on the stroke.
 
     Examples
     --------

@@ -43,7 +43,7 @@ class Spring:
 class Stop:
     """End stop of the plate by the law of Hunt and Crossley.
 
-    The force is k d^1.5 with the depth d of penetration, multiplied by a damping factor.
+    The force is k d^1.5 with the stiffness k and the depth d of penetration, multiplied by a damping factor.
     """
 
     position: NumberLike = number("m", doc="stroke at the stop")
@@ -55,7 +55,7 @@ class Stop:
 class Contact:
     """Contact between plate and poppet at stroke zero.
 
-    At larger strokes, the lower spring acts on the plate.
+    At positive strokes, the plate lifts the poppet, and the lower spring acts on the plate.
     """
 
     width: NumberLike = number("m", doc="width of the contact", above=0.0)
@@ -66,7 +66,8 @@ class Contact:
 class Exhaust:
     """Parameters of the exhaust seat of a main stage.
 
-    The seat opens at strokes below minus the overlap. It is fully open after a further stroke of `opening`.
+    The seat opens at strokes below minus `overlap`, a field of the main stage. It is fully open after a further stroke
+    of `opening`.
     """
 
     sonic_conductance: NumberLike = number("m^3/(s Pa)", doc="sonic conductance C of the exhaust", low=0.0)
@@ -87,7 +88,7 @@ class Friction:
 
 @dataclass(frozen=True)
 class MainStage(Passage):
-    r"""Main stage of a piloted valve by eqs (5)-(8) of the paper.
+    r"""Main stage of a piloted pressure valve by the equations of Varga & Keski-Honkola 2012.
 
     One coordinate, the stroke x of the plate, describes filling, overlap and emptying.
 
@@ -100,14 +101,14 @@ class MainStage(Passage):
 
     Notes
     -----
-    The mode `paper` is literally eqs (5)-(8), with the pilot gauge pressure as the only input. In the mode `regulator`
-    the outlet pressure acts against the pilot pressure, and the seat pressure acts on the poppet. The default
-    characteristic is that of `data` with the suffix `.closed`, which has C = 0 for strokes up to 0; the default pilot
-    pressure is the ambient pressure.
+    In the mode `paper`, the equations are eqs (5)-(8) of the reference; the gauge pressure of the pilot is the only
+    drive. In the mode `regulator`, the outlet pressure acts against the pilot pressure, and the pressure drop of the
+    supply seat acts on the poppet. The default characteristic has the name in `data` with the suffix `.closed`; its C
+    is 0 for strokes up to 0. The default pilot pressure is the ambient pressure.
 
-    Fig. 5 of the paper shows k2 (h2 - x), eq. (5) k2 (h2 + x); the model follows the equation. The contact is a ramp of
-    the force of the lower spring over `contact.width` below zero, with the dissipation of Hunt and Crossley. It
-    replaces the discontinuity of the equations by a stiff, damped and differentiable force.
+    Fig. 5 of the reference shows the spring force k2 (h2 - x), but eq. (5) contains k2 (h2 + x); the model follows the
+    equation. At a stroke of 0, the force of the lower spring is discontinuous in the equations. In the model, it
+    changes over the range of strokes `contact.width` below zero, with the dissipation of Hunt and Crossley.
 
     References
     ----------

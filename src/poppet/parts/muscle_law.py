@@ -20,7 +20,7 @@ REQUIRED = {"sarosi": "sarosi", "chou_hannaford": "braid_angle", "tondu_lopez": 
 
 @dataclass(frozen=True)
 class SarosiNumbers:
-    """Parameters a1 to a6 of the muscle force law of Sarosi."""
+    """Parameters a1 to a6 of Sarosi's force law of a muscle."""
 
     a1: NumberLike = number("N/Pa", doc="Sarosi's a1")
     a2: NumberLike = number("N", doc="Sarosi's a2")
@@ -65,12 +65,12 @@ class MuscleLawPart(Part):
         Parameters
         ----------
         numbers : mapping, optional
-            Floats or symbols by local name; default the numbers of the muscle.
+            Parameters of the law in SI units by name; default those of the part.
 
         Returns
         -------
         ForceLaw
-            With `force`, `pressure_for`, `slope`, `passive` and `swept`.
+            Object whose method `force` returns the force [N] for a gauge pressure [Pa] and a contraction [1].
         """
         values = {name: number.value for name, number in self.numbers().items()} if numbers is None else numbers
         match self.law:
@@ -107,6 +107,6 @@ class MuscleLawPart(Part):
 def braid_of(numbers: Mapping[str, Any]) -> ChouHannaford:
     """Return the force law of a braided muscle from its nominal size.
 
-    `numbers` contains nominal diameter, nominal length and braid angle.
+    `numbers` contains `nominal_diameter` [m], `nominal_length` [m] and `braid_angle` [rad].
     """
     return ChouHannaford(numbers["nominal_diameter"], numbers["nominal_length"], numbers["braid_angle"])

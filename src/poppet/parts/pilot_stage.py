@@ -66,15 +66,19 @@ class PilotStage(Store, Passage):
 
     Notes
     -----
-    With the drive `averaged`, a duty opens its valve by the average open fraction. With `switched`, the valves switch
-    at their frequency with their delays. The volume is at least a tenth of `volume`. The thermal law `energy` needs the
-    time derivative of the displacement: the connected output must be a function of states, and a signal must not jump.
-    The temperature of `polytropic` is a function of the density alone and remains high in a filled volume; real gas
-    cools within tenths of a second. A resumed run starts with closed valves and a new period.
+    With the drive `averaged`, the opening of a solenoid valve is the fraction of the modulation period in which it is
+    open. With `switched`, the valves open and close at the modulation frequency with their delays. :math:`\Delta V(x)`
+    is the input `displacement`; the volume V is at least a tenth of `volume`. The thermal law `energy` needs the time
+    derivative of the displacement: an output that is connected to it must be a function of states, and a signal must
+    not jump.
+
+    With the thermal law `polytropic`, the temperature is a function of the density alone and remains high in a filled
+    volume; the gas in a valve cools within tenths of a second. A run that continues another run starts with closed
+    valves and a new modulation period.
 
     References
     ----------
-    Varga & Keski-Honkola 2012, section 2 and fig. 1: named, not modelled there.
+    Varga & Keski-Honkola 2012, section 2 and fig. 1, mention the pilot stage without a model.
     """
 
     kind: ClassVar[str] = "pilot_stage"
@@ -226,9 +230,10 @@ class PilotStage(Store, Passage):
 
 
 def volume_notes(name: str, volume: Any, swept: float) -> list[Note]:
-    """Return a note if a displacement reduces a volume too much.
+    """Return a list with a note if a displacement reduces a volume by more than 90 %.
 
-    `name` is the address of the volume. `swept` is the largest reduction by the displacement [m^3].
+    `name` is the address of the volume. `swept` is the largest reduction by the displacement [m^3]. The list is empty
+    if the reduction is smaller.
     """
     if swept <= (1.0 - MIN_VOLUME_FRACTION) * float(volume):
         return []

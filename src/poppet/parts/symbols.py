@@ -88,10 +88,7 @@ RELIEF_VALVE = (
 
 
 def _blocked_port_lines(*positions: float, depth: float, width: float) -> Symbol:
-    """Return the lines that mark blocked ports of a valve square.
-
-    The ports are at its bottom and its top.
-    """
+    """Return the lines that mark a blocked port at the bottom and at the top of a valve square."""
     strokes: Symbol = ()
     for low, stop in ((0.24, 0.24 + depth), (0.76, 0.76 - depth)):
         for x in positions:

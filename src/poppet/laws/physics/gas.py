@@ -12,7 +12,7 @@ AIR_ISENTROPIC_EXPONENT = 1.4
 
 
 def mass(pressure: Any, volume: Any, temperature: Any, gas_constant: Any = AIR_GAS_CONSTANT) -> Any:
-    r"""Return the mass of gas in a volume.
+    r"""Return the mass of an ideal gas in a volume.
 
     .. math:: m = \frac{p V}{R T}
 
@@ -41,7 +41,7 @@ def mass(pressure: Any, volume: Any, temperature: Any, gas_constant: Any = AIR_G
 
 
 def temperature(pressure: Any, volume: Any, mass: Any, gas_constant: Any = AIR_GAS_CONSTANT) -> Any:
-    r"""Return the temperature of a mass of gas in a volume.
+    r"""Return the temperature of an ideal gas of given mass in a volume.
 
     .. math:: T = \frac{p V}{m R}
 
@@ -84,7 +84,7 @@ def density(pressure: Any, temperature: Any, gas_constant: Any = AIR_GAS_CONSTAN
 
     Examples
     --------
-    Dry air at 20 degC and 100 kPa (1.185 kg/m^3 in ANR, which is moist):
+    Dry air at 20 degC and 100 kPa (the moist air of the reference atmosphere ANR has 1.185 kg/m^3):
 
     >>> print(f"{density(1e5, 293.15):.4f} kg/m^3")
     1.1884 kg/m^3
@@ -148,7 +148,7 @@ def internal_energy(
     gas_constant: Any = AIR_GAS_CONSTANT,
     isentropic_exponent: Any = AIR_ISENTROPIC_EXPONENT,
 ) -> Any:
-    r"""Return the internal energy of a mass of gas relative to 0 K.
+    r"""Return the internal energy of an ideal gas relative to its energy at 0 K.
 
     .. math:: U = m c_v T = \frac{p V}{\kappa - 1}
 
@@ -178,7 +178,7 @@ def enthalpy_flow(
     gas_constant: Any = AIR_GAS_CONSTANT,
     isentropic_exponent: Any = AIR_ISENTROPIC_EXPONENT,
 ) -> Any:
-    r"""Return the enthalpy flow rate of a gas flow relative to 0 K.
+    r"""Return the enthalpy flow rate of an ideal gas relative to its enthalpy at 0 K.
 
     .. math:: \dot H = q_m c_p T
 
