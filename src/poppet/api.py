@@ -271,7 +271,9 @@ class Circuit(BaseCircuit, metaclass=_ListedNames):
         Returns
         -------
         Ode
-            `f(t, x)`, `jac(t, x)`, `outputs(t, x)`, `x0`, names and tolerances; `stretch` for sampled circuits.
+            Object with the functions `f(t, x)`, `jac(t, x)` (Jacobian) and `outputs(t, x)`, the initial state `x0`,
+            names and tolerances. For sampled circuits, its method `stretch` returns the interval up to the next
+            discrete change.
 
         Examples
         --------

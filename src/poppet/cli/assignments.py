@@ -103,7 +103,7 @@ def load_circuit(options: Namespace, path: str | None = None) -> tuple[BaseCircu
 
 @dataclass(frozen=True)
 class OutputSelection:
-    """Outputs in the option --select, and units in the option --units."""
+    """Outputs that the option --select names, and units that the option --units names."""
 
     patterns: tuple[str, ...] = ()  # names or patterns; empty for all outputs
     units: tuple[str, ...] = ()  # each for all outputs of its quantity
@@ -133,7 +133,7 @@ class OutputSelection:
         return recording.converted(dict(self.unit_by_name)) if self.unit_by_name else recording
 
     def plot_units(self, recordings: Sequence[Recording]) -> dict[str, str] | tuple[str, ...] | None:
-        """Return the selected units in the form of the argument `units` of `plot_recordings`.
+        """Return the selected units as the argument `units` of `plot_recordings`.
 
         The result is None if no unit is selected.
         """

@@ -83,7 +83,7 @@ class RunProgress(_Display):
 
 
 class PointProgress(_Display):
-    """Progress of a computation of many points, shown as the number of computed points."""
+    """Progress of a computation at many points, shown as the number of computed points."""
 
     def __call__(self, done: int, total: int, following: str) -> None:
         """Show the number of computed points, and the text `following` on the point that is computed next."""
@@ -121,7 +121,7 @@ class BenchProgress(_Display):
 class Spinner(_Display):
     """Text with a spinner, for a computation that does not report progress.
 
-    A timer starts the display.
+    It appears if the computation takes longer than a second.
     """
 
     def __init__(self, text: str, *, is_quiet: bool = False) -> None:

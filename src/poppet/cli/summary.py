@@ -33,7 +33,7 @@ def output_table(recording: Recording) -> str:
 
 
 def balance_sentence(recording: Recording) -> str:
-    """Return a sentence on the errors of the mass and energy balances."""
+    """Return a sentence on the residuals of the mass and energy balances of a simulation."""
     # An empty gas node without flow has no allowed residual.
     balances = [balance for balance in recording.residuals if balance.allowed > 0.0]
     if not balances:
@@ -69,7 +69,7 @@ def load_summary(recording: Recording) -> str:
 
 
 def extent(recording: Recording) -> str:
-    """Return the size of a recording as text: rows, outputs and time span."""
+    """Return the extent of a recording as text: number of rows and outputs, and time span."""
     span = f", {recording.time[0]:.6g} ... {recording.time[-1]:.6g} s" if recording.time.size else ""
     return f"{recording.time.size} row{'s' * (recording.time.size != 1)}, {len(recording)} series{span}"
 

@@ -91,7 +91,7 @@ def characteristics() -> tuple[str, ...]:
     Returns
     -------
     tuple of str
-        Valid arguments of `characteristic`.
+        Valid arguments of the function `characteristic`.
 
     Examples
     --------
@@ -107,7 +107,7 @@ def gas_names() -> tuple[str, ...]:
     Returns
     -------
     tuple of str
-        Valid arguments of `gas`.
+        Valid arguments of the function `gas`.
 
     Examples
     --------

@@ -53,7 +53,13 @@ class BodyStop:
 
     position: NumberLike = number("m", doc="position of the stop")
     stiffness: NumberLike = number("N/m^1.5", 1e8, doc="contact stiffness", above=0.0, note="a rubber bumper")
-    dissipation: NumberLike = number("s/m", 5.0, doc="contact dissipation", low=0.0, note="half of the energy and more")
+    dissipation: NumberLike = number(
+        "s/m",
+        5.0,
+        doc="contact dissipation; inverse of the speed at which damping saturates",
+        low=0.0,
+        note="half of the energy and more",
+    )
 
 
 @dataclass(frozen=True)
@@ -65,7 +71,13 @@ class JointStop:
 
     position: NumberLike = number("rad", doc="angle of the stop")
     stiffness: NumberLike = number("N m/rad^1.5", 1e4, doc="contact stiffness", above=0.0, note="a rubber bumper")
-    dissipation: NumberLike = number("s/rad", 1.0, doc="contact dissipation", low=0.0, note="half of the energy")
+    dissipation: NumberLike = number(
+        "s/rad",
+        1.0,
+        doc="contact dissipation; inverse of the speed at which damping saturates",
+        low=0.0,
+        note="half of the energy",
+    )
 
 
 BRISTLE_LAWS = ("lugre", "elasto_plastic")
@@ -86,10 +98,20 @@ class BodyFriction:
     static_force: NumberLike = number("N", optional=True, doc="break-away friction", low=0.0)
     stribeck_velocity: NumberLike = number("m/s", "10 mm/s", doc="Stribeck velocity", above=0.0)
     viscous_coefficient: NumberLike = number("N s/m", 0.0, doc="viscous friction", low=0.0, note="none by default")
-    transition_velocity: NumberLike = number("m/s", optional=True, doc="velocity of full friction", above=0.0)
+    transition_velocity: NumberLike = number(
+        "m/s",
+        optional=True,
+        doc="velocity of full friction; scale of the change of sign of `stribeck` at zero velocity",
+        above=0.0,
+    )
     bristle_stiffness: NumberLike = number("N/m", optional=True, doc="bristle stiffness", above=0.0)
     bristle_damping: NumberLike = number("N s/m", optional=True, doc="bristle damping", low=0.0)
-    breakaway_displacement: NumberLike = number("m", optional=True, doc="elastic deflection", above=0.0)
+    breakaway_displacement: NumberLike = number(
+        "m",
+        optional=True,
+        doc="elastic deflection; deflection up to which a body with `elasto_plastic` does not creep",
+        above=0.0,
+    )
 
 
 @dataclass(frozen=True)
@@ -104,15 +126,25 @@ class JointFriction:
     static_torque: NumberLike = number("N m", optional=True, doc="break-away friction", low=0.0)
     stribeck_velocity: NumberLike = number("rad/s", 0.1, doc="Stribeck velocity", above=0.0)
     viscous_coefficient: NumberLike = number("N m s/rad", 0.0, doc="viscous friction", low=0.0, note="none by default")
-    transition_velocity: NumberLike = number("rad/s", optional=True, doc="velocity of full friction", above=0.0)
+    transition_velocity: NumberLike = number(
+        "rad/s",
+        optional=True,
+        doc="velocity of full friction; scale of the change of sign of `stribeck` at zero velocity",
+        above=0.0,
+    )
     bristle_stiffness: NumberLike = number("N m/rad", optional=True, doc="bristle stiffness", above=0.0)
     bristle_damping: NumberLike = number("N m s/rad", optional=True, doc="bristle damping", low=0.0)
-    breakaway_displacement: NumberLike = number("rad", optional=True, doc="elastic deflection", above=0.0)
+    breakaway_displacement: NumberLike = number(
+        "rad",
+        optional=True,
+        doc="elastic deflection; deflection up to which a body with `elasto_plastic` does not creep",
+        above=0.0,
+    )
 
 
 @dataclass(frozen=True)
 class _MovingBody(Body):
-    """Base class of bodies with one coordinate, friction and end stops."""
+    """Base class of bodies that have one position or angle as coordinate, friction and end stops."""
 
     unit: ClassVar[str]  # of the position
     effort: ClassVar[str]  # "force" or "torque", and its unit
@@ -352,7 +384,7 @@ def _extrapolate_motion(previous: Sequence[tuple[float, float]], last: float, ga
     """Return the time in which a body travels the distance `gap`, and its final velocity.
 
     The velocity follows a parabola through the two pairs of time and velocity in `previous`, and through the velocity
-    `last` at time zero. The time is -1 if the body stops before.
+    `last` at time zero. The result is (-1, 0) if the velocity becomes zero before.
     """
     (t0, v0), (t1, v1) = previous
     first, second = (v1 - v0) / (t1 - t0), (last - v1) / -t1

@@ -34,7 +34,7 @@ class CaptionNumbers:
     Parameters
     ----------
     parameter : callable
-        Function that returns the SI value of a parameter in a run for its name within the part.
+        Function from the name of a parameter of the part to its value in a run [SI].
     signals : frozenset of str
         Names of the inputs of the part that a signal drives.
     ambient_pressure : float

@@ -112,9 +112,9 @@ class Compound(Part):
         return True
 
     def outside(self) -> dict[str, str]:
-        """Return a mapping from the inputs and outputs of the compound to those of its members.
+        """Return a mapping from names of inputs and outputs of the compound to those of its members.
 
-        An example is `setpoint` to `electronics.setpoint`. The inputs come first.
+        For example, `setpoint` is mapped to `electronics.setpoint`. The inputs come first.
         """
         names = {**self.inlets, **self.outlets}
         return {name: inner for name, inner in names.items() if inner.partition(".")[0] in self.members}

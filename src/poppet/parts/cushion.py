@@ -29,7 +29,7 @@ def cover_distance(side: str, scope: Scope) -> tuple[Any, float]:
 
 
 def ring_area(outer: Any, inner: Any) -> Any:
-    """Return the area between two concentric circles with given diameters."""
+    """Return the area of a ring with the diameters `outer` and `inner`."""
     return 0.25 * math.pi * (outer**2 - inner**2)
 
 

@@ -91,15 +91,21 @@ class CylinderChamber(MovingGasStore):
 
 @dataclass(frozen=True)
 class EndStop:
-    """Contact of the piston with the covers by the law of Hunt and Crossley."""
+    """Parameters of the contact between piston and covers, by the law of Hunt and Crossley."""
 
     stiffness: NumberLike = number("N/m^1.5", 1e8, doc="contact stiffness", above=0.0, note="elastic rings")
-    dissipation: NumberLike = number("s/m", 5.0, doc="contact dissipation", low=0.0, note="half of the energy and more")
+    dissipation: NumberLike = number(
+        "s/m",
+        5.0,
+        doc="contact dissipation; inverse of the speed at which damping saturates",
+        low=0.0,
+        note="half of the energy and more",
+    )
 
 
 @dataclass(frozen=True)
 class ReturnSpring:
-    """Spring that retracts the piston of a single-acting cylinder."""
+    """Parameters of the spring that retracts the piston of a single-acting cylinder."""
 
     rate: NumberLike = number("N/m", 0.0, doc="spring rate", low=0.0, note="none by default")
     preload: NumberLike = number("m", 0.0, doc="compression with the piston at the cap", low=0.0, note="none")
@@ -107,7 +113,7 @@ class ReturnSpring:
 
 @dataclass(frozen=True)
 class Leakage:
-    """Leakage between the chambers past the piston, as an ISO 6358 flow path."""
+    """Parameters of the leakage past the piston between both chambers, an ISO 6358 flow path."""
 
     sonic_conductance: NumberLike = number("m^3/(s Pa)", 0.0, doc="sonic conductance C", low=0.0, note="tight")
     critical_ratio: NumberLike = number("1", 0.3, doc="critical ratio b", low=0.0, below=1.0)

@@ -41,7 +41,7 @@ class Declaration:
 
     @property
     def meaning(self) -> str:
-        """Meaning of the field as a noun phrase, for messages and labels.
+        """Meaning of the field as a noun phrase, which messages and labels contain.
 
         It is the part of `doc` before the first semicolon.
         """
@@ -126,9 +126,10 @@ def number(
     unit: str, default: str | float | None = None, *, doc: str, source: SourceKind = "assumed", note: str = "",
     **limits: Any,
 ) -> NumberLike:  # fmt: skip
-    """Declare a field that is a number with a unit.
+    """Declare a field that is a number with the SI unit `unit`.
 
-    The number is required if it has no default and is not `optional`.
+    The number is required if `default` is None and `optional` is not set. `limits` contains further properties of
+    `NumberSpec`, such as limits.
     """
     assert source in SOURCE_KINDS
     return _field(NumberSpec(unit, doc, default=default, source=source, note=note or "default", **limits), None)
@@ -151,14 +152,14 @@ def subsonic_index_m(source: SourceKind = "standard", note: str = "ISO 6358:1989
 
 def laminar_limit() -> NumberLike:
     """Declare the field for the pressure ratio p2/p1 above which the flow law is regularised."""
-    doc = "laminar ratio, where the regularisation begins"
+    doc = "laminar ratio; pressure ratio p2/p1 above which the flow law is regularised"
     return number("1", 0.999, low=0.5, below=1.0, doc=doc, note="width of the C1 zone")
 
 
 def option(default: str, *choices: str, doc: str) -> str:
     """Declare a field whose value is one of several words.
 
-    `default` is the default, and `choices` are the other permitted words.
+    `default` is the default, `choices` are the other valid words, and `doc` is the meaning of the field.
     """
     return _field(OptionSpec(doc, (default, *choices)), default)
 

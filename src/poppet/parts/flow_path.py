@@ -109,7 +109,7 @@ class FlowPath(Passage):
 
     @property
     def _size(self) -> str:
-        """Name of the one field that specifies the flow capacity."""
+        """Name of the field that specifies the flow capacity, such as `nominal_flow`."""
         return next(name for name in _SIZES if getattr(self, name) is not None)
 
     def notes(self) -> tuple[Note, ...]:
@@ -197,8 +197,9 @@ def iso_flow(
 ) -> tuple[Flow, Quantities]:  # fmt: skip
     """Return the ISO 6358 flow between two ports, and its outputs.
 
-    `ports` and `gas` are the names and the gas states of the two ports. `size` contains C and b. `name` is the name of
-    the output for the mass flow rate, and `regime` that of the output for the flow regime.
+    `ports` and `gas` are the names and the gas states of the two ports. `size` contains sonic conductance and critical
+    pressure ratio of the flow path. `name` is the name of the output for the mass flow rate, and `regime` that of the
+    output for the flow regime.
     """
     conductance, ratio = scope.surroundings.capacity_in_circuit_gas(*size)
     first, second = gas
@@ -217,7 +218,8 @@ def iso_flow(
 def single_flow(scope: Scope, gas: Mapping[str, GasState], size: tuple[Any, Any], **law: Any) -> PassageFlows:
     """Return the flow of a part whose ports are `from` and `to`, with its outputs.
 
-    `gas` contains the gas states at the ports, `size` contains C and b, and `law` further arguments of `iso_flow`.
+    `gas` contains the gas states at the ports, `size` contains sonic conductance and critical pressure ratio, and `law`
+    contains further arguments of `iso_flow`.
     """
     flow, outputs = iso_flow(scope, "mass_flow_rate", ("from", "to"), (gas["from"], gas["to"]), size, **law)
     return PassageFlows((flow,), outputs)

@@ -33,7 +33,7 @@ On the paper's staircase it saves a quarter of the steps without a larger error 
 
 @dataclass(frozen=True)
 class Spring:
-    """Linear spring with the compression `preload` at a stroke of zero."""
+    """Parameters of a linear spring of a main stage, with the compression `preload` at stroke zero."""
 
     rate: NumberLike = number("N/m", doc="spring rate", low=0.0)
     preload: NumberLike = number("m", doc="compression at stroke zero", low=0.0)
@@ -48,18 +48,24 @@ class Stop:
 
     position: NumberLike = number("m", doc="stroke at the stop")
     stiffness: NumberLike = number("N/m^1.5", doc="contact stiffness", above=0.0)
-    dissipation: NumberLike = number("s/m", doc="contact dissipation", low=0.0)
+    dissipation: NumberLike = number(
+        "s/m", doc="contact dissipation; inverse of the speed at which damping saturates", low=0.0
+    )
 
 
 @dataclass(frozen=True)
 class Contact:
-    """Contact between plate and poppet at stroke zero.
+    """Parameters of the contact between plate and poppet of a main stage at stroke zero.
 
     At positive strokes, the plate lifts the poppet, and the lower spring acts on the plate.
     """
 
-    width: NumberLike = number("m", doc="width of the contact", above=0.0)
-    dissipation: NumberLike = number("s/m", doc="contact dissipation", low=0.0)
+    width: NumberLike = number(
+        "m", doc="width of the contact; range of strokes below zero in which the lower spring force changes", above=0.0
+    )
+    dissipation: NumberLike = number(
+        "s/m", doc="contact dissipation; inverse of the speed at which damping saturates", low=0.0
+    )
 
 
 @dataclass(frozen=True)
@@ -77,7 +83,7 @@ class Exhaust:
 
 @dataclass(frozen=True)
 class Friction:
-    """Stribeck friction of the plate."""
+    """Parameters of the Stribeck friction of the plate of a main stage."""
 
     coulomb: NumberLike = number("N", 0.0, doc="Coulomb friction", low=0.0, note="none by default")
     static: NumberLike = number("N", optional=True, doc="breakaway friction", low=0.0)
@@ -123,7 +129,7 @@ class MainStage(Passage):
     supply: str | None = port("gas node at port 1")
     outlet: str | None = port("gas node at port 2")
     exhaust: str | None = port("gas node at port 3")
-    data: Any = reference(doc="library set")
+    data: Any = reference(doc="name of a parameter set of the library")
     mode: str = option(*_MODES, doc="mode; equations of the paper, or a pressure regulator")
     characteristic: Any = reference(doc="C(x), b(x): library name, .toml file or table")
     pilot_pressure: NumberLike = number("Pa", optional=True, doc="pilot pressure", kind="pressure", low=0.0)
@@ -164,7 +170,7 @@ class MainStage(Passage):
 
     @property
     def curve(self) -> Characteristic:
-        """Flow characteristic of the supply seat."""
+        """Flow characteristic of the supply seat: C and b as functions of the stroke."""
         result: Characteristic = self.characteristic
         return result
 

@@ -100,7 +100,7 @@ class Muscle(MuscleLawPart, MovingGasStore, Actuator):
     internal_outputs: ClassVar[tuple[str, ...]] = ("mass", "volume", "heat_flow_rate", "work_rate")
 
     body: str | None = body("body that it pulls")
-    data: Any = reference(doc="library set")
+    data: Any = reference(doc="name of a parameter set of the library")
     direction: NumberLike = number("1", 1.0, doc="direction, 1 or -1", note="pulls towards larger positions")
     offset: NumberLike = number("m", 0.0, doc="travel of the body at the nominal length", note="position zero")
     volume_law: str = option("work", "braid", doc="law of the volume")
@@ -109,7 +109,11 @@ class Muscle(MuscleLawPart, MovingGasStore, Actuator):
     damping: NumberLike = number("N s/m", 0.0, doc="damping of the contraction", low=0.0, note="none by default")
     hysteresis: Any = group(Hysteresis, doc="hysteresis", optional=True)
     slack_force: NumberLike = number(
-        "N", 1.0, doc="half the range of becoming slack", above=0.0, note="smooths the corner"
+        "N",
+        1.0,
+        doc="half the range of becoming slack; range of forces about zero",
+        above=0.0,
+        note="smooths the corner",
     )
     limits: Any = group(Limits, doc="range of the law")
     wall_conductance: NumberLike = number("W/K", 0.0, doc="wall conductance h A", low=0.0, note="adiabatic by default")

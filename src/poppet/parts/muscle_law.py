@@ -39,7 +39,9 @@ class MuscleLawPart(Part):
     law: str = option(*REQUIRED, doc="force law")
     sarosi: Any = group(SarosiNumbers, doc="parameters of Sarosi's law", optional=True)
     braid_angle: NumberLike = number("rad", optional=True, doc="braid angle to the axis", above=0.0, below=math.pi / 2)
-    end_factor: NumberLike = number("1", 1.0, doc="factor k of the ends", above=0.0, note="cylindrical ends")
+    end_factor: NumberLike = number(
+        "1", 1.0, doc="factor k of the ends; above 1 for tapered ends", above=0.0, note="cylindrical ends"
+    )
     force_table: Any = reference(doc="measured force; mapping of lists contraction, force_per_pressure, passive_force")
 
     def check(self) -> None:

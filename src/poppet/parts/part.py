@@ -250,9 +250,9 @@ class Scope:
 
     @property
     def body(self) -> BodyMotion:
-        """Motion of the body on which the part acts.
+        """Travel and speed of the body on which the part acts.
 
-        The part must have a body.
+        Only the scope of a part that acts on a body has this property.
         """
         assert self.motion is not None
         return self.motion
@@ -389,7 +389,7 @@ class Part(ABC):
         return self.internal_outputs
 
     def caption(self, numbers: CaptionNumbers) -> list[str]:
-        """Return the lines of text in the box of the part in a schematic."""
+        """Return the lines of text with which a schematic describes the part."""
         first = list(self.numbers().items())[:3]
         values = (f"{name.replace('_', ' ')} {numbers.text(number)}" for name, number in first)
         return [self.kind.replace("_", " "), *values]
@@ -402,7 +402,7 @@ class Part(ABC):
         return self.symbol
 
     def options(self) -> dict[str, str]:
-        """Return the names and choices of all options, which determine the structure of the model."""
+        """Return the selected word of each option by name; the options determine the equations of the part."""
         return {name: getattr(self, attribute) for name, attribute, _ in declared(type(self), OptionSpec)}
 
     def structure(self) -> Hashable:
@@ -420,23 +420,23 @@ class Part(ABC):
         return ()
 
     def states(self) -> tuple[State, ...]:
-        """Return the continuous states of the part."""
+        """Return the declarations of the continuous states of the part."""
         return ()
 
     def inputs(self) -> tuple[Input, ...]:
-        """Return the inputs of the part."""
+        """Return the declarations of the inputs of the part, which signals or other parts can drive."""
         return ()
 
     def memory(self) -> tuple[DiscreteState, ...]:
-        """Return the discrete states of the part, without its timers."""
+        """Return the declarations of the discrete states of the part, without its timers."""
         return ()
 
     def timers(self) -> tuple[Timer, ...]:
-        """Return the timers that determine the sample instants of the part."""
+        """Return the declarations of the timers that determine the sample instants of the part."""
         return ()
 
     def start(self, scope: Scope) -> dict[str, Any]:
-        """Return the initial values of states, discrete states and timers by name."""
+        """Return the initial values of all states, discrete states and timers of the part by name."""
         # The scope has no states yet. Inputs have their initial values.
         return {}
 
@@ -457,10 +457,10 @@ class Part(ABC):
         return target != "wall_temperature" or any(state.name == target for state in self.states())
 
     def domains(self) -> dict[str, tuple[Any, tuple[float, float]]]:
-        """Return the flow characteristics of the part by the state or input that is their stroke.
+        """Return a mapping from each state or input that is a stroke to its flow characteristic.
 
-        Each value contains the characteristic and the positions of the two end stops [m]. A run notes strokes outside
-        the domain of the characteristic.
+        Each value contains the characteristic and the positions of the two end stops [m]. A run has a note if the
+        stroke leaves the domain of the characteristic.
         """
         return {}
 
@@ -485,7 +485,7 @@ class Store(Part):
 
 
 class Passage(Part):
-    """Base class of parts through which gas flows between gas nodes."""
+    """Base class of flow paths: parts through which gas flows between gas nodes."""
 
     @abstractmethod
     def flows(self, scope: Scope, gas: Mapping[str, GasState]) -> PassageFlows:
@@ -500,7 +500,7 @@ class Actuator(Part):
 
     @abstractmethod
     def actuator_force(self, scope: Scope, gas: Mapping[str, GasState]) -> ActuatorForce:
-        """Return the force of the actuator on its body.
+        """Return the force of the actuator on its body, its outputs, and the time derivatives of its states.
 
         `gas` maps each port name to the gas state at this port; `SELF` is the gas in the actuator.
         """

@@ -49,7 +49,7 @@ MIN_VOLUME_FRACTION = 0.1
 
 @dataclass(frozen=True)
 class Leak:
-    """Leak of the pilot volume as an ISO 6358 flow path."""
+    """Parameters of a leak of the pilot volume, an ISO 6358 flow path."""
 
     sonic_conductance: NumberLike = number("m^3/(s Pa)", 0.0, doc="sonic conductance C", low=0.0, note="tight")
     critical_ratio: NumberLike = number("1", 0.3, doc="critical ratio b", low=0.0, below=1.0)
@@ -91,7 +91,7 @@ class PilotStage(Store, Passage):
 
     supply: str | None = port("gas node that fills it")
     exhaust: str | None = port("gas node into which it is vented")
-    data: Any = reference(doc="library set")
+    data: Any = reference(doc="name of a parameter set of the library")
     drive: str = option(AVERAGED, SWITCHED, doc="drive of the solenoids")
     volume: NumberLike = number("m^3", doc="pilot volume at stroke zero", above=0.0)
     thermal: str = option("energy", "polytropic", doc="thermal law")

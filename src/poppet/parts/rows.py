@@ -34,7 +34,7 @@ class NumberTable:
     def column_specs(cls, *form: str) -> Mapping[str, NumberSpec]:
         """Return the declaration of each column by name, that of the first column first.
 
-        `form` contains options that determine the columns.
+        `form` contains options that determine the columns, such as the commanded quantity.
         """
         raise NotImplementedError
 
@@ -42,7 +42,7 @@ class NumberTable:
     def read(cls, table: Any, *form: str) -> Self:
         """Read and check a table from a mapping of column names to lists of values.
 
-        `form` contains options that determine the columns.
+        `form` contains options that determine the columns, such as the commanded quantity.
         """
         if isinstance(table, cls):
             if table.form == form:
@@ -94,14 +94,14 @@ class NumberTable:
         return values
 
     def column(self, name: str, values: Mapping[str, Any]) -> list[Any]:
-        """Return the values of the column `name` as a list.
+        """Return the values in the column `name`, one for each row.
 
-        `values` contains the values of all numbers of the table, under the names that `numbers` returns.
+        `values` contains the values of the complete table, under the names that `numbers` returns.
         """
         return [values[f"{name}_{k}"] for k in range(1, len(self.columns[name]) + 1)]
 
     def structure(self) -> Hashable:
-        """Return the column names and the number of rows, which determine the equations of the part."""
+        """Return the column names and the number of rows: tables that share them have the same equations."""
         return tuple(self.columns), len(next(iter(self.columns.values())))
 
     def with_numbers(self, changes: Mapping[str, Number]) -> Self:

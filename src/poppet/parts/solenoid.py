@@ -63,7 +63,7 @@ def averaged_opening(duty: Any, frequency: Any, opening_delay: Any, closing_dela
 
 
 def slew_rate(opening: Any, target: Any, rate_limit: Any) -> Any:
-    """Return the rate of change of a valve opening that follows a target with limited speed [1/s]."""
+    """Return the rate of change of a valve opening that follows `target` at most with `rate_limit` [1/s]."""
     return rate_limit * clip((target - opening) / SLEW_WIDTH, -1.0, 1.0)
 
 

@@ -52,7 +52,7 @@ _START = {
 
 @dataclass(frozen=True)
 class TubeSegment(Passage):
-    """Flow path between two neighbouring cells of a tube.
+    """Flow path between neighbouring cells of a tube, or between an end cell and a gas node.
 
     It is a member part of `Tube`.
     """
@@ -62,7 +62,7 @@ class TubeSegment(Passage):
 
     from_: str | None = port("cell or gas node at the first end")
     to: str | None = port("cell or gas node at the second end")
-    loss: str = option(ISO, FRICTION, doc="law of the loss")
+    loss: str = option(ISO, FRICTION, doc="law of the pressure loss")
     inertia: str = switch(doc="inertia of the gas")
     length: NumberLike = number("m", doc="length", above=0.0)
     bore: NumberLike = number("m", doc="bore", above=0.0)
@@ -131,7 +131,7 @@ class Profile:
     defaults: Mapping[str, Number]
 
     def numbers(self) -> dict[str, Number]:
-        """Return the initial states by name and index, for example `pressure_3`."""
+        """Return all initial states by name and cell number, for example `pressure_3`."""
         return {**self.defaults, **self.specified}
 
     def with_numbers(self, values: Mapping[str, Number]) -> Profile:
@@ -176,7 +176,7 @@ class Tube(Compound):
     bore: NumberLike = number("m", doc="bore", above=0.0)
     cells: NumberLike = number("1", 8.0, doc="number of cells", low=1.0, high=float(MAX_CELLS))
     inertia: str = switch(doc="inertia of the gas")
-    loss: str = option(ISO, FRICTION, doc="law of the loss")
+    loss: str = option(ISO, FRICTION, doc="law of the pressure loss")
     sonic_conductance: NumberLike = number("m^3/(s Pa)", optional=True, doc="sonic conductance C", above=0.0)
     critical_ratio: NumberLike = number("1", optional=True, doc="critical ratio b of the tube", low=0.0, below=1.0)
     roughness: NumberLike = number("m", 0.0, doc="height of the wall's roughness", low=0.0, note="smooth")
@@ -255,13 +255,13 @@ class Tube(Compound):
 
     @property
     def _open_passages(self) -> list[str]:
-        """Names of the flow paths in the tube, without that at a closed end."""
+        """Names of all flow paths in the tube, except one at a closed end."""
         return [name for name in self._passages if name != "outlet" or self._ends[1] != CLOSED]
 
     def _cell_index(self, passage: str) -> str:
-        """Return the index of the cell upstream of a flow path.
+        """Return the number of the cell before a flow path, as text.
 
-        The index is 0 for the first flow path, `inlet`.
+        The number is 0 for the first flow path, `inlet`.
         """
         return {"inlet": "0", "outlet": str(self._count)}.get(passage) or passage.partition("_")[0]
 
@@ -300,9 +300,9 @@ class Tube(Compound):
 
     @property
     def _size(self) -> tuple[float, float]:
-        """C [m^3/(s Pa)] and b of the whole tube.
+        """C [m^3/(s Pa)] and b [1] of the whole tube.
 
-        Unspecified values follow from the tube formula.
+        Values that are not specified follow from `poppet.iso6358.tube`.
         """
         conductance, ratio = iso6358.tube(self._value("length"), self._value("bore"))
         return (
@@ -326,9 +326,9 @@ class Tube(Compound):
 
     @property
     def resume(self) -> dict[str, str]:  # type: ignore[override]
-        """Mapping from outputs to the fields of the initial values that a continued run takes from them.
+        """Mapping from each output that a run can continue from to the field of its initial value.
 
-        The outputs are the states of the cells, and the mass flow rates if the gas has inertia.
+        The outputs are pressure and temperature of the cells, and the mass flow rates if the gas has inertia.
         """
         targets = {}
         for key in self.profile.numbers():

@@ -63,7 +63,12 @@ class ReliefValve(FlowPath):
     to: str | None = port("gas node that receives the discharge")
     set_pressure: NumberLike = number("Pa", doc="set pressure, where it begins to open", kind="pressure", above=0.0)
     accumulation: NumberLike = number(
-        "Pa", "0.2 bar", doc="accumulation", kind="pressure_difference", above=0.0, note="rise to full opening"
+        "Pa",
+        "0.2 bar",
+        doc="accumulation; pressure rise from the set pressure to full opening",
+        kind="pressure_difference",
+        above=0.0,
+        note="rise to full opening",
     )
 
     def caption(self, numbers: CaptionNumbers) -> list[str]:

@@ -231,7 +231,7 @@ class Characteristic:
         return self._lowest - play[0] * (high - low), high + play[1] * (high - low)
 
     def outside(self, x_min: float, x_max: float, stops: tuple[float, float] = ANYWHERE) -> Note | None:
-        """Return a note if the strokes of a run were too far outside the domain.
+        """Return a note if strokes of a run were outside `limits`, the domain with a margin.
 
         Parameters
         ----------
@@ -243,8 +243,7 @@ class Characteristic:
         Returns
         -------
         Note or None
-            Note with the strokes outside `limits` and their largest distance from the domain. None if there are no such
-            strokes.
+            Note with these strokes and their largest distance from the domain. None if there are no such strokes.
         """
         low, high = self.limits(stops)
         # Distance of each outside stroke from the domain.

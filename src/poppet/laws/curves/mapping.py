@@ -70,7 +70,7 @@ def characteristic_from_mapping(table: Mapping[str, Any], *, name: str) -> Chara
         raise InputError(code, name, value=kind, suggestion=NameSuggestion(str(kind), _FIELDS))
     reader = _CharacteristicReader(table, name, str(kind))
     # From here on, errors are collected, so one pass over the file reports all of them.
-    reader.refuse_unknown()
+    reader.reject_unknown()
     fields = reader.common()
     curves: dict[str, Any] = {field: reader.curve(field) for field in _UNITS}
     domain = reader.domain()
@@ -100,7 +100,7 @@ class _CharacteristicReader:
         """
         self.errors.extend([missing_field(f"{self.name}.{field}", Field(meaning=meaning, example=example))])
 
-    def refuse_unknown(self) -> None:
+    def reject_unknown(self) -> None:
         valid = _FIELDS[self.kind]
         for field in self.table:
             if field not in valid:
@@ -163,7 +163,7 @@ class _CharacteristicReader:
         return unbounded if numbers is None else (float(numbers[0]), float(numbers[1]))
 
     def common(self) -> dict[str, Any]:
-        """Return the arguments of `Characteristic` that do not depend on the kind of characteristic."""
+        """Return the arguments of `Characteristic` that all kinds have: edge, closing, monotone and source."""
         closing = self.number(self.table["closing"], "m", "closing") if "closing" in self.table else None
         monotone = self.table.get("monotone", False)
         if not isinstance(monotone, bool):

@@ -156,8 +156,8 @@ class TableCurve(Curve):
 
     Notes
     -----
-    The curve is C1, has no extremum between two knots and does not overshoot the points. Its value is a sum over all
-    segments, without a search, because symbols need an expression without branches.
+    The curve is continuously differentiable, has no extremum between two knots and does not overshoot the points. Its
+    value is a sum over all segments, without a search, because symbols need an expression without branches.
 
     References
     ----------

@@ -88,7 +88,7 @@ def check(values: dict[str, Any], domains: dict[str, Domain] = DOMAINS) -> None:
     collect([error for error in errors if error is not None])
 
 
-def refuse_where(is_invalid: Any, name: str, value: Any, unit: str, code: str) -> None:
+def reject_where(is_invalid: Any, name: str, value: Any, unit: str, code: str) -> None:
     """Raise `OutOfRangeError` if any element of the mask `is_invalid` is True.
 
     The error has the code `code` and contains the first element of `value` for which the mask is True.

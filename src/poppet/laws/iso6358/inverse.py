@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from poppet.laws.iso6358.domain import DOMAINS, Domain, check, refuse_where
+from poppet.laws.iso6358.domain import DOMAINS, Domain, check, reject_where
 from poppet.laws.iso6358.evaluation import plain
 from poppet.laws.iso6358.law import LAMINAR_RATIO, REFERENCE_DENSITY, REFERENCE_TEMPERATURE
 from poppet.laws.iso6358.law import mass_flow_rate as flow_law
@@ -52,7 +52,7 @@ def downstream_pressure(
     Parameters
     ----------
     mass_flow_rate : float or array
-        Mass flow rate from side 1 to side 2, not negative [kg/s].
+        Mass flow rate from port 1 to port 2, not negative [kg/s].
     pressure_1, temperature_1 : float or array
         Absolute pressure [Pa] and stagnation temperature [K] upstream.
     sonic_conductance, critical_ratio : float or array
@@ -90,12 +90,12 @@ def downstream_pressure(
     del arguments["one_way"]
     number = _checked_arrays(arguments)
     choked = _choked_flow_per_pressure(number) * number["pressure_1"]
-    refuse_where(choked <= 0.0, "pressure_1", number["pressure_1"], "Pa", "iso6358.no_upstream")
+    reject_where(choked <= 0.0, "pressure_1", number["pressure_1"], "Pa", "iso6358.no_upstream")
     ratio = number["mass_flow_rate"] / choked
-    refuse_where(ratio >= 1.0, "mass_flow_rate", number["mass_flow_rate"], "kg/s", "iso6358.choked")
+    reject_where(ratio >= 1.0, "mass_flow_rate", number["mass_flow_rate"], "kg/s", "iso6358.choked")
     downstream = number["pressure_1"] - _drop_for_ratio(ratio, number, one_way)
     too_much = (downstream < 0.0) & (ratio > 0.0)
-    refuse_where(too_much, "mass_flow_rate", number["mass_flow_rate"], "kg/s", "iso6358.below_vacuum")
+    reject_where(too_much, "mass_flow_rate", number["mass_flow_rate"], "kg/s", "iso6358.below_vacuum")
     return plain(np.maximum(downstream, 0.0))
 
 
@@ -124,7 +124,7 @@ def upstream_pressure(
     Parameters
     ----------
     mass_flow_rate : float or array
-        Mass flow rate from the upstream side 1 to the downstream side 2, not negative [kg/s].
+        Mass flow rate from the upstream port 1 to the downstream port 2, not negative [kg/s].
     pressure_2, temperature_1 : float or array
         Absolute pressure downstream [Pa], stagnation temperature upstream [K].
     sonic_conductance, critical_ratio : float or array
@@ -234,8 +234,8 @@ def sonic_conductance_from_flow(
     del arguments["mass_flow_rate"]
     per_conductance = flow_law(**arguments, sonic_conductance=1.0)
     measured = np.asarray(plain(mass_flow_rate))
-    refuse_where(per_conductance == 0.0, "mass_flow_rate", measured, "kg/s", "iso6358.closed_here")
-    refuse_where(measured * per_conductance < 0.0, "mass_flow_rate", measured, "kg/s", "iso6358.runs_uphill")
+    reject_where(per_conductance == 0.0, "mass_flow_rate", measured, "kg/s", "iso6358.closed_here")
+    reject_where(measured * per_conductance < 0.0, "mass_flow_rate", measured, "kg/s", "iso6358.runs_uphill")
     return plain(measured / per_conductance)
 
 
@@ -323,7 +323,7 @@ def critical_ratio_from_point(pressure_ratio: Any, flow_ratio: Any, subsonic_ind
     squared = number["flow_ratio"] ** (1.0 / number["subsonic_index"])
     # 1 - s = squared/(1 + s) keeps its digits for small flows, where s is nearly 1
     ratio = 1.0 - (1.0 - number["pressure_ratio"]) * (1.0 + np.sqrt(1.0 - squared)) / squared
-    refuse_where(ratio < -_ROUNDING, "flow_ratio", number["flow_ratio"], "", "iso6358.below_the_curve")
+    reject_where(ratio < -_ROUNDING, "flow_ratio", number["flow_ratio"], "", "iso6358.below_the_curve")
     return plain(np.maximum(ratio, 0.0))
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from poppet.core.symbolic import clip, maximum, minimum
-from poppet.laws.iso6358.regularisation import carried_temperature
+from poppet.laws.iso6358.regularisation import smoothed_upstream_temperature
 
 
 def loss_coefficient(pressure_1: Any, pressure_2: Any, choked_flow: Any, critical_ratio: Any) -> Any:
@@ -78,4 +78,4 @@ def temperature_of_flow(mass_flow_rate: Any, choked_flow: Any, temperature_1: An
     >>> temperature_of_flow(-1e-3, 1e-2, 300.0, 280.0)
     280.0
     """
-    return carried_temperature(clip(mass_flow_rate / choked_flow, -1.0, 1.0), temperature_1, temperature_2)
+    return smoothed_upstream_temperature(clip(mass_flow_rate / choked_flow, -1.0, 1.0), temperature_1, temperature_2)

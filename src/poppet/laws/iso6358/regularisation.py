@@ -76,17 +76,17 @@ def ellipse(position: Any, subsonic_index: Any) -> Any:
 
 
 def through_zero(z: Any, slope: Any) -> Any:
-    """Return an odd cubic polynomial of z, with a given slope at z = 1.
+    """Return an odd cubic polynomial of z with the slope `slope` at z = 1.
 
-    Its value is 0 at z = 0 and 1 at z = 1.
+    Its value is 0 at z = 0 and 1 at z = 1. It regularises flow in both directions.
     """
     return z * (1.0 + (1.0 - z * z) * (0.5 - 0.5 * slope))
 
 
 def closing(z: Any, slope: Any) -> Any:
-    """Return a cubic polynomial of z with zero value and slope at zero.
+    """Return a cubic polynomial of z whose value and slope are zero at z = 0.
 
-    At z = 1 its value is 1, and its slope is `slope`.
+    At z = 1 its value is 1, and its slope is `slope`. It regularises a flow path that closes, such as a check valve.
     """
     return z * z * (1.0 + (1.0 - z) * (2.0 - slope))
 
@@ -151,12 +151,12 @@ def mass_flow_and_temperature(
     ratio = flow_ratio(upstream, drop, z, width, critical_ratio, subsonic_index, cracking_pressure, one_way)
     temperature = temperature_1
     if temperature_2 is not None and not one_way:
-        temperature = carried_temperature(z, temperature_1, temperature_2)
+        temperature = smoothed_upstream_temperature(z, temperature_1, temperature_2)
     choked_per_pressure = sonic_conductance * reference_density * sqrt(reference_temperature / temperature)
     return choked_per_pressure * upstream * ratio, temperature
 
 
-def carried_temperature(z: Any, temperature_1: Any, temperature_2: Any) -> Any:
+def smoothed_upstream_temperature(z: Any, temperature_1: Any, temperature_2: Any) -> Any:
     """Return the temperature of the upstream gas [K], smoothed at flow reversal.
 
     `z` is the relative pressure drop, divided by the width of the regularised zone and limited to -1 to 1.
@@ -180,7 +180,7 @@ def upstream_temperature_between(
     The arguments are those of `upstream_temperature`. They are not checked.
     """
     _, drop = upstream_pressure_and_drop(pressure_1, pressure_2)
-    return (carried_temperature(clip(drop / (1.0 - laminar_ratio), -1.0, 1.0), temperature_1, temperature_2),)
+    return (smoothed_upstream_temperature(clip(drop / (1.0 - laminar_ratio), -1.0, 1.0), temperature_1, temperature_2),)
 
 
 def regime_code(

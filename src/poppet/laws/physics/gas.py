@@ -21,7 +21,7 @@ def mass(pressure: Any, volume: Any, temperature: Any, gas_constant: Any = AIR_G
     pressure, volume, temperature : float, array or symbol
         Absolute pressure p [Pa], volume V [m^3], temperature T [K].
     gas_constant : float, array or symbol
-        Specific gas constant R, by default that of air [J/(kg K)].
+        Specific gas constant R; default that of air [J/(kg K)].
 
     Returns
     -------
@@ -30,7 +30,8 @@ def mass(pressure: Any, volume: Any, temperature: Any, gas_constant: Any = AIR_G
 
     Notes
     -----
-    The laws of this module are accurate within 1 % for air up to about 20 bar at room temperature.
+    The laws of the module `poppet.laws.physics.gas` are accurate within 1 % for air up to about 20 bar at room
+    temperature.
 
     Examples
     --------
@@ -50,7 +51,7 @@ def temperature(pressure: Any, volume: Any, mass: Any, gas_constant: Any = AIR_G
     pressure, volume, mass : float, array or symbol
         Absolute pressure p [Pa], volume V [m^3], mass m of the gas [kg].
     gas_constant : float, array or symbol
-        Specific gas constant R, default that of air [J/(kg K)].
+        Specific gas constant R; default that of air [J/(kg K)].
 
     Returns
     -------
@@ -75,7 +76,7 @@ def density(pressure: Any, temperature: Any, gas_constant: Any = AIR_GAS_CONSTAN
     pressure, temperature : float, array or symbol
         Absolute pressure p [Pa], temperature T [K].
     gas_constant : float, array or symbol
-        Specific gas constant R, default that of air [J/(kg K)].
+        Specific gas constant R; default that of air [J/(kg K)].
 
     Returns
     -------

@@ -85,7 +85,7 @@ class ForceLaw(ABC):
         Returns
         -------
         float, array or symbol
-            Force by the law [N]; a negative value means that the muscle is slack, because it cannot push.
+            Force [N]. If it is negative, the muscle is slack, because it cannot push.
         """
         return pressure * self.slope(contraction) + self.passive(contraction)
 
@@ -207,7 +207,7 @@ class TonduLopez(ForceLaw):
     end_factor: Any
 
     def _numbers(self) -> tuple[Any, Any, Any]:
-        """Return the area pi r0^2 and the coefficients a and b of the law."""
+        """Return the area pi r0^2 [m^2] and the coefficients a and b [1] of the force law."""
         b = 1.0 / sin(self.braid_angle) ** 2
         return 0.25 * math.pi * self.nominal_diameter**2, 3.0 * (b - 1.0), b
 

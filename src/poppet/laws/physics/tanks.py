@@ -25,7 +25,7 @@ def discharge_time_constant(
     Parameters
     ----------
     volume, sonic_conductance : float or array
-        Volume V [m^3], sonic conductance C of the passage [m^3/(s Pa)].
+        Volume V [m^3], sonic conductance C of the flow path [m^3/(s Pa)].
     temperature, gas_constant : float or array
         Temperature T of the gas at the start [K], its specific gas constant R [J/(kg K)].
 
@@ -116,7 +116,7 @@ def adiabatic_discharge_pressure(
 def charging_rate(
     volume: Any, sonic_conductance: Any, temperature: Any, supply_temperature: Any, gas_constant: Any = AIR_GAS_CONSTANT
 ) -> Any:
-    r"""Return the rate of the pressure ratio p/p1 of a vessel during choked charging.
+    r"""Return the rate of change of the pressure ratio p/p1 of a vessel during choked charging.
 
     The supply pressure p1 and the temperature in the vessel are constant.
 
@@ -125,7 +125,7 @@ def charging_rate(
     Parameters
     ----------
     volume, sonic_conductance : float or array
-        Volume V [m^3], sonic conductance C of the passage [m^3/(s Pa)].
+        Volume V [m^3], sonic conductance C of the flow path [m^3/(s Pa)].
     temperature, supply_temperature : float or array
         Temperatures T in the vessel and T_s of the supply [K].
     gas_constant : float or array
@@ -166,7 +166,7 @@ def charging_pressure(time: Any, initial_pressure: Any, supply_pressure: Any, cr
     initial_pressure, supply_pressure : float or array
         Absolute pressures in the vessel at the start, and p1 of the supply [Pa].
     critical_ratio : float or array
-        Critical pressure ratio b of the passage [1].
+        Critical pressure ratio b of the flow path [1].
     rate : float or array
         Rate K from `charging_rate` [1/s]. For a vessel without heat transfer, pass kappa times the rate at the supply
         temperature.
@@ -206,7 +206,7 @@ def charging_time(pressure: Any, initial_pressure: Any, supply_pressure: Any, cr
         Absolute pressures: final pressure, pressure of the vessel at the start, and pressure p1 of the supply [Pa]. In
         the formula, r and r0 are the first two divided by p1; terms with r < b or r0 < b are zero in the bracket.
     critical_ratio : float or array
-        Critical pressure ratio b of the passage [1].
+        Critical pressure ratio b of the flow path [1].
     rate : float or array
         Rate K from `charging_rate` [1/s]. For a vessel without heat transfer, pass kappa times the rate at the supply
         temperature.
@@ -331,7 +331,7 @@ def isentrope_choked_charging_time(
         Absolute pressures: final pressure p, at most b p1; pressure p0 in the vessel at the start; pressure p1 of the
         supply [Pa].
     critical_ratio : float or array
-        Critical pressure ratio b of the passage [1].
+        Critical pressure ratio b of the flow path [1].
     rate : float or array
         Rate K from `charging_rate` at the initial temperature [1/s].
     isentropic_exponent : float or array
