@@ -13,7 +13,7 @@ from pathlib import Path
 from poppet.cli.assignments import load_circuit
 from poppet.cli.parser import output_path
 from poppet.cli.summary import print_notes
-from poppet.core.errors import InputError, NameSuggestion, collect
+from poppet.core.errors import InputError, NameSuggestion, raise_errors
 from poppet.core.number_format import aligned
 from poppet.core.provenance import LEAST_CERTAIN_FIRST as KINDS
 
@@ -63,7 +63,7 @@ def check_files(options: argparse.Namespace) -> None:
         text = ", ".join(f"{count} {name}{'s' * (count != 1)}" for name, count in counts.items())
         print(f"{file}: no errors; {text}.")
         print_notes(notes)
-    collect(problems)
+    raise_errors(problems)
 
 
 def write_template(options: argparse.Namespace) -> None:

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple, NoReturn
 
 from poppet.core.codes import Note
 from poppet.core.command_options import QUIET, Option
-from poppet.core.errors import InputError, NameSuggestion, collect
+from poppet.core.errors import InputError, NameSuggestion, raise_errors
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -95,7 +95,7 @@ class CommandParser(argparse.ArgumentParser):
 
         action = getattr(options, self.options[0].name, "") if self.options else ""
         facts: dict[str, Any] = {"command": self.command, "action": action}
-        collect(
+        raise_errors(
             [
                 InputError("cli.option.misplaced", option=option.names[-1], actions=option.actions, **facts)
                 for option in self.options

@@ -279,7 +279,10 @@ finding that replaces them otherwise."""
 
 
 def replace_uncertain_findings(notes: Iterable[Note], estimates: Mapping[str, Estimate]) -> tuple[Note, ...]:
-    """Replace or remove findings about parameters that are not determined."""
+    """Replace or remove findings that refer to the value of a parameter that is not determined.
+
+    `estimates` contains the verdicts on the parameters.
+    """
     findings = []
     for note in notes:
         fact, replacement = DEPENDENT_FINDINGS.get(note.code, ("", ""))
@@ -292,7 +295,7 @@ def replace_uncertain_findings(notes: Iterable[Note], estimates: Mapping[str, Es
 
 
 def mark_interrupted(result: Result, note: Note, *remarks: Note) -> Result:
-    """Return a result that is marked as interrupted.
+    """Return a result that is marked as interrupted by the user.
 
     `note` describes the interruption.
     """
@@ -310,17 +313,17 @@ def fitted_number(estimate: Estimate, title: str) -> Number:
 
 
 def judged(half: float, size: float, limits: tuple[float, float] = (DETERMINED, WEAK)) -> Verdict:
-    """Return the verdict on an interval, such as `determined`.
+    """Return the verdict on an estimate, such as `determined`, from the width of its interval.
 
-    The verdict depends on the ratio of the half width `half` to the reference `size`. `limits` are the ratios up to
-    which a parameter is determined and weakly determined.
+    The verdict depends on the ratio of the half width `half` to the reference `size`. `limits` contains the largest
+    ratios for the verdicts `determined` and `weak`.
     """
     # In this order not-a-number and infinity are "not determined".
     return "determined" if half <= limits[0] * size else "weak" if half <= limits[1] * size else "not determined"
 
 
 def behind(unit: str) -> str:
-    """Return a unit as text that follows a value, with a leading space.
+    """Return a unit with a leading space, as text that follows a value.
 
     The result is empty for a dimensionless quantity.
 
@@ -382,8 +385,8 @@ def read_result(path: str | Path) -> Result:
 def _remarks(sentences: Sequence[str], tables: Sequence[Mapping[str, Any]]) -> tuple[Note, ...]:
     """Return the findings in a result file.
 
-    `tables` contains findings with codes, and `sentences` their texts. A finding that this version of `poppet` does not
-    know is kept as a sentence.
+    `tables` contains findings with codes, and `sentences` their texts. If this version of `poppet` cannot read a
+    finding, its sentence is returned instead.
     """
     if len(tables) != len(sentences):
         return notes_of(sentences)

@@ -206,8 +206,12 @@ class Statements:
                 return Value(f"{condition.flag} AND {value.flag}", True, False)
             text = f"SEL({condition.text if condition.is_flag else condition.flag}, 0.0, {value.text})"
             return Value(text, choice=(condition.negated or condition.flag, bool(condition.negated), value.text))
-        if name == "add" and (choice := _merge_choices(*arguments)):
-            return Value(choice)
+        if name == "add":
+            a, b = (argument.choice for argument in arguments)
+            if a is not None and b is not None and a[0] == b[0] and a[1] != b[1]:
+                # The sum of two choices with opposite conditions is a single choice.
+                yes, no = (b, a) if a[1] else (a, b)
+                return Value(f"SEL({yes[0]}, {no[2]}, {yes[2]})")
         if name not in _FORMS:
             raise UnsupportedOperationError(name)
         # An argument in the parentheses of a call needs no parentheses.
@@ -222,16 +226,3 @@ class Statements:
         self.variables.append((name, "BOOL" if value.is_flag else "LREAL"))
         self.lines.append(f"{name} := {value.text};")
         return Value(name, value.is_flag, negated=value.negated if value.negated.isidentifier() else "")
-
-
-def _merge_choices(a: Value, b: Value) -> str:
-    """Return the sum of two choices with opposite conditions as a single choice.
-
-    The text is empty if the values are not such choices.
-    """
-    if a.choice is None or b.choice is None or a.choice[0] != b.choice[0] or a.choice[1] == b.choice[1]:
-        return ""
-    yes, no = (b, a) if a.choice[1] else (a, b)
-    assert yes.choice is not None
-    assert no.choice is not None
-    return f"SEL({yes.choice[0]}, {no.choice[2]}, {yes.choice[2]})"

@@ -56,7 +56,7 @@ class DesignSensor:
 
 @dataclass(frozen=True)
 class TestCandidate:
-    """Possible test, which the design can recommend."""
+    """Test that the design of an experiment can recommend: a circuit, its sensors and a duration."""
 
     name: str
     circuit: BaseCircuit
@@ -172,7 +172,7 @@ def _read_candidates(
 ) -> Iterator[TestCandidate]:
     """Yield a possible test for each combination of the varied values.
 
-    `data` is the content of the design file.
+    `data` is the content of the design file, and `circuit` the circuit without these values.
     """
     tests: dict[str, Mapping[str, Any]] = {}
     for name, table in data.get("tests", {"": {}}).items():

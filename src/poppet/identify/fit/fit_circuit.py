@@ -68,7 +68,7 @@ class FitResult(Result, Generic[CircuitT]):
 
     @classmethod
     def of(cls, result: Result, circuit: CircuitT, plan: FitPlan) -> FitResult[CircuitT]:
-        """Return a result, extended by the circuit with the fitted values.
+        """Return the result of a fit together with the circuit that has the fitted values.
 
         Parameters
         ----------
@@ -171,7 +171,7 @@ def _add_limits(
     bounds: Mapping[str, Sequence[Any]],
     priors: Mapping[str, Any],
 ) -> None:
-    """Add bounds and priors to the tables of the free parameters."""
+    """Add bounds and priors to the tables that declare the free parameters."""
     for argument, keys, pairs in (("bounds", ("min", "max"), bounds), ("priors", ("mean", "sd"), priors)):
         for address, pair in pairs.items():
             if address not in tables:
@@ -259,7 +259,7 @@ class _RecordingReader:
     def _read(self, name: str, data: Data, recordings: Iterable[str]) -> Measurement:
         """Return one recording as a measurement in SI units.
 
-        `data` is the recording or data frame, and `recordings` contains all of them.
+        `data` is the recording or data frame. `recordings` contains the names of all recordings.
         """
         location = f"recordings.{name}"
         if isinstance(data, Recording):
@@ -285,9 +285,10 @@ class _RecordingReader:
         )
 
     def _fields(self, table: Table, internal: set[str], location: str) -> tuple[dict[str, Any], list[str]]:
-        """Return the fields that describe channels and inputs, and the omitted series.
+        """Return a table that describes the compared channels and the inputs of a recording, and the omitted series.
 
-        Only a default selection omits series. `table` is the recording, and `internal` contains the internal outputs.
+        `table` is the recording, and `internal` contains its internal outputs. Series are omitted only if the user has
+        not selected the series to compare.
         """
         recorded, omitted = dict(zip(table.names[1:], table.columns[1:], strict=True)), list[str]()
         if self.selected is not None:
@@ -341,7 +342,7 @@ class _RecordingReader:
 def _frame_table(frame: DataFrame, location: str) -> Table:
     """Convert a data frame to a table whose first column is the time.
 
-    `location` is the name of the data frame in messages.
+    `location` identifies the data frame in messages.
 
     Raises
     ------

@@ -11,7 +11,7 @@ from typing import Any, Literal, Self, TypeVar, get_args
 import numpy as np
 
 from poppet.core.codes import Note
-from poppet.core.errors import InputError, NameSuggestion, OutOfRangeError, collect
+from poppet.core.errors import InputError, NameSuggestion, OutOfRangeError, raise_errors
 from poppet.core.provenance import Number, Source
 from poppet.core.symbolic import clip, is_symbolic, minimum, smoothstep, where
 from poppet.laws.curves.curve import Curve, rising_intervals
@@ -92,7 +92,7 @@ class Characteristic:
 
     def __post_init__(self) -> None:
         # Only valid curves can be evaluated over the domain.
-        collect([*self._form_problems()])
+        raise_errors([*self._form_problems()])
         problems = []
         for name, (symbol, unit) in _CURVES.items():
             curve = self._curve(name)
@@ -109,7 +109,7 @@ class Characteristic:
                 continue
             facts: dict[str, Any] = {"value": values[worst], "unit": unit, "stroke_mm": 1e3 * worst, "limits": limits}
             problems.append(OutOfRangeError("curves.impossible_value", name, **facts, symbol=symbol, name=self.name))
-        collect(problems)
+        raise_errors(problems)
 
     def sonic_conductance_at(self, x: Any, parameters: Mapping[str, Any] | None = None) -> Any:
         """Return the sonic conductance at a stroke.
@@ -204,7 +204,7 @@ class Characteristic:
         """
         numbers = self.numbers()
         meaning, unknown = f"a parameter of {self.name}", [key for key in changes if key not in numbers]
-        collect(
+        raise_errors(
             [InputError("names.unknown", k, meaning=meaning, suggestion=NameSuggestion(k, numbers)) for k in unknown]
         )
         curves: dict[str, Any] = {curve: self._curve(curve).with_numbers(_under(curve, changes)) for curve in _CURVES}

@@ -8,7 +8,7 @@ from collections.abc import Hashable, Mapping
 from itertools import pairwise
 from typing import Any, ClassVar, Self
 
-from poppet.core.errors import InputError, NameSuggestion, collect
+from poppet.core.errors import InputError, NameSuggestion, raise_errors
 from poppet.core.provenance import Number
 
 
@@ -106,7 +106,7 @@ class Curve(ABC):
         numbers = self.numbers()
         unknown = [name for name in changes if name not in numbers]
         meaning = "a parameter of this curve"
-        collect(
+        raise_errors(
             [InputError("names.unknown", n, meaning=meaning, suggestion=NameSuggestion(n, numbers)) for n in unknown]
         )
         return {**numbers, **changes}

@@ -7,7 +7,7 @@ from collections.abc import Mapping, Sequence
 from functools import cached_property
 from typing import Any
 
-from poppet.core.errors import ErrorCollector, InputError, NameSuggestion, collect
+from poppet.core.errors import ErrorCollector, InputError, NameSuggestion, raise_errors
 from poppet.core.provenance import SOURCE_KINDS, Number, Source
 from poppet.core.tables import Field, missing_field
 from poppet.core.units import convert, quantity
@@ -74,7 +74,7 @@ def characteristic_from_mapping(table: Mapping[str, Any], *, name: str) -> Chara
     fields = reader.common()
     curves: dict[str, Any] = {field: reader.curve(field) for field in _UNITS}
     domain = reader.domain()
-    collect(reader.errors.collected)
+    raise_errors(reader.errors.collected)
     try:
         return Characteristic(**curves, domain=domain, name=name, **fields)
     except InputError as problem:

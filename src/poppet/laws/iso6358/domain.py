@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from poppet.core.errors import OutOfRangeError, collect
+from poppet.core.errors import OutOfRangeError, raise_errors
 from poppet.core.symbolic import is_symbolic
 
 
@@ -85,7 +85,7 @@ def check(values: dict[str, Any], domains: dict[str, Domain] = DOMAINS) -> None:
     `domains` contains the interval for each value by name. All errors are reported together.
     """
     errors = (problem(name, value, domains[name]) for name, value in values.items())
-    collect([error for error in errors if error is not None])
+    raise_errors([error for error in errors if error is not None])
 
 
 def reject_where(is_invalid: Any, name: str, value: Any, unit: str, code: str) -> None:

@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from poppet.core.message_format import sentence
+from poppet.core.note_groups import explain_command
 from poppet.core.number_format import readable_unit, scaled
 from poppet.identify import Design, Prediction
 from poppet.identify.design.identify_design import TWO_SIDED
@@ -55,7 +56,8 @@ def design_text(design: Design, max_findings: int | None = None) -> str:
     lines += [_joint_table(design).text(), "", _ranking_caption(design)]
     lines += [_candidate_table(design, MAX_CANDIDATES).text()]
     lines += [f"  ({n_omitted} more: the page and the result file)"] if n_omitted > 0 else []
-    return "\n".join([*lines, *(f"- {remark}" for remark in design.remarks)])
+    command = explain_command(remark.code for remark in design.remarks)
+    return "\n".join([*lines, *(f"- {remark}" for remark in design.remarks), *[f"more: {command}"] * bool(command)])
 
 
 def _joint_table(design: Design) -> ReportTable:
