@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 
 
 def execute(options: argparse.Namespace) -> int:
-    """Run a `control` command: tune a controller, or compare several controllers."""
+    """Run the command `control tune` or `control compare`, and return the exit code."""
     return _tune(options) if options.action == "tune" else _compare(options)
 
 
