@@ -102,8 +102,8 @@ def select_sliders(export_model: ExportModel, circuit: BaseCircuit, texts: Seque
 def _is_guided(export_model: ExportModel, address: str) -> bool:
     """Return True if an input prescribes the motion of a body.
 
-    The rate of change of such an input is another input. A slider cannot set it, because a constant value would not
-    move the body.
+    The rate of change of such an input is a further input. A slider cannot set an input that prescribes a motion,
+    because a constant value would not move the body.
     """
     inputs = export_model.inputs
     return any(item.slope_of >= 0 and inputs[item.slope_of].address == address for item in inputs)
