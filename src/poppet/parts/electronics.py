@@ -64,9 +64,9 @@ class OuterLoop:
     """Parameters of the controller of the outlet pressure, which sets the setpoint of the pilot pressure.
 
     It is a PI or PID controller K (1 + 1/(T_i s) + T_d s) with feed-forward: the gauge setpoint times `feed_forward` is
-    added to the pilot setpoint. `dead_zone` is added with the sign of the error, so the valve seats open before the
-    integral has grown. `correction_limit` keeps the pilot pressure close to the pressure at which the main stage
-    closes.
+    added to the pilot setpoint. `dead_zone` is added to the output with the sign of the error, so the valve seats open
+    before the integral has grown. `correction_limit` keeps the pilot pressure close to the pressure at which the main
+    stage closes.
     """
 
     gain: NumberLike = number("1", doc="gain", low=0.0)

@@ -449,10 +449,9 @@ class Part(ABC):
         raise NotImplementedError(f"{self.kind} has no timers")
 
     def can_resume(self, target: str) -> bool:
-        """Return True if a run can start from a given initial value with the options of the part.
+        """Return True if the parameter `target` is an initial value with the present options of the part.
 
-        `target` is the name of the parameter with the initial value. A wall temperature, for example, is an initial
-        value only if it is a state.
+        For example, a wall temperature is an initial value only if the part has it as a state.
         """
         return target != "wall_temperature" or any(state.name == target for state in self.states())
 
