@@ -205,9 +205,9 @@ class _Tracer:
         )
 
     def _shown(self, address: str) -> str:
-        """Return the address under which users see an element of the circuit.
+        """Return the public address of an element of the circuit.
 
-        In the equations, elements inside a compound part can have other addresses.
+        For elements inside compound parts, the equations use other addresses.
         """
         return self.shown.get(address, address)
 
