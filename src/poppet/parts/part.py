@@ -78,6 +78,7 @@ class Input:
     slope_of: str = ""  # input whose time derivative it is; it cannot be driven on its own
     by_signal: bool = False  # only a signal can drive it
     is_command: bool = False  # setpoint or command that a user changes to move a body
+    is_flag: bool = False  # 0 or 1, a Boolean in exported programs
 
 
 @dataclass(frozen=True)
@@ -246,6 +247,8 @@ class Scope:
     memory: Mapping[str, Any] = field(default_factory=dict)
     time: Any = 0.0
     motion: BodyMotion | None = None  # of the body of the part
+    has_relative_time: bool = False  # timers contain the time that remains until their instants
+    labels: dict[str, tuple[Any, str]] = field(default_factory=dict)  # see `label`
 
     @property
     def body(self) -> BodyMotion:
@@ -255,6 +258,13 @@ class Scope:
         """
         assert self.motion is not None
         return self.motion
+
+    def label(self, name: str, value: Any, meaning: str) -> None:
+        """Name an intermediate value of the equations in exported code.
+
+        `meaning` is its description with unit, which becomes a comment.
+        """
+        self.labels[name] = value, meaning
 
     def __getitem__(self, name: str) -> Any:
         return self.numbers[name]
@@ -525,6 +535,8 @@ class Controller(Part):
 
     measured: ClassVar[tuple[str, ...]] = ()
     """Inputs that the controller needs; a run notes each of them that is not connected."""
+    ascending: ClassVar[tuple[tuple[str, str], ...]] = ()
+    """Pairs of parameters of which the first must be below the second; checked in exported programs."""
 
     def sensors(self) -> dict[str, tuple[str, str]]:
         """Return a mapping from sensor states to measured input and parameter group.
@@ -546,10 +558,12 @@ def is_port(end: str) -> bool:
     return end.partition(".")[2] in PORTS
 
 
-def advance_clock(scope: Scope, timer: str, period: Any, phase: Any = 0.0) -> dict[str, Any]:
+def advance_clock(scope: Scope, timer: str, period: Any) -> dict[str, Any]:
     """Return the next sample instant of a periodic timer, and the incremented counter.
 
-    The instant is computed from the counter, so rounding errors do not accumulate.
+    The instant is computed from the counter, so rounding errors do not accumulate. A program with relative time adds
+    the period to the time that remains, because a clock of single precision would become coarse.
     """
     count = scope.memory[f"{timer}_count"] + 1.0
-    return {timer: phase + count * period, f"{timer}_count": count}
+    instant = scope.memory[timer] + period if scope.has_relative_time else count * period
+    return {timer: instant, f"{timer}_count": count}

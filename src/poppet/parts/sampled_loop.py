@@ -25,11 +25,13 @@ from poppet.parts.quantities import (
     COMMANDS,
     OPENING,
     QUANTITIES,
+    as_command,
     as_setpoint,
     command_of,
     of_openings,
     quantity_of,
 )  # fmt: skip
+from poppet.parts.safe_state import FAULT_INPUT, FAULT_MEMORY, NEVER_VALID, fault_state
 
 AT_ONCE, NEXT_SAMPLE = "at_once", "next_sample"
 
@@ -60,6 +62,10 @@ class SampledLoop(Controller):
     )
     vent_limit: NumberLike = number(
         "1", 1.0, doc="limit of the vent command", low=0.0, high=1.0, note="fully open", varies=of_openings
+    )
+    fault_time: NumberLike = number("s", "0.1 s", doc="time from an invalid input to the safe command", low=0.0)
+    safe_command: NumberLike = number(
+        "1", 0.0, doc="command after an invalid input", low=-1.0, high=1.0, note="valves closed", varies=as_command
     )
 
     @property
@@ -99,11 +105,11 @@ class SampledLoop(Controller):
         return super().parameters(ambient) | {"measurement": defaults.get(self.controls, 0.0)}
 
     @abstractmethod
-    def compute_command(self, scope: Scope, measured: Any) -> tuple[Any, Any, dict[str, Any]]:
+    def compute_command(self, scope: Scope, measured: Any, is_safe: Any) -> tuple[Any, Any, dict[str, Any]]:
         """Return the results of one sample of the controller.
 
         They are the command, the opening of the vent valve from 0 to 1, and the new discrete states. A positive command
-        opens the fill valve.
+        opens the fill valve. If `is_safe` is 1, the command is the safe command.
         """
 
     @abstractmethod
@@ -128,7 +134,7 @@ class SampledLoop(Controller):
         names = ("command", "vent_command") if self.is_of_openings else ("command",)
         delayed = [f"next_{name}" for name in names] if self.acts == NEXT_SAMPLE else []
         commands = (DiscreteState(name, self.command_unit) for name in (*names, *delayed))
-        return *commands, DiscreteState("sample_count", "1"), *self.law_memory()
+        return *commands, DiscreteState("sample_count", "1"), *FAULT_MEMORY, *self.law_memory()
 
     def timers(self) -> tuple[Timer, ...]:
         return (Timer("sample"),)
@@ -137,13 +143,13 @@ class SampledLoop(Controller):
         measured = QUANTITIES[self.controls]
         options: dict[str, Any] = {"kind": measured.kind, "low": measured.low}
         setpoint = Input("setpoint", measured.unit, "setpoint", is_command=True, **options)
-        return setpoint, Input("measurement", measured.unit, "measurement", **options)
+        return setpoint, Input("measurement", measured.unit, "measurement", **options), FAULT_INPUT
 
     def sensors(self) -> dict[str, tuple[str, str]]:
         return {self._sensor_state: ("measurement", "sensor")}
 
     def start(self, scope: Scope) -> dict[str, Any]:
-        discrete = {state.name: 0.0 for state in self.memory()}
+        discrete = {state.name: 0.0 for state in self.memory()} | {"fault_count": NEVER_VALID}
         return discrete | {self._sensor_state: scope.inputs["measurement"], "sample": 0.0}
 
     def control(self, scope: Scope) -> ControlOutputs:
@@ -168,12 +174,15 @@ class SampledLoop(Controller):
 
     def update(self, timer: str, scope: Scope) -> dict[str, Any]:
         # The offset is an error of the sensor: it acts on the controller and is not in the output of the sensor.
-        command, vent, discrete = self.compute_command(scope, self._sensed(scope) + scope["sensor.offset"])
+        is_safe, fault = fault_state(scope, scope["sample_time"])
+        measured = self._sensed(scope) + scope["sensor.offset"]
+        command, vent, discrete = self.compute_command(scope, measured, is_safe)
         commands = {"command": command} | ({"vent_command": vent} if self.is_of_openings else {})
         if self.acts == NEXT_SAMPLE:
             discrete |= {f"next_{name}": value for name, value in commands.items()}
-            commands = {name: scope.memory[f"next_{name}"] for name in commands}
-        return discrete | commands | advance_clock(scope, timer, scope["sample_time"])
+            # The safe command does not wait.
+            commands = {k: where(is_safe > 0.5, value, scope.memory[f"next_{k}"]) for k, value in commands.items()}
+        return discrete | fault | commands | advance_clock(scope, timer, scope["sample_time"])
 
 
 def is_first(scope: Scope) -> Any:
