@@ -111,8 +111,8 @@ class ControllerProgram:
     An input that is not finite keeps its last valid value, and all controllers of the program receive an input fault.
     If a parameter is outside its limits, or two parameters contradict each other, all parameters keep their last valid
     values. A call executes each sample whose instant is at most half the call interval ahead, and at most one per
-    timer. If more than one sample is pending after a call, the others are dropped. The first call executes the first
-    sample of each timer.
+    timer. If two samples or more are pending after a call, they are dropped, and the clock of this timer restarts. The
+    first call executes the first sample of each timer.
     """
 
     name: str
@@ -354,8 +354,8 @@ def _program_functions(
     for k in range(n_timers):
         period = update[k] - memory[k]
         has_fired = fired[k] > 0.0
-        # At most one sample remains pending.
-        timers.append(_choose(has_fired, ca.fmax(update[k], -period), update[k]))
+        # If two samples or more remain pending, they are dropped, and the clock restarts at this call.
+        timers.append(_choose(ca.logic_and(has_fired, update[k] <= -period), period, update[k]))
         late = ca.logic_or(late, ca.logic_and(has_fired, update[k] <= -0.5 * period))
     after = ca.vertcat(*timers, update[n_timers:], held_u, held_p, flag[:3], late)
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Sequence
 from typing import TYPE_CHECKING, NamedTuple
 
@@ -102,20 +103,27 @@ def _structs(program: ControllerProgram, kind: Precision) -> dict[str, list[Memb
         "param": [(q.address, q.unit, False) for q in program.parameters],
         "memory": [(s.address, s.unit, s.is_flag) for s in program.states if s.group == "memory"],
     }
+    single = f"{program.parts[0]}."
     for group, items in groups.items():
-        members: list[Member] = []
         is_nested = len(program.parts) > 1 and group != "memory"
-        for part in program.parts if is_nested else ("",):
-            selected = [item for item in items if item[0].startswith(f"{part}.")] if part else items
-            prefix = f"{program.parts[0]}." if len(program.parts) == 1 else f"{part}." if part else ""
-            names = identifiers([address.removeprefix(prefix) for address, _, _ in selected])
-            for member_name, (address, unit, is_flag) in zip(names, selected, strict=True):
-                low, high = limits.get(address, (-np.inf, np.inf)) if group == "param" else (-np.inf, np.inf)
-                bounds = f", {low:g} to {high:g}" if np.isfinite([low, high]).all() else ""
-                meaning = f"{meanings[address]} " if group == "param" else ""
-                what = "0 or 1" if is_flag else f"[{comment_text(unit if unit not in ('', '1') else '-')}]{bounds}"
-                text = f"{'bool' if is_flag else kind.real} {member_name}; /* {comment_text(meaning)}{what} */"
-                members.append(Member(f"{identifier(part)}.{member_name}" if part else member_name, text, is_flag))
+        owners = [identifier(address.partition(".")[0]) if is_nested else "" for address, _, _ in items]
+        texts = [
+            address.partition(".")[2] if owner else address.removeprefix(single) if len(program.parts) == 1 else address
+            for owner, (address, _, _) in zip(owners, items, strict=True)
+        ]
+        names = [""] * len(items)
+        for owner in set(owners):
+            indices = [k for k, other in enumerate(owners) if other == owner]
+            for k, member_name in zip(indices, identifiers([texts[k] for k in indices]), strict=True):
+                names[k] = member_name
+        members = []
+        for owner, member_name, (address, unit, is_flag) in zip(owners, names, items, strict=True):
+            low, high = limits.get(address, (-np.inf, np.inf)) if group == "param" else (-np.inf, np.inf)
+            bounds = f", {low:g} to {high:g}" if np.isfinite([low, high]).all() else ""
+            meaning = f"{comment_text(meanings[address])} " if group == "param" else ""
+            what = "0 or 1" if is_flag else f"[{comment_text(unit if unit not in ('', '1') else '-')}]{bounds}"
+            text = f"{'bool' if is_flag else kind.real} {member_name}; /* {meaning}{what} */"
+            members.append(Member(f"{owner}.{member_name}" if owner else member_name, text, is_flag))
         structs[group] = members
     return structs
 
@@ -125,7 +133,7 @@ def _struct_text(members: Sequence[Member]) -> str:
     if not members:
         return "  char unused;"
     lines, inner = [], ""
-    for member in members:
+    for member in sorted(members, key=lambda member: member.path.rpartition(".")[0]):
         part = member.path.rpartition(".")[0]
         if part != inner:
             lines += [f"  }} {inner};"] if inner else []
@@ -190,15 +198,10 @@ def _function_bodies(program: ControllerProgram, structs: dict[str, list[Member]
         statements.read(instructions(program.functions[name]))
         names = {"dt": "dt", "u": "in", "p": "param", "z": "z", "fired": "fired"}
         text = "\n".join(statements.lines)
-        ignored = [f"  (void){names[a]};" for a in inputs if f"{names[a]}" not in set(_words(text))]
-        bodies[name] = "\n".join([*statements.lines[:0], *ignored, *statements.lines])
+        read = set(re.findall(r"[A-Za-z_]\w*", text))
+        ignored = [f"  (void){names[argument]};" for argument in inputs if names[argument] not in read]
+        bodies[name] = "\n".join([*ignored, *statements.lines])
     return bodies
-
-
-def _words(text: str) -> Iterable[str]:
-    import re
-
-    return re.findall(r"[A-Za-z_]\w*", text)
 
 
 def _test_vector(

@@ -105,7 +105,7 @@ class Statements:
 
     def read(self, function: Sequence[Instruction]) -> None:
         """Add statements for the instructions of the function."""
-        uses, names, owners, needed = self._plan(function)
+        uses, names, owners, needed, ends = self._plan(function)
         slots: dict[int, Value] = {}
         results: list[tuple[Result, Value]] = []
         comment = ""
@@ -120,7 +120,8 @@ class Statements:
             value = self._value(instruction, [slots[slot] for slot in instruction.arguments])
             # Names, constants and negations need no variable.
             is_simple = instruction.operation in ("const", "input", "assign", "not") or _NAME.fullmatch(value.text)
-            if not is_simple and (uses[k] != 1 or k in names or len(value.text) > self.language.longest):
+            is_long = len(value.text) > self.language.longest and not ends[k]
+            if not is_simple and (uses[k] != 1 or k in names or is_long):
                 owner = owners[k]
                 meaning = dict(self.labels).get(owner, "")
                 if meaning and meaning != comment:
@@ -130,8 +131,14 @@ class Statements:
             slots[instruction.result] = value
         self._assign(results)
 
-    def _plan(self, function: Sequence[Instruction]) -> tuple[list[int], dict[int, str], list[str], set[int]]:
-        """Return the use of each instruction: number of uses, label, name of the value that it belongs to, need."""
+    def _plan(
+        self, function: Sequence[Instruction]
+    ) -> tuple[list[int], dict[int, str], list[str], set[int], list[bool]]:
+        """Return the use of each instruction.
+
+        The results are the number of uses; the labels; the name of the value that it belongs to; the needed
+        instructions; and True if the value can be long, because it is a result or one of two halves of a choice.
+        """
         uses, names, consumers = [0] * len(function), dict[int, str](), [list[int]() for _ in function]
         last: dict[int, int] = {}
         for k, instruction in enumerate(function):
@@ -160,7 +167,12 @@ class Statements:
             if needing or instruction.operation == "assign":
                 needed.add(k)
             owners[k] = names.get(k) or next((owners[consumer] for consumer in needing), "")
-        return uses, names, owners, needed
+        ends = [
+            all(function[c].operation == "output" for c in consumers[k])
+            or (instruction.operation == "if_else_zero" and all(function[c].operation == "add" for c in consumers[k]))
+            for k, instruction in enumerate(function)
+        ]
+        return uses, names, owners, needed, ends
 
     def _assign(self, results: Sequence[tuple[Result, Value]]) -> None:
         """Add the statements that assign the results, except results that keep their values."""
