@@ -54,7 +54,6 @@ def circuit_schema() -> Schema:
         "part": by_kind("part", {name: name for name in KINDS}),
         **{name: _part(name) for name in KINDS},
         "signal": by_kind("signal", {kind: f"signal_{kind}" for kind in signal_tables.KINDS}),
-        **{f"signal_{kind}": _signal(kind) for kind in signal_tables.KINDS},
         "connected": {"type": "object", "additionalProperties": {"type": "string"}},
         "input": {
             "description": "a constant, a signal, or signals of inputs further down the address",
@@ -69,6 +68,12 @@ def circuit_schema() -> Schema:
             "else": {"$ref": "#/$defs/value"},
         },
     }
+    for kind in signal_tables.KINDS:
+        required, optional = signal_tables.fields_of(kind)
+        fields = {field: _SIGNAL_FIELDS.get(field, {"$ref": "#/$defs/value"}) for field in (*required, *optional)}
+        definitions[f"signal_{kind}"] = closed(
+            {"kind": {"const": kind}} | fields, ["kind", *required], f"{kind} signal"
+        )
     return {
         "$schema": DRAFT,
         "title": "poppet circuit file",
@@ -94,10 +99,10 @@ def circuit_schema() -> Schema:
 
 
 def by_kind(noun: str, definitions: dict[str, str], field: str = "kind") -> Schema:
-    """Return a JSON schema in which one field, usually `kind`, selects the valid fields.
+    """Return the JSON schema of an object whose other fields depend on one field, usually `kind`.
 
-    `noun` describes the object in texts. `definitions` maps each value of the field `field` to the name of a
-    definition.
+    `noun` describes the object in texts. `definitions` maps each value of this field to the name of the definition that
+    applies.
     """
     branches = [
         {"if": {"properties": {field: {"const": kind}}, "required": [field]}, "then": {"$ref": f"#/$defs/{definition}"}}
@@ -185,12 +190,6 @@ def _number_schema(spec: NumberSpec, owner: type) -> Schema:
         "description": f"{spec.doc} [{spec.unit}]" + ("" if spec.default is None else f"; default {spec.default}"),
     }
     return schema if spec.default is None else schema | {"default": spec.default}
-
-
-def _signal(kind: str) -> Schema:
-    required, optional = signal_tables.fields_of(kind)
-    fields = {field: _SIGNAL_FIELDS.get(field, {"$ref": "#/$defs/value"}) for field in (*required, *optional)}
-    return closed({"kind": {"const": kind}} | fields, ["kind", *required], f"{kind} signal")
 
 
 def _gas_name() -> Schema:

@@ -12,7 +12,7 @@ from fnmatch import fnmatchcase
 from typing import TYPE_CHECKING
 
 from poppet.core.codes import Note
-from poppet.core.errors import InputError, collect
+from poppet.core.errors import InputError, raise_errors
 
 if TYPE_CHECKING:
     from poppet.circuit.circuit import BaseCircuit
@@ -56,7 +56,7 @@ def read_assignments(texts: Sequence[str], option: str = "--set") -> dict[str, f
             problems.append(InputError("cli.assigned_twice", option=option, address=address))
         else:
             values[address] = read_value(value)
-    collect(problems)
+    raise_errors(problems)
     return values
 
 

@@ -13,7 +13,7 @@ from pathlib import Path
 from poppet.cli.assignments import load_circuit
 from poppet.cli.parser import output_path
 from poppet.cli.summary import print_notes
-from poppet.core.errors import InputError, NameSuggestion, collect
+from poppet.core.errors import InputError, NameSuggestion, raise_errors
 from poppet.core.number_format import aligned
 from poppet.core.provenance import LEAST_CERTAIN_FIRST as KINDS
 
@@ -63,7 +63,7 @@ def check_files(options: argparse.Namespace) -> None:
         text = ", ".join(f"{count} {name}{'s' * (count != 1)}" for name, count in counts.items())
         print(f"{file}: no errors; {text}.")
         print_notes(notes)
-    collect(problems)
+    raise_errors(problems)
 
 
 def write_template(options: argparse.Namespace) -> None:
@@ -76,7 +76,7 @@ def write_template(options: argparse.Namespace) -> None:
         return
     if name not in TEMPLATES:
         near = NameSuggestion(name, TEMPLATES)
-        raise InputError("fields.not_an_option", "template", value=name, meaning="template", near=near)
+        raise InputError("fields.not_an_option", "template", value=name, meaning="template", suggestion=near)
     # The parser has checked an `--output`; the default name is checked here.
     target: Path = options.output or output_path(f"{name}.toml", (".toml",))
     if target.exists() and not options.force:
@@ -92,7 +92,9 @@ def show_parameters(options: argparse.Namespace) -> None:
     """Print all parameters of a circuit, grouped by the source of their values."""
     if options.kind is not None and options.kind not in KINDS:
         near = NameSuggestion(options.kind, KINDS)
-        raise InputError("fields.not_an_option", "--kind", value=options.kind, meaning="kind of source", near=near)
+        raise InputError(
+            "fields.not_an_option", "--kind", value=options.kind, meaning="kind of source", suggestion=near
+        )
 
     circuit, _ = load_circuit(options)
     kinds = KINDS if options.kind is None else (options.kind,)

@@ -6,7 +6,7 @@ import argparse
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from poppet.cli.assignments import load_circuit, read_assignments, read_value
+from poppet.cli.assignments import load_circuit, read_assignments
 from poppet.cli.main import FAILED
 from poppet.cli.parser import output_path
 from poppet.cli.progress import Spinner
@@ -43,13 +43,13 @@ def _tune(options: argparse.Namespace) -> int:
     from poppet.report.control_report import margin_table, verification_table, write_tuning
 
     (circuit,) = _load_circuits(options).values()
-    points = [*map(read_value, options.at)] or None
-    settings = {"form": options.form, "sensitivity": options.sensitivity, "at": points}
+    # Texts, not numbers: a value without a unit is rejected unless it is dimensionless.
+    settings = {"form": options.form, "sensitivity": options.sensitivity, "at": options.at or None}
     # The library has the default values.
     settings = {name: value for name, value in settings.items() if value is not None}
     require_matplotlib(options.report)
     with Spinner("The gains are computed", is_quiet=options.quiet) as progress:
-        settings |= {"amplitudes": [*map(read_value, options.amplitude)], "progress": progress}
+        settings |= {"amplitudes": options.amplitude, "progress": progress}
         tuning = (schedule if options.schedule else tune)(circuit, options.controller, **settings)
     print_notes(tuning.notes)
     without = f"{Path(options.files[0]).name} without {tuning.controller}."

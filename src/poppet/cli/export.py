@@ -25,7 +25,7 @@ def list_targets(options: argparse.Namespace) -> int:
     targets["export check"] = COMMANDS["export check"].summary
     if options.target:
         name = f"export {options.target}"
-        raise InputError("names.unknown", name, meaning="a command of poppet", near=NameSuggestion(name, targets))
+        raise InputError("names.unknown", name, meaning="a command of poppet", suggestion=NameSuggestion(name, targets))
     width = max(map(len, targets))
     print("\n".join(f"poppet {name:<{width}}  {summary}" for name, summary in targets.items()))
     return WRONG_INPUT

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple, NoReturn
 
 from poppet.core.codes import Note
 from poppet.core.command_options import QUIET, Option
-from poppet.core.errors import InputError, NameSuggestion, collect
+from poppet.core.errors import InputError, NameSuggestion, raise_errors
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -77,7 +77,7 @@ class CommandParser(argparse.ArgumentParser):
             # Before argparse, which would first report an argument that is missing because of the misspelling.
             elif name.startswith("--") and name not in names:
                 near = NameSuggestion(name, [option for option in names if option.startswith("--")])
-                raise InputError("names.unknown", name, meaning=f"an option of `{self.prog}`", near=near)
+                raise InputError("names.unknown", name, meaning=f"an option of `{self.prog}`", suggestion=near)
             present.append(f"{name}{equals}{value}")
         # `parse_args` would end the program with its own message.
         options, rest = self.parse_known_args(present)
@@ -95,7 +95,7 @@ class CommandParser(argparse.ArgumentParser):
 
         action = getattr(options, self.options[0].name, "") if self.options else ""
         facts: dict[str, Any] = {"command": self.command, "action": action}
-        collect(
+        raise_errors(
             [
                 InputError("cli.option.misplaced", option=option.names[-1], actions=option.actions, **facts)
                 for option in self.options
@@ -134,7 +134,7 @@ def output_path(text: str, formats: Sequence[str]) -> Path:
     path = Path(text)
     if path.suffix.lower() not in formats:
         code = "files.suffix" if path.suffix else "cli.output.no_suffix"
-        raise InputError(code, path=str(path), suffix=path.suffix, near=NameSuggestion(path.suffix, formats))
+        raise InputError(code, path=str(path), suffix=path.suffix, suggestion=NameSuggestion(path.suffix, formats))
     if not path.parent.is_dir():
         raise InputError("files.no_folder", path=str(path), folder=str(path.parent))
     if path.is_dir():

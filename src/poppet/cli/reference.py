@@ -47,14 +47,14 @@ def explain_codes(options: argparse.Namespace) -> None:
             if example is not None and "{" in "".join(parts.values()):
                 lines.append(f"  example:  {' '.join(example_texts(new, example).values())}")
             if "hint" in parts:
-                remedy = plain(parts["hint"]).replace("<near>", "Use one of the suggested names.")
+                remedy = plain(parts["hint"]).replace("<suggestion>", "Use one of the suggested names.")
                 lines.append(f"  remedy:   {remedy}")
             blocks.append("\n".join(lines))
         elif members:
             title = f": {titles[name]}" if name in titles else ""
             blocks.append("\n".join([f"{name}{title}, {len(members)} codes", *(f"  {code}" for code in members)]))
         else:
-            raise InputError("cli.code", code=name, near=NameSuggestion(name, codes if "." in name else titles))
+            raise InputError("cli.code", code=name, suggestion=NameSuggestion(name, codes if "." in name else titles))
     if not options.codes:
         width = max(map(len, titles))
         blocks = ["\n".join(f"{topic:<{width}}  {title}" for topic, title in titles.items())]

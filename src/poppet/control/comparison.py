@@ -201,7 +201,7 @@ def compare(
         for address, size in ranges.items():
             if address not in numbers:
                 near = NameSuggestion(address, numbers)
-                errors.add("names.unknown", address, meaning="a parameter of this circuit", near=near)
+                errors.add("names.unknown", address, meaning="a parameter of this circuit", suggestion=near)
             elif address.startswith(f"{controller_name}.") and address not in sensor:
                 errors.add("control.vary.of_controller", address)
             elif first.parameters.get(address, 0.0) == 0.0:  # the range is relative to the value

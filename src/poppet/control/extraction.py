@@ -107,8 +107,8 @@ def loop_of(circuit: BaseCircuit, controller: str | None = None) -> Loop:
     if controller not in controllers:
         suggestion = NameSuggestion(controller or "", controllers)
         if controllers and controller:
-            raise InputError("names.unknown", controller, meaning="a controller of this circuit", near=suggestion)
-        raise InputError(f"plant.{'several_controllers' if controllers else 'no_controller'}", near=suggestion)
+            raise InputError("names.unknown", controller, meaning="a controller of this circuit", suggestion=suggestion)
+        raise InputError(f"plant.{'several_controllers' if controllers else 'no_controller'}", suggestion=suggestion)
     measurement = circuit.connections.get(f"{controller}.measurement")
     commands: dict[str, tuple[str, ...]] = {}
     for target, source in circuit.connections.items():

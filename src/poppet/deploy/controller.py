@@ -45,7 +45,7 @@ def controller_program(circuit: BaseCircuit, parts: Sequence[str] = ()) -> Contr
     for name in parts:
         if name not in circuit.parts:
             near = NameSuggestion(name, controllers)
-            raise InputError("names.unknown", name, meaning="a part of the circuit", near=near)
+            raise InputError("names.unknown", name, meaning="a part of the circuit", suggestion=near)
         if name not in controllers:
             raise InputError("deploy.controller.other", name, kind=circuit.parts[name].kind, known=[*controllers])
     # In the order of the circuit, in which controllers with a common sample instant act.

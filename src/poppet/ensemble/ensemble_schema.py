@@ -88,7 +88,7 @@ def _names(*reserved: str) -> Schema:
 
 
 def _fields(fields: Mapping[str, Field]) -> Schema:
-    """Return the JSON schema of the fields of a table."""
+    """Return the JSON schema of each field of a table by name, from the declarations of the fields."""
     properties: Schema = {}
     for name, field in fields.items():
         if field.type == "integer":

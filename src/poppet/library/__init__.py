@@ -322,4 +322,4 @@ def _number_lines(numbers: Mapping[str, Number]) -> str:
 
 
 def _unknown(field_name: str, name: str, valid: Iterable[str]) -> InputError:
-    return InputError("library.unknown", field=field_name, name=name, near=NameSuggestion(name, tuple(valid)))
+    return InputError("library.unknown", field=field_name, name=name, suggestion=NameSuggestion(name, tuple(valid)))

@@ -8,7 +8,7 @@ from typing import Any, ClassVar
 
 from poppet import library
 from poppet.core.codes import Note
-from poppet.core.errors import ErrorCollector, InputError, collect
+from poppet.core.errors import ErrorCollector, InputError, raise_errors
 from poppet.core.provenance import Number
 from poppet.parts.fields import (
     MemberSpec,
@@ -72,7 +72,7 @@ class Compound(Part):
             example = library.complete_sets(*(spec.part.kind for _, spec in self._member_specs()))[0]
             error = InputError("parts.forgotten_set", "data", count=len(missing), first=addresses, set=example)
             problems = [error, *(p for p in problems if p not in missing)]
-        collect(problems)
+        raise_errors(problems)
         self.check()
 
     def _member_specs(self) -> Iterable[tuple[str, MemberSpec]]:

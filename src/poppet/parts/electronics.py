@@ -35,7 +35,7 @@ SENSOR_TOLERANCE = 10.0
 
 @dataclass(frozen=True)
 class Scaling:
-    """Outlet pressures that correspond to the two ends of the setpoint range."""
+    """Outlet pressures for a setpoint of 0 % and 100 %."""
 
     low: NumberLike = number("Pa", "0 bar g", doc="pressure at 0 % of the setpoint", kind="pressure")
     high: NumberLike = number("Pa", doc="pressure at 100 % of the setpoint", kind="pressure")
@@ -43,7 +43,7 @@ class Scaling:
 
 @dataclass(frozen=True)
 class FirstOrderSensor:
-    """Parameters of a sensor: its first-order lag and its offset."""
+    """Parameters of a sensor with a first-order lag and an offset."""
 
     lag: NumberLike = number("s", 0.0, doc="time constant", low=0.0, note="none")
     offset: NumberLike = number("Pa", 0.0, doc="offset", note="none", varies=as_difference)
@@ -62,11 +62,12 @@ class Converter:
 
 @dataclass(frozen=True)
 class OuterLoop:
-    """PI(D) control of the outlet pressure with feed-forward; its output is the setpoint of the pilot pressure.
+    """Parameters of the controller of the outlet pressure, which sets the setpoint of the pilot pressure.
 
-    The form is K (1 + 1/(T_i s) + T_d s). The feed-forward adds a fraction of the gauge setpoint to the pilot setpoint.
-    `dead_zone` is added with the sign of the error, so the seats open without a delay by the integral.
-    `correction_limit` keeps the pilot pressure close to the pressure at which the main stage closes.
+    It is a PI or PID controller K (1 + 1/(T_i s) + T_d s) with feed-forward: the gauge setpoint times `feed_forward` is
+    added to the pilot setpoint. `dead_zone` is added with the sign of the error, so the valve seats open before the
+    integral has grown. `correction_limit` keeps the pilot pressure close to the pressure at which the main stage
+    closes.
     """
 
     gain: NumberLike = number("1", doc="gain", low=0.0)
@@ -86,9 +87,9 @@ class OuterLoop:
 
 @dataclass(frozen=True)
 class InnerLoop:
-    """Parameters of the proportional control of the pilot pressure.
+    """Parameters of the proportional controller of the pilot pressure.
 
-    If the error is small, both solenoid valves are closed.
+    Both solenoid valves are closed if the error is within `hold_band`.
     """
 
     gain: NumberLike = number("1/Pa", doc="duty per error of the pilot pressure", low=0.0)
@@ -116,30 +117,33 @@ class Electronics(Controller):
     .. math:: d = \operatorname{clip}(K_i e_p + d_{min} \operatorname{sign} e_p, -1, 1) \quad (|e_p| > \text{band}),
               \qquad e_p = p_{p,set} - p_p
 
-    A positive d is the duty of the fill solenoid, a negative d that of the vent solenoid.
+    In the first equation, w is the target of the outlet pressure, :math:`p_a` the ambient pressure, f `feed_forward`,
+    :math:`p_0` `bias`, e the error beyond the dead band :math:`e_0`, z `dead_zone` (without effect if :math:`e_0` is
+    0), c `correction_limit`, :math:`p_2` the outlet pressure and T the sample time. In the second one, :math:`p_p` is
+    the pilot pressure, and d the duty of the fill solenoid; a negative d is the duty of the vent solenoid.
 
     Notes
     -----
-    Inputs are `setpoint`, `outlet_pressure`, `pilot_pressure` [Pa], `power` (1 on; 0 off: both solenoids are closed
-    and the pressure remains) and `input_fault` (1: an input is not valid; after `fault_time` the duty is
-    `safe_command`, positive to fill, and the integral is constant). `setpoint_delay` delays a signal, not a connection. The library set has a variant for
-    each `preset`. If both loops sample at one instant, the inner loop uses the new result of the outer loop.
+    Inputs are `setpoint`, `outlet_pressure`, `pilot_pressure` [Pa], `power` (1 is on; at 0, both solenoids are closed
+    and the pressure remains) and `input_fault` (1: an input is not valid). After `fault_time` with an input fault, the
+    duty is `safe_command`, positive to fill, and the integral is constant. `setpoint_delay` delays a signal, but not an
+    output that is connected to the setpoint. The parameter set `data` has a variant for each `preset`. If both loops
+    sample at one instant, the inner loop uses the new result of the outer loop.
 
-    e is the error beyond the dead band e_0, z half the dead zone between the seats (no effect without e_0), and c the
-    limit of the correction. For anti-windup, the amount that c and the limits of the pilot pressure remove reduces the
-    integral over `integral_time`. The integral is constant if the error is beyond its band. A resumed run continues
-    with the integral; its clocks restart, and the derivative starts at zero.
+    For anti-windup, the integral decreases with the time constant `integral_time` by the amount that c and the limits
+    of the pilot pressure remove. The integral is constant while the error exceeds `integral_band`. A run that continues
+    another run starts with its integral; clocks restart, and the derivative starts at zero.
 
     References
     ----------
-    Varga & Keski-Honkola 2012, section 2 and fig. 1: electronics named, not modelled there.
+    Varga & Keski-Honkola 2012, section 2 and fig. 1, mention the electronics without a model.
     """
 
     kind: ClassVar[str] = "electronics"
     summary: ClassVar[str] = "sampled pressure control: outer PI(D), inner pilot loop, sensors, converter"
     internal_outputs: ClassVar[tuple[str, ...]] = (
         "actual_value", "pilot_setpoint", "integral", "fill_duty", "vent_duty", "outlet_sensor_pressure",
-        "pilot_sensor_pressure",
+        "pilot_sensor_pressure", "input_fault",
     )  # fmt: skip
 
     data: Any = reference(doc="library set")
@@ -250,9 +254,9 @@ class Electronics(Controller):
     # Scaling and sensing -----------------------------------------------------------------------------------------
 
     def _target(self, scope: Scope) -> Any:
-        """Return the target of the outlet pressure that belongs to the setpoint.
+        """Return the target of the outlet pressure for the present setpoint [Pa].
 
-        The target is limited to the range of the scaling.
+        The target is limited to the range from `scaling.low` to `scaling.high`.
         """
         low, high = scope["scaling.low"], scope["scaling.high"]
         target = scope.inputs["setpoint"]
@@ -262,9 +266,9 @@ class Electronics(Controller):
         return clip(target, low, high)
 
     def _read(self, scope: Scope, name: str) -> Any:
-        """Return the pressure that a sensor delivers after analogue-to-digital conversion.
+        """Return the reading of a pressure sensor after analogue-to-digital conversion [Pa].
 
-        `name` is the name of the sensor.
+        `name` is `outlet` or `pilot`.
         """
         gauge = scope.states[f"{name}_sensor_pressure"] + scope[f"{name}_sensor.offset"] - scope.surroundings.pressure
         bits, span = scope["converter.bits"], scope["converter.span"]
@@ -315,10 +319,10 @@ class Electronics(Controller):
         }
 
     def _integral(self, scope: Scope, error: Any, excess: Any) -> Any:
-        """Return the integral part of the controller after a sample, limited and with anti-windup.
+        """Return the integral part of the outer loop after a sample, limited and with anti-windup [Pa].
 
-        `error` is the control error. `excess` is the limited correction minus the correction before the limits. The
-        result is zero without an integral time.
+        `error` is the control error [Pa]. `excess` is the pilot setpoint after the limits minus that before them [Pa].
+        The result is zero if the integral time is zero.
         """
         integral_time, time = scope["outer.integral_time"], scope["outer.sample_time"]
         band = scope["outer.integral_band"]

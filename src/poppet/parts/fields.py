@@ -315,7 +315,9 @@ def read_number(name: str, spec: NumberSpec, argument: NumberLike) -> Number:
         kind = str(argument.get("source", "given"))
         if kind not in SOURCE_KINDS:
             near = NameSuggestion(kind, SOURCE_KINDS)
-            raise InputError("fields.not_an_option", f"{name}.source", value=kind, meaning="kind of source", near=near)
+            raise InputError(
+                "fields.not_an_option", f"{name}.source", value=kind, meaning="kind of source", suggestion=near
+            )
         source = Source(kind, str(argument.get("locator", "")), str(argument.get("note", "")))
         argument = argument["value"]
     if isinstance(argument, Number):
@@ -436,7 +438,7 @@ def _read_field(
                 return OFF_ON[argument]
             if argument not in spec.choices:
                 near = NameSuggestion(str(argument), spec.choices)
-                raise InputError("fields.not_an_option", address, value=argument, meaning=spec.meaning, near=near)
+                raise InputError("fields.not_an_option", address, value=argument, meaning=spec.meaning, suggestion=near)
         case PortSpec() | BodySpec():
             if argument is None and not spec.optional:
                 code = "fields.missing_port" if isinstance(spec, PortSpec) else "fields.missing_body"
@@ -469,7 +471,7 @@ def unknown_field(address: str, name: str, valid: Mapping[str, Any]) -> InputErr
 
     `valid` contains the valid names.
     """
-    return InputError("fields.unknown", address, table="", near=NameSuggestion(name, valid))
+    return InputError("fields.unknown", address, table="", suggestion=NameSuggestion(name, valid))
 
 
 def flatten(part: Any, path: str = "", owner: Any = None) -> list[tuple[str, NumberSpec, Number]]:

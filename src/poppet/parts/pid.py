@@ -43,30 +43,34 @@ class PID(SampledLoop):
     .. math:: D_k = \frac{T_f D_{k-1} - K T_d (y_k - y_{k-1})}{T_f + T}, \qquad
               I_{k+1} = I_k + d_k + \frac{T}{T_t} (u_k - v_k)
 
-    The increment :math:`d_k` is :math:`K T e_k / T_i`, limited so that :math:`v_k + d_k` exceeds the limits of the
-    command by at most the smaller of the increment and a tenth of the range of the command. A positive command u fills,
-    a negative one vents with :math:`-\varphi u`. A command of another quantity has a lower and an upper limit.
+    Here w is the setpoint, y the measurement, e = w - y the error, u the command, T the sample time, :math:`y_0` the
+    initial measurement, :math:`v_0` the `bias`, :math:`a_f` the `fill_limit` and :math:`a_v` the `vent_limit`. The
+    increment :math:`d_k` is :math:`K T e_k / T_i`, limited so that :math:`v_k + d_k` exceeds the limits of the command
+    by at most the smaller of the increment and a tenth of the range of the command. A positive opening command u opens
+    the fill valve; a negative one opens the vent valve by :math:`-\varphi u`. Commands of other quantities are limited
+    by `lower_limit` and `upper_limit`.
 
     Notes
     -----
-    Units in this section are those of a pressure. Inputs are `setpoint`, `measurement`, `automatic` (0: the command is
-    `manual_command`) and, if `feedforward` is true, `feedforward`: f, added to the command before its limits. In manual
-    mode the integral follows the command, so the change to automatic is bumpless. Scheduled gains act on changes of the
-    error (velocity form), so their changes are bumpless too.
+    The units of the parameters above are those for a measured pressure. Inputs are `setpoint`, `measurement`,
+    `automatic` (if it is 0, the command is `manual_command`) and, if the option `feedforward` is true, `feedforward`.
+    Its value f is added to the command before its limits. In manual mode the integral follows the command, so the
+    change to automatic is bumpless. A change of scheduled gains is bumpless too: gains act on changes of the error
+    (velocity form).
 
-    `input_fault` (1: an input is not valid) causes `safe_command` after `fault_time`. If the safe command is outside
-    the limits of the command, the lower limit replaces it. The first valid sample continues from the safe command.
+    The input `input_fault` is 1 if an input is not valid. After `fault_time` with an input fault, the command is
+    `safe_command`; if this is outside the limits of the command, it is the lower limit. The first sample with valid
+    inputs continues from the safe command.
 
-    The derivative acts on the measurement alone. An integral or derivative time of 0 disables this part, a tracking
-    time of 0 is the integral time. A schedule is a mapping of lists: the quantity by its name (`pressure`), `gain`,
-    `integral_time`, `derivative_time`, `vent_factor`.
+    The derivative acts on the measurement alone. An integral or derivative time of 0 disables the integral or the
+    derivative; a tracking time of 0 selects the integral time. A schedule is a mapping with one list per column: the
+    measured quantity by its name (`pressure`), `gain`, `integral_time`, `derivative_time`, `vent_factor`.
 
     References
     ----------
     Aastroem & Haegglund, Advanced PID Control, ISA 2006: setpoint weight, filter, back-calculation and conditional
-    integration, which are combined here. Kaminer, Pascoal,
-    Khargonekar & Coleman, A velocity algorithm for the implementation of gain-scheduled controllers, Automatica 31
-    (1995).
+    integration, which are combined here. Kaminer, Pascoal, Khargonekar & Coleman, A velocity algorithm for the
+    implementation of gain-scheduled controllers, Automatica 31 (1995).
     """
 
     kind: ClassVar[str] = "pid"
@@ -192,12 +196,13 @@ class PID(SampledLoop):
         scope : Scope
             Parameters of the controller.
         measured, setpoint : float or symbol
-            Values in SI; a pressure is absolute.
+            Measurement and setpoint in SI units; a pressure is absolute.
 
         Returns
         -------
         dict
-            `gain` (command per quantity, SI), `integral_time`, `derivative_time` [s], `vent_factor` of openings.
+            `gain` [SI unit of the command per unit of the measurement], `integral_time` and `derivative_time` [s], and
+            `vent_factor` [1] if the command opens valves.
         """
         if self.schedule is None:
             return {name: scope[name] for name in _SCHEDULED if name in scope}
@@ -271,8 +276,8 @@ class PID(SampledLoop):
     ) -> Any:
         """Return the change of the integral in one sample, with anti-windup.
 
-        `command` is the command before its limits. The error can move the command to a margin beyond a limit at most.
-        Back-calculation then removes a fraction of the excess.
+        `command` is the command before its limits `limits`. The increment moves it at most to a small margin beyond a
+        limit. Back-calculation then removes a fraction of the amount by which it exceeds the limit.
         """
         time, integral_time, (low, high) = scope["sample_time"], gains["integral_time"], limits
         if "integral_dead_band" in scope:

@@ -17,7 +17,7 @@ from poppet.parts.sampled_loop import NEXT_SAMPLE, SampledLoop, is_first
 
 @dataclass(frozen=True)
 class ValveModel:
-    """Parameters of the valve model that the controller inverts."""
+    """Flow capacity of a fill or vent valve in the model that the controller inverts."""
 
     sonic_conductance: NumberLike = number("m^3/(s Pa)", doc="sonic conductance C of the open valve", above=0.0)
     critical_ratio: NumberLike = number("1", 0.3, doc="critical ratio b", low=0.0, below=1.0)
@@ -32,13 +32,19 @@ class PressureController(SampledLoop):
 
     Notes
     -----
-    The factor (1 - exp(-T/tau))/T gives the sampled loop the speed of the continuous loop: a pressure that rises
-    linearly between two samples (choked filling) equals the exponential at each instant. The observer estimates the
-    rate :math:`\hat d` that the model does not explain: it compares each sample with the prediction of the model with
-    the limits of the valves. It replaces an integral part without wind-up; an observer time of 0 disables it. With
-    `acts = "next_sample"` the law uses the predicted pressure. `input_fault` (1: an input is not valid) causes
-    `safe_command` after `fault_time`; the observer is paused while an input is not valid. Use the isentropic exponent for a fast or adiabatic
-    chamber, and 1 for an isothermal one.
+    The first equation gives the required pressure rate for the setpoint w and the measured pressure p, the second the
+    opening a of a valve with the upstream pressure p_1 and the downstream pressure p_2. T is the sample time. The
+    factor (1 - exp(-T/tau))/T gives the sampled loop the speed of the continuous loop: a pressure that rises linearly
+    between two samples (choked filling) equals the exponential response at each sample instant.
+
+    An observer estimates the pressure rate :math:`\hat d` that the model does not explain, from the difference between
+    each sample and its prediction by the model. The prediction takes the limits of the valves into account. The
+    observer replaces an integral part and does not wind up; an observer time of 0 disables it. With the option `acts =
+    "next_sample"`, the law uses the predicted pressure. Set `polytropic_exponent` to the isentropic exponent for a fast
+    or adiabatic chamber, and to 1 for an isothermal one.
+
+    The input `input_fault` is 1 if an input is not valid. The observer then pauses. After `fault_time` with an input
+    fault, the command is `safe_command`.
 
     References
     ----------

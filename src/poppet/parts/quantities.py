@@ -17,7 +17,8 @@ from poppet.core.units import Kind
 class ControlledQuantity:
     """Properties of a physical quantity that a controller can measure or command.
 
-    They are SI unit, kind, default, lower limit and typical size.
+    They are the SI unit, the typical size (`usual`), the kind of value (such as an absolute pressure), the default, the
+    lower limit, and a factor (`floor`) of the absolute tolerance of a sensor for the quantity.
     """
 
     unit: str
@@ -45,19 +46,19 @@ COMMANDS = {OPENING: ControlledQuantity("1", 1.0), **QUANTITIES}
 
 
 def quantity_of(part: Any) -> str:
-    """Return the name of the quantity that a controller measures, for example `pressure`."""
+    """Return the name of the quantity that the controller `part` measures, for example `pressure`."""
     name = getattr(part, "quantity", "pressure")
     return name if name in QUANTITIES else "pressure"  # the field itself reports an invalid name
 
 
 def command_of(part: Any) -> str:
-    """Return the name of the quantity that a controller commands, for example `opening`."""
+    """Return the name of the quantity that the controller `part` commands, for example `opening`."""
     name = getattr(part, "command_quantity", OPENING)
     return name if name in COMMANDS else OPENING
 
 
 def gain_unit(quantity: str, command: str) -> str:
-    """Return the unit of a controller gain, command per measured quantity.
+    """Return the SI unit of a controller gain, which is a command divided by a measured quantity.
 
     Examples
     --------
@@ -72,9 +73,9 @@ def gain_unit(quantity: str, command: str) -> str:
 
 
 def as_setpoint(part: Any) -> dict[str, Any]:
-    """Return the declaration of a setpoint, adapted to the measured quantity of a controller.
+    """Return unit, kind, default and limits of the setpoint field of the controller `part`.
 
-    The result contains changed properties of the declaration, such as the unit and the limits.
+    They override the declaration of the field, which is that of a pressure. The result is empty for a pressure.
     """
     name = quantity_of(part)
     if name == "pressure":
@@ -85,25 +86,25 @@ def as_setpoint(part: Any) -> dict[str, Any]:
 
 
 def as_difference(part: Any) -> dict[str, Any]:
-    """Return the declaration of a difference, adapted to the measured quantity of a controller.
+    """Return the unit of a field of the controller `part` for a difference of measured values.
 
-    The result contains changed properties of the declaration, such as the unit.
+    An example is a dead band. The result overrides the unit in the declaration of the field.
     """
     return {"unit": QUANTITIES[quantity_of(part)].unit}
 
 
 def as_gain(part: Any) -> dict[str, Any]:
-    """Return the declaration of a gain (command per error), adapted to a controller.
+    """Return the unit of the gain (command per error) of the controller `part`.
 
-    The result contains changed properties of the declaration, such as the unit.
+    The result overrides the unit in the declaration of the field.
     """
     return {"unit": gain_unit(quantity_of(part), command_of(part))}
 
 
 def as_command(part: Any) -> dict[str, Any]:
-    """Return the declaration of a command value, adapted to a controller.
+    """Return unit, kind, default and limits of a field of the controller `part` for a command.
 
-    The result contains changed properties of the declaration, such as the unit and the limits.
+    They override the declaration of the field, which is that of an opening. The result is empty for an opening.
     """
     name = command_of(part)
     if name == OPENING:
@@ -114,24 +115,24 @@ def as_command(part: Any) -> dict[str, Any]:
 
 
 def as_limit(part: Any) -> dict[str, Any]:
-    """Return the declaration of a command limit, adapted to a controller.
+    """Return unit, kind and limits of a field of the controller `part` for a limit of its command.
 
-    It is used if the command is not the opening of a valve. The result contains changed properties of the declaration.
+    They override the declaration of the field. The result contains no default: a user must specify the limits.
     """
     return {key: value for key, value in as_command(part).items() if key != "default"}
 
 
 def as_command_change(part: Any) -> dict[str, Any]:
-    """Return the declaration of a difference of commands, adapted to a controller.
+    """Return the unit of a field of the controller `part` for a difference of commands.
 
-    The result contains changed properties of the declaration, such as the unit.
+    An example is the initial integral. The result overrides the unit in the declaration of the field.
     """
     return {"unit": COMMANDS[command_of(part)].unit}
 
 
 def of_openings(part: Any) -> dict[str, Any]:
-    """Return changes that make a declaration optional unless the command is an opening.
+    """Return changes that make a field optional if the controller `part` does not command an opening.
 
-    A number with this declaration has an effect only if the command is the opening of a valve.
+    The field, such as the largest opening, then has no default and no effect. The result is empty for an opening.
     """
     return {} if command_of(part) == OPENING else {"default": None, "optional": True}

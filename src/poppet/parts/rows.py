@@ -51,7 +51,7 @@ class NumberTable:
         with ErrorCollector() as errors:
             for key in unknown:
                 near = NameSuggestion(key, column_specs)
-                errors.add("fields.unknown", f"{field}.{key}", table=f"table {field}", near=near)
+                errors.add("fields.unknown", f"{field}.{key}", table=f"table {field}", suggestion=near)
             for key in missing:
                 column = Field(meaning=f"column {key}", example="a list with one value for each row")
                 errors.extend([missing_field(f"{field}.{key}", column)])

@@ -40,14 +40,13 @@ AT_ONCE, NEXT_SAMPLE = "at_once", "next_sample"
 class SampledLoop(Controller):
     """Base class of sampled controllers that control one measured quantity.
 
-    The command opens a fill and a vent valve, or it is the setpoint of an inner loop.
-
-    With `acts = "next_sample"` a command acts one sample after its measurement.
+    The command opens a fill and a vent valve, or it is the setpoint of an inner controller. With the option `acts =
+    "next_sample"`, a command acts one sample later than the measurement from which it was computed.
     """
 
     measured: ClassVar[tuple[str, ...]] = ("measurement",)
     internal_outputs: ClassVar[tuple[str, ...]] = (
-        "fill_command", "vent_command", *(f"sensor_{name}" for name in QUANTITIES)
+        "fill_command", "vent_command", "input_fault", *(f"sensor_{name}" for name in QUANTITIES)
     )  # fmt: skip
 
     setpoint: NumberLike = number(
@@ -70,14 +69,14 @@ class SampledLoop(Controller):
 
     @property
     def controls(self) -> str:
-        """Name of the measured quantity."""
+        """Name of the measured quantity, for example `pressure`."""
         return quantity_of(self)
 
     @property
     def is_of_openings(self) -> bool:
         """True if the command opens valves.
 
-        Otherwise the command is the setpoint of another loop.
+        If False, the command is the setpoint of another controller.
         """
         return command_of(self) == OPENING
 
@@ -93,9 +92,9 @@ class SampledLoop(Controller):
 
     @property
     def _sensor_state(self) -> str:
-        """Name of the state that contains the lagged sensor value.
+        """Name of the state with the sensor reading, which lags behind the measured quantity.
 
-        The state is also an output.
+        An output has the same name.
         """
         return f"sensor_{self.controls}"
 
@@ -106,24 +105,25 @@ class SampledLoop(Controller):
 
     @abstractmethod
     def compute_command(self, scope: Scope, measured: Any, is_safe: Any) -> tuple[Any, Any, dict[str, Any]]:
-        """Return the results of one sample of the controller.
+        """Return the command, the opening of the vent valve, and the new discrete states.
 
-        They are the command, the opening of the vent valve from 0 to 1, and the new discrete states. A positive command
-        opens the fill valve. If `is_safe` is 1, the command is the safe command.
+        `measured` is the sensor reading at this sample instant in SI units. If the command opens valves, a positive
+        command is the opening of the fill valve, from 0 to 1. Otherwise the opening of the vent valve is None. If
+        `is_safe` is 1, the command is the safe command.
         """
 
     @abstractmethod
     def law_memory(self) -> tuple[DiscreteState, ...]:
-        """Return the discrete states of the control law itself.
+        """Return the declarations of the discrete states of the control law.
 
-        The states of commands and clock are not included.
+        The states of commands and clock, which all sampled controllers have, are not included.
         """
 
     @abstractmethod
     def law_outputs(self, scope: Scope) -> Quantities:
-        """Return the outputs of the control law itself.
+        """Return the outputs of the control law, such as the integral.
 
-        Outputs of commands and sensor are not included.
+        The outputs of commands and sensor, which all sampled controllers have, are not included.
         """
 
     def states(self) -> tuple[State, ...]:
@@ -166,9 +166,9 @@ class SampledLoop(Controller):
         return ControlOutputs(outputs, {self._sensor_state: rate})
 
     def _sensed(self, scope: Scope) -> Any:
-        """Return the measured quantity after the lag of the sensor.
+        """Return the measured quantity with the lag of the sensor, but without its offset.
 
-        The offset of the sensor is not included.
+        The value is in SI units.
         """
         return where(scope["sensor.lag"] > 0.0, scope.states[self._sensor_state], scope.inputs["measurement"])
 
@@ -186,5 +186,8 @@ class SampledLoop(Controller):
 
 
 def is_first(scope: Scope) -> Any:
-    """Return True during the first sample of a run."""
+    """Return True at the first sample instant of a run.
+
+    For a symbolic scope, the result is a symbolic condition.
+    """
     return scope.memory["sample_count"] < 0.5

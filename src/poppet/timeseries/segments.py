@@ -111,14 +111,15 @@ class SegmentTable:
 def lines(start: FloatArray, value: FloatArray, slope: FloatArray, jump: NDArray[np.bool_]) -> SegmentTable:
     """Return a signal of straight lines as segments.
 
-    `start`, `value` and `slope` describe each line. `jump` is True for a segment at whose start the signal jumps.
+    `start`, `value` and `slope` describe each line. The elements of `jump` are True if the signal jumps at the start of
+    the line.
     """
     zero = np.broadcast_to(0.0, start.shape)  # takes no memory
     return SegmentTable(start, value, slope, zero, zero, zero, zero, jump)
 
 
 def held(value: float) -> SegmentTable:
-    """Return a signal with one constant value as a segment."""
+    """Return a signal with one constant value as a single segment."""
     return lines(np.zeros(1), np.array([float(value)]), np.zeros(1), np.zeros(1, dtype=bool))
 
 
@@ -140,9 +141,10 @@ def polyline(times: FloatArray, values: FloatArray, end: float) -> SegmentTable:
 def wave(
     mean: float, amplitude: float, phase: float, starts: Floats, frequencies: Floats, rates: Floats
 ) -> SegmentTable:
-    """Return a sine with variable frequency as segments of continuous phase.
+    """Return a sine with variable frequency as segments, without jumps of the phase.
 
-    Each segment has a start, a frequency, and a rate of change of the frequency (`rates`).
+    `starts`, `frequencies` and `rates` are the start of each segment [s], its frequency [Hz], and the rate of change of
+    the frequency [Hz/s].
     """
     start, frequency, rate = (np.array(series, dtype=float) for series in (starts, frequencies, rates))
     tau = np.diff(start)
@@ -158,7 +160,7 @@ def wave(
 class Signal(ABC):
     """Base class of signals over time.
 
-    Each subclass defines how its signal is divided into segments.
+    Each subclass defines how its signal is divided into segments (`SegmentTable`).
     """
 
     remarks: tuple[Note, ...] = ()
@@ -318,7 +320,7 @@ class DelayedSegments(Signal):
 class MergedSegments(NamedTuple):
     """Segments of all inputs, divided at common start times.
 
-    Equal coefficients are stored only once. For a million equal pulses, only the start times need memory.
+    Equal coefficients are stored only once: a million equal pulses need memory only for their start times.
     """
 
     starts: FloatArray  # (n,) start of each segment [s]

@@ -128,7 +128,7 @@ class TestPlan:
     def test_unknown_valve_is_rejected(self, valve):
         with pytest.raises(InputError) as caught:
             limits_plan(valve_circuit(), valve)
-        assert (caught.value.code, caught.value.facts["near"].valid_names) == ("names.unknown", ["valve"])
+        assert (caught.value.code, caught.value.facts["suggestion"].valid_names) == ("names.unknown", ["valve"])
 
     def test_several_valves_need_a_name(self):
         parts = valve_circuit().parts
@@ -290,8 +290,11 @@ class TestResult:
 
     def test_findings_as_text(self):
         text = " ".join(map(str, result_with_points().findings))
-        assert "The solenoids limit the bandwidth at 1 of 3 points (volumes 1 l, amplitudes 5 kPa)." in text
-        assert "The load volume limits the bandwidth at 1 of 3 points" in text
+        assert (
+            "The solenoids limit the bandwidth of the valve at 1 of 3 evaluated points (outlet volumes 1 l, amplitudes"
+            in text
+        )
+        assert "The load volume limits the bandwidth of the valve at 1 of 3 evaluated points" in text
         assert "permit a slow oscillation (hunting). This is the case at 2 points." in text
 
     @pytest.mark.parametrize("suffix", ["toml", "json"])
@@ -320,7 +323,7 @@ class TestResult:
         needs_nothing_else(page)
         assert "a valve: dynamic limits" in page
         assert "Interrupted: missing points are grey." in page
-        assert "The solenoids limit the bandwidth at 1 of 3 points" in page
+        assert "The solenoids limit the bandwidth of the valve at 1 of 3 evaluated points" in page
         with pytest.raises(InputError) as caught:
             write_limits(result_with_points(), tmp_path / "page.pdf")
         assert caught.value.code == "files.suffix"

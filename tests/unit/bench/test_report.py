@@ -10,10 +10,10 @@ from html.parser import HTMLParser
 import pytest
 
 from pages import needs_nothing_else, plots
-from poppet.bench.iso10094.bench_result import DEFINITIONS, TESTS, BenchResult, compared, read_bench_result
+from poppet.bench.iso10094.bench_result import DEFINITIONS, TESTS, BenchResult, compare_bench_results, read_bench_result
 from poppet.bench.iso10094.evaluation import BenchSettings, CharacteristicValue
 from poppet.bench.iso10094.run_bench import run_bench
-from poppet.bench.iso10094.virtual_valve import StandIn
+from poppet.bench.iso10094.virtual_valve import VirtualValve
 from poppet.core.codes import Note
 from poppet.core.errors import InputError
 from poppet.core.note_groups import grouped
@@ -28,7 +28,7 @@ from poppet.report.bench.bench_report import (
 )
 
 pytest.importorskip("matplotlib")
-VALVE = StandIn(
+VALVE = VirtualValve(
     play=0.8, dead_zone=2.0, dead_time=0.01, bow=1.0, droop=20.0, rise=4.0, flow_play=0.05, hum=0.1, hum_frequency=80.0,
     leak=1e-6, supply_sensitivity=0.01, offset=0.2, title="a <first> valve",
 )  # fmt: skip
@@ -41,7 +41,7 @@ SETTINGS = BenchSettings(
 @pytest.fixture(scope="module")
 def result(other) -> BenchResult:
     bench_result = run_bench(VALVE, SETTINGS, source="stand-in", notes=("a note & more",))
-    return replace(bench_result, comparison=compared(bench_result, other(bench_result)))
+    return replace(bench_result, comparison=compare_bench_results(bench_result, other(bench_result)))
 
 
 @pytest.fixture(scope="module")

@@ -289,7 +289,7 @@ class TestLinearModel:
                 model.frequency_response(1.0, *names)
             assert caught.value.code == "names.unknown"
             assert kind in caught.value.facts["meaning"]
-            assert caught.value.facts["near"].names
+            assert caught.value.facts["suggestion"].names
 
     @pytest.mark.parametrize("suffix", [".json", ".mat", ".npz"])
     def test_saved_files_contain_matrices_and_names(self, tmp_path, suffix):

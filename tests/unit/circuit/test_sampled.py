@@ -218,7 +218,7 @@ class TestModel:
     def test_unknown_addresses(self):
         with pytest.raises(InputError) as caught:
             smooth_model().frequency_response(1.0, "valve.setpiont", "tank.pressure")
-        assert (caught.value.code, caught.value.facts["near"].names[:1]) == ("names.unknown", ["valve.setpoint"])
+        assert (caught.value.code, caught.value.facts["suggestion"].names[:1]) == ("names.unknown", ["valve.setpoint"])
 
 
 class TestAgreement:

@@ -198,7 +198,8 @@ def test_a_signal_from_a_file_is_refused_before_anything_is_written(tmp_path, ca
 
 def _with_erf(function):
     arguments = function.sx_in()
-    return arguments, [ca.erf(function(*arguments))]
+    outputs, status = function(*arguments)
+    return arguments, [ca.erf(outputs), status]
 
 
 @pytest.mark.parametrize(

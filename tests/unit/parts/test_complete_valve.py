@@ -112,7 +112,7 @@ def test_an_unknown_set_is_one_error():
     with refused("library.unknown", "data", name="vppm_6") as caught:
         ProportionalValve(supply="supply", outlet="tank", exhaust="ambient", data="vppm_6")
     (problem,) = caught.value.problems
-    assert problem.facts["near"].names == ["vppm_6l"]
+    assert problem.facts["suggestion"].names == ["vppm_6l"]
 
 
 def test_outputs_are_seen_under_the_name_of_the_whole():
@@ -471,7 +471,9 @@ def test_a_target_above_the_supply_has_a_note():
     assert (
         "valve: the target of 6 bar at t = 1 s cannot be reached, because the supply pressure is only 5 bar." in notes
     )
-    assert any(note.startswith("valve: the target of 6 bar was not reached by t = 4 s") for note in notes)
+    assert any(
+        note.startswith("valve: the outlet pressure did not reach its target of 6 bar by t = 4 s") for note in notes
+    )
 
 
 def test_a_target_that_is_reached_is_not_mentioned():
@@ -481,7 +483,7 @@ def test_a_target_that_is_reached_is_not_mentioned():
 def test_an_unstable_tuning_is_reported():
     wild = {"outer": {"gain": 20.0}, "inner": {"gain": 1e-3}}
     notes = circuit({"valve.setpoint": Steps([0.0], [3e5])}, "0.1 l", electronics=wild).simulate(2.0, 1e-3).notes
-    assert any("at t = 2 s, so the target of 3 bar is not maintained" in note for note in notes)
+    assert any("does not settle at the target of 3 bar" in note for note in notes)
 
 
 # --- Connections ---
@@ -516,7 +518,7 @@ def test_connections_that_end_nowhere(connections, code, address):
 def test_an_output_that_no_part_has_shows_when_the_circuit_is_traced():
     found = mistake(lambda: joined({"hole.opening": "valve.fil_duty"}).model)
     assert (found.code, found.address) == ("fields.not_an_option", "connections.hole.opening")
-    assert "valve.fill_duty" in found.facts["near"].names
+    assert "valve.fill_duty" in found.facts["suggestion"].names
 
 
 def test_a_signal_and_a_connection_on_one_input():
@@ -583,7 +585,7 @@ def test_an_address_one_level_too_high_is_led_to_its_place():
     with pytest.raises(InputError) as caught:
         circuit().with_values({"valve.outer.gain": 2.0})
     assert caught.value.code == "names.unknown"
-    assert "valve.electronics.outer.gain" in caught.value.facts["near"].names
+    assert "valve.electronics.outer.gain" in caught.value.facts["suggestion"].names
 
 
 # --- What a picture shows first ---

@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from poppet.bench.iso10094.rig import valve_of
+from poppet.bench.iso10094.rig import find_valve
 from poppet.bench.sine_rig import SineRig, without_bands
 from poppet.circuit.circuit import BaseCircuit
 from poppet.core.errors import ErrorCollector, InputError
@@ -126,7 +126,7 @@ def limits_plan(
 
     Defaults replace the settings that are None. `springs` and `dampings` are factors on spring rates and damping.
     """
-    name = valve_of(circuit, valve, ProportionalValve)
+    name = find_valve(circuit, valve, ProportionalValve)
     outlet = circuit.parts[name].ports()["outlet"]
     if not isinstance(circuit.parts.get(outlet), Chamber):
         raise InputError("limits.no_chamber", f"{name}.outlet", given=outlet)

@@ -70,9 +70,9 @@ def find_sampled_steady_state(instance: Instance, u: Array) -> SteadyState:
 
 
 def rest_near(point: SampledPoint, guess: Array) -> Array | None:
-    """Return the steady state that Newton's method reaches from a guess.
+    """Return the steady state that Newton's method reaches from `guess`.
 
-    The result is None if the method does not converge.
+    The result is None if the method reaches none.
     """
     is_idle = (point.places < point.model.n_timers) & (guess[point.n :] > 0.5 * NEVER)
     start = guess.copy()

@@ -421,7 +421,7 @@ def build_layout(export_model: ExportModel, inputs: Sequence[str] = ()) -> FmuLa
         for address in inputs:
             if address not in reasons:
                 near = NameSuggestion(address, reasons)
-                errors.add("names.unknown", address, meaning="an input or parameter of this circuit", near=near)
+                errors.add("names.unknown", address, meaning="an input or parameter of this circuit", suggestion=near)
             elif reasons[address]:
                 errors.add("deploy.fmu.fixed_input", address, why=reasons[address])
     return FmuLayout(export_model, frozenset(inputs))

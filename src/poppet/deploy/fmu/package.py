@@ -130,7 +130,7 @@ def build_fmu(
         for platform in platforms:
             if platform not in PLATFORMS:
                 near = NameSuggestion(platform, PLATFORMS)
-                errors.add("fields.not_an_option", "platform", value=platform, meaning="platform", near=near)
+                errors.add("fields.not_an_option", "platform", value=platform, meaning="platform", suggestion=near)
     layout = build_layout(build_export_model(circuit, name), inputs)
     export_model = layout.export_model
     identifier, derivatives = export_model.name, directional_derivatives(export_model.model)

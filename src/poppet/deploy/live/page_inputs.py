@@ -131,7 +131,7 @@ def _slider(export_model: ExportModel, circuit: BaseCircuit, address: str) -> Sl
         address = export_model.parameters[inputs[address].parameter].address
     if address not in parameters:
         near = NameSuggestion(address, [*parameters, *inputs])
-        raise InputError("names.unknown", address, meaning="a parameter or input of the circuit", near=near)
+        raise InputError("names.unknown", address, meaning="a parameter or input of the circuit", suggestion=near)
     if not parameters[address].is_free:
         raise InputError(f"deploy.live.{parameters[address].fixed}", address)
     parameter, number = parameters[address], circuit.numbers()[address]

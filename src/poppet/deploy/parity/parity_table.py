@@ -179,7 +179,7 @@ def compare_targets(circuit: BaseCircuit, *, only: Sequence[str] = (), fmu: Path
     for name in selected:
         if name not in checks:
             near = NameSuggestion(name, checks)
-            raise InputError("fields.not_an_option", "target", value=name, meaning="target", near=near)
+            raise InputError("fields.not_an_option", "target", value=name, meaning="target", suggestion=near)
     selected_checks = [check for check in checks.values() if not selected or check.name in selected]
     if fmu is not None:
         version = fmi_version(fmu)

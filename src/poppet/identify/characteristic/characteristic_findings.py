@@ -32,7 +32,7 @@ FLAT = 1e-6
 
 @dataclass(frozen=True)
 class MonotoneVerdict:
-    """Result of a test whether C can increase with the stroke without any fall."""
+    """Result of the statistical test whether the sonic conductance C may never fall with the stroke."""
 
     rejected: bool  # True if the data reject the constraint
     probability: float  # probability of this gain or a larger one if C does not fall
@@ -56,10 +56,10 @@ def judge_monotone(
 
     Notes
     -----
-    The gain is the reduction of chi-square without the constraint. If C does not fall, the gain follows a mixture of
-    chi-square distributions with at most as many degrees of freedom as active constraints. The test uses this number,
-    which is conservative. The gain is divided by the lack of fit of the unconstrained spline. Otherwise a spline with
-    too few knots could reject the constraint.
+    The gain is the reduction of chi-square if the constraint is removed. If the true C does not fall, the gain follows
+    a mixture of chi-square distributions with at most as many degrees of freedom as active constraints. The test uses
+    this largest number, which is conservative. The gain is divided by the lack of fit of the unconstrained spline.
+    Otherwise a spline with too few knots could reject the constraint.
     """
     from scipy.special import chdtrc
 
@@ -91,10 +91,10 @@ def judge_monotone(
 
 
 def curve_residuals(fit: CurveFit, evidence: Sequence[TestEvidence], curve_index: int) -> Array:
-    """Return the differences between a curve and the tests, in standard uncertainties.
+    """Return curve minus test value at each test, divided by the standard uncertainty of the test.
 
-    `evidence` contains C and b of the tests. The curve is C for `curve_index` 0 and b for 1. The residuals are curve
-    minus test, in the order of the strokes.
+    `evidence` contains C and b of the tests. The curve is C for `curve_index` 0 and b for 1. The residuals are in the
+    order of the strokes.
     """
     ordered = sorted(evidence, key=lambda e: e.stroke)
     curve = fit.curve(curve_index, np.array([e.stroke for e in ordered]))
@@ -112,10 +112,11 @@ def characteristic_findings(
     domain: tuple[float, float],
     joint: bool,
 ) -> tuple[Note, ...]:
-    """Return findings on the fitted curves and the tests, the most important first.
+    """Return findings on the fitted curves of C and b and on the tests, the most important first.
 
-    `by_test` is the fit to C and b of the single tests, `evidence` contains these values, and `verdict` is the test of
-    the constraint on C.
+    `evidence` contains the values of C and b from the single tests, and `by_test` the fit to these values. `verdict` is
+    the test of the constraint that C never falls. `domain` is the range of strokes [m]. `joint` is True if a fit to the
+    samples of all tests was requested.
     """
     notes = list[Note]()
     if verdict:
@@ -169,7 +170,7 @@ def characteristic_findings(
 def _stroke_notes(evidence: Sequence[TestEvidence], domain: tuple[float, float]) -> list[Note]:
     """Return findings on the strokes of the tests.
 
-    The findings are on repeated tests that differ, and on ranges of stroke that no test covers.
+    They report repeated tests at one stroke that differ, gaps between strokes, and parts of `domain` beyond all tests.
     """
     notes = []
     for stroke, group in groupby(sorted(evidence, key=lambda e: e.stroke), key=lambda e: e.stroke):

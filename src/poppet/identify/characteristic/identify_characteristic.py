@@ -62,7 +62,7 @@ BOUND = 1e-6
 
 @dataclass(frozen=True)
 class _CurveOptions:
-    """Options of `identify_characteristic` after a check of their values."""
+    """Checked options of `identify_characteristic`."""
 
     form: Form
     degrees: tuple[int, int]
@@ -234,11 +234,11 @@ def _check_options(
     bootstrap: int,
     seed: int,
 ) -> _CurveOptions:
-    """Check the tests and the options of an identification, and return the options."""
+    """Check the tests and the options of `identify_characteristic`, and return the options."""
     with ErrorCollector() as errors:
         if form not in FORMS:
             near = NameSuggestion(str(form), FORMS)
-            errors.add("fields.not_an_option", "form", value=form, meaning="form", near=near)
+            errors.add("fields.not_an_option", "form", value=form, meaning="form", suggestion=near)
         for name, degree in degrees.items():
             with errors.collecting():
                 Field(type="integer", low=0, high=15).read(degree, name)
@@ -274,9 +274,9 @@ def _polynomial_shapes(options: _CurveOptions) -> Shapes:
 def _fit_spline(
     options: _CurveOptions, evidence: Sequence[TestEvidence], common: tuple[float, float]
 ) -> tuple[CurveFit, MonotoneVerdict]:
-    """Return the spline in which C never falls, and the test of this constraint.
+    """Return the spline in which C never falls, and the test whether the data reject this constraint.
 
-    `evidence` contains C and b of the tests, and `common` the errors that they share.
+    `evidence` contains C and b of the tests, and `common` the errors that all tests share.
     """
     decoupled = [e.decoupled() for e in evidence]
     candidates = [options.knots] if options.knots else _knot_candidates(options.strokes, decoupled)
@@ -361,7 +361,7 @@ def _comparison(fit: CurveFit, evidence: Sequence[TestEvidence], verdict: Monoto
 def _confidence_bands(
     fit: CurveFit, evidence: Sequence[TestEvidence], options: _CurveOptions
 ) -> list[tuple[Array, Array]]:
-    """Return the 95 % bands of C and b at many strokes in the domain."""
+    """Return the lower and upper limits of the 95 % bands of C and b at many strokes in the domain."""
     x = np.linspace(*options.domain, DRAWN)
     limits = ((0.0, np.inf), (0.0, 1.0))
     if options.bootstrap:

@@ -202,9 +202,9 @@ def plan_fit(
 
 
 def refit(plan: FitPlan, x: FloatArray, sigmas: list[float], fixed: Mapping[str, float] | None = None) -> Optimum:
-    """Repeat the search of a fit from another point.
+    """Repeat the search of a fit from the start point `x`.
 
-    `x` is this point. `sigmas` is the noise of each channel, and `fixed` maps names of parameters to fixed values.
+    `sigmas` is the noise of each channel, and `fixed` maps names of parameters to fixed values.
 
     Raises
     ------
@@ -234,9 +234,10 @@ def recording_parameters(
     roles: Sequence[str],
     limits: Mapping[str, Mapping[str, Any]] | None = None,
 ) -> list[FreeParameter]:
-    """Return the free parameters that belong to single recordings.
+    """Return the free parameters that belong to single recordings: initial values, lags and delays.
 
-    They are initial values, lags and delays. `limits` maps the address of an initial value to its bounds and prior.
+    `roles` states if a recording is fitted or used for validation. `limits` maps the address of an initial value to its
+    bounds and prior.
     """
     parameters: list[FreeParameter] = []
     fitted = [measurement for measurement, role in zip(measurements, roles, strict=True) if role == "fit"]
@@ -294,11 +295,11 @@ def offset_parameters(
 
 
 def offset_parameter(recording: str, channel: Channel, prior: NormalPrior | None) -> FreeParameter:
-    """Return the free offset of one sensor.
+    """Return the free parameter for the offset of one sensor.
 
-    The offset is limited to five standard deviations of its prior. The mean of the prior is relative to the
-    expected offset that the channel states. Without a prior, the limits are plus and minus a tenth of the range of the
-    recorded channel.
+    With a prior, the offset is limited to five standard deviations about its mean. The mean is relative to the expected
+    offset that the channel states. Without a prior, the limits are a tenth of the range of the recorded channel on both
+    sides of the expected offset.
     """
     prior = None if prior is None or not math.isfinite(prior.sd) else prior
     prior = None if prior is None else NormalPrior(prior.mean + channel.offset_mean, prior.sd)

@@ -64,22 +64,22 @@ class FlowModel:
 
     @cached_property
     def free(self) -> tuple[str, ...]:
-        """Names of the free parameters of the flow law, in the order of `UNITS`."""
+        """Names of the free parameters of the flow law, in the order of the constant `UNITS`."""
         return tuple(name for name in UNITS if name not in self.fixed)
 
     @cached_property
     def effects(self) -> tuple[Effect, ...]:
-        """Changes of the readings by each error that all points share.
+        """Errors that all points share, each with its change of the readings.
 
-        Each error has the size of one standard deviation.
+        A change is that of an error of one standard deviation.
         """
         return tuple(self.points.effects())
 
     @cached_property
     def scales(self) -> FloatArray:
-        """Typical size of each free parameter and of each common error.
+        """Unit of each element of `x`, the vector of scaled free parameters and common errors.
 
-        The argument `x` of the methods is in these units.
+        It is a typical size of a free parameter, and 1 for a common error.
         """
         sizes = {
             "sonic_conductance": float(np.max(self.points.effective_conductance)),
@@ -112,14 +112,14 @@ class FlowModel:
         return dict(self.fixed) | dict(zip(self.free, values, strict=True))
 
     def common_errors(self, x: FloatArray) -> list[tuple[Any, Effect]]:
-        """Return the fitted common errors, each with its effect on the readings.
+        """Return pairs of the size of each common error, in standard deviations, and its effect on the readings.
 
-        The size of an error is in standard deviations. `x` contains the scaled parameters.
+        `x` contains the scaled free parameters, then these sizes.
         """
         return list(zip(_elements_or_columns(x[..., len(self.free) :]), self.effects, strict=True))
 
     def readings(self, x: FloatArray) -> dict[str, FloatArray]:
-        """Return pressures and temperatures, corrected for the common errors in `x`."""
+        """Return the readings of pressures and temperature by channel, corrected for the common errors in `x`."""
         shifted = {name: getattr(self.points, name) for name in CHANNELS if name != "mass_flow_rate"}
         for size, effect in self.common_errors(x):
             for channel in shifted.keys() & effect.channels:
@@ -130,7 +130,8 @@ class FlowModel:
     def flow(self, x: FloatArray, **shifts: FloatArray) -> FloatArray:
         """Return the flow that the flow meter should read according to the model [kg/s].
 
-        `x` contains the scaled parameters. `shifts` adds a value to the readings of a channel.
+        `x` contains the scaled free parameters and common errors. `shifts` maps channels to values that are added to
+        their readings.
         """
         readings = self.readings(x)
         for channel, shift in shifts.items():
@@ -211,7 +212,7 @@ class FlowFit:
 
     @cached_property
     def values(self) -> dict[str, float]:
-        """All parameters of the law by name, with those that are fixed."""
+        """All parameters of the flow law by name, both fitted and fixed."""
         return self.model.numbers(self.x)
 
     @cached_property
@@ -247,18 +248,27 @@ class FlowFit:
 
     @property
     def stated(self) -> float:
-        """Probability of a larger chi-square with the stated uncertainties; NaN if they are not stated."""
+        """Probability of a larger chi-square, if the stated uncertainties are correct.
+
+        It is NaN if no uncertainties are stated.
+        """
         return chi_square_probability(self.stated_chi_square, self.degrees_of_freedom)
 
     @property
     def scatter_factor(self) -> float:
-        """Factor on the standard errors by scatter: Birge's ratio if the residuals are large for a stated scatter."""
+        """Factor on the standard errors if the residuals exceed the stated scatter (Birge's ratio).
+
+        It is 1 if they do not exceed it, or if no scatter is stated.
+        """
         is_large = self.scatter_is_known and self.stated < SCATTERED
         return math.sqrt(max(1.0, self.chi_square / self.degrees_of_freedom)) if is_large else 1.0
 
     @property
     def scatter_freedom(self) -> float:
-        """Degrees of freedom with which the scatter is known."""
+        """Degrees of freedom of the scatter of the points.
+
+        They are infinite if the scatter is stated and agrees with the residuals. Otherwise they are those of the fit.
+        """
         is_known = self.scatter_is_known and self.scatter_factor == 1.0
         return math.inf if is_known else float(max(self.degrees_of_freedom, 1))
 
@@ -275,12 +285,12 @@ class FlowFit:
 
     @cached_property
     def jacobian(self) -> FloatArray:
-        """Derivatives of the weighted residuals by the scaled parameters and common errors."""
+        """Derivatives of the weighted residuals by the scaled free parameters and common errors."""
         return self.model.jacobian(self.x, self.sigma)
 
     @cached_property
     def gain(self) -> tuple[FloatArray, Any]:
-        """Derivatives of the estimates with respect to the residuals, and a mask: True for determined parameters."""
+        """Derivatives of the estimates by the weighted residuals, and a mask of the determined parameters."""
         return gain(self.jacobian)
 
     @cached_property
@@ -317,9 +327,9 @@ class FlowFit:
 
 
 def fit_flow(model: FlowModel) -> FlowFit:
-    """Fit the flow law to the points.
+    """Fit the flow law to the points of a flow bench by weighted least squares.
 
-    The weights of the points are adapted to the fit.
+    The weights depend on the fitted law, so weights and parameters are updated in turn.
 
     Notes
     -----
@@ -467,10 +477,10 @@ def law_estimates(fit: FlowFit) -> dict[str, Estimate]:
 
 
 def _verdict_on_interval(name: str, value: float, half: float, at_bound: bool, scale: float) -> Verdict:
-    """Return the verdict on an estimate, such as `determined`.
+    """Return the verdict on an estimate of the flow law, such as `determined`.
 
-    `half` is half the width of the interval. It is compared with C itself, with 1 for b and m, and with at least p1/10
-    for the cracking pressure.
+    `half` is half the width of the interval. It is compared with C itself, with 1 for b and m, and with at least a
+    tenth of `scale`, the upstream pressure, for the cracking pressure.
     """
     if at_bound:
         return "at bound"
@@ -508,10 +518,9 @@ def choked_estimates(fit: FlowFit, choked: FlowFit) -> dict[str, Estimate]:
 
 
 def find_other_law(fit: FlowFit) -> tuple[str, FlowFit] | None:
-    """Return a fixed parameter that should be free, and the better fit.
+    """Return the name of a fixed parameter that should be free, and the fit in which it is free.
 
-    In this fit, the parameter is free. The result is None if no fixed parameter improves the fit clearly when it is
-    free.
+    The result is None if no fixed parameter improves the fit clearly when it is free.
     """
     alternatives = []
     for name in ("subsonic_index", "cracking_pressure"):

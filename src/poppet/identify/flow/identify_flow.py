@@ -170,7 +170,7 @@ def identify_flow(
 
 
 def _statistical_tests(fit: FlowFit) -> dict[str, Any]:
-    """Return the results of statistical tests of a fit.
+    """Return the results of statistical tests of a fit by name.
 
     They are chi-square, the runs test and the information criterion AICc.
     """
@@ -202,7 +202,7 @@ def _conditions(fit: FlowFit, fixed: Mapping[str, float]) -> dict[str, Any]:
 
 
 def _conductance_series(fit: FlowFit) -> dict[str, Any]:
-    """Return measured and fitted effective conductance over the pressure ratio p2/p1."""
+    """Return measured and fitted effective conductance versus the pressure ratio p2/p1, for the report."""
     points = fit.model.points
     order = np.argsort(points.pressure_ratio, kind="stable")
     modelled = conductance_of(fit.modelled, points.pressure_1, points.temperature_1)

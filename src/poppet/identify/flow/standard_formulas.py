@@ -22,7 +22,7 @@ Free = Literal["free"]
 def conductance_uncertainty(u_flow: Any, u_pressure: Any, u_temperature: Any) -> Any:
     r"""Return the relative standard uncertainty of C from the readings of one choked point.
 
-    The arguments u_q, u_p and u_T are relative standard uncertainties of flow, pressure and temperature.
+    The arguments are the relative standard uncertainties of flow, pressure and temperature: u_q, u_p and u_T.
 
     .. math:: \frac{u(C)}{C} = \sqrt{u_q^2 + u_p^2 + (u_T/2)^2}
 
@@ -43,7 +43,8 @@ def critical_ratio_uncertainty(
 ) -> Any:
     r"""Return the standard uncertainty of b from the readings of one subsonic point.
 
-    r is the pressure ratio p2/p1, phi is the flow ratio, and u_r and u_phi are their standard uncertainties.
+    r is the pressure ratio p2/p1, phi is the flow relative to choked flow, and u_r and u_phi are their standard
+    uncertainties. m is the subsonic index.
 
     .. math::
 
@@ -53,8 +54,8 @@ def critical_ratio_uncertainty(
 
     Notes
     -----
-    The formula is of first order, without a cracking pressure, for independent errors of r and the flow ratio. The
-    uncertainty is largest near r = 1 and near a flow ratio of 1; the formula is also least accurate there.
+    The formula is of first order, without a cracking pressure, for independent errors of r and phi. The uncertainty is
+    largest near r = 1 and near phi = 1; the formula is also least accurate there.
 
     Examples
     --------
@@ -69,7 +70,7 @@ def critical_ratio_uncertainty(
 
 @dataclass(frozen=True)
 class StandardEvaluation:
-    """Parameters of a flow path from the formulas of ISO 6358-1."""
+    """Parameters of a flow path according to the formulas of ISO 6358-1."""
 
     sonic_conductance: float  # mean over the saturated points [m^3/(s Pa)]
     critical_ratio: float  # weighted mean over the subsonic points; NaN without these
@@ -180,8 +181,9 @@ def _evaluate_readings(
 ) -> StandardEvaluation:
     """Return the results of the standard formulas for slightly changed readings.
 
-    `shifts` contains the changes. The readings are not checked, because a change can make them slightly invalid.
-    `saturated` and `subsonic` are masks of the choked and subsonic points.
+    `shifts` maps channels to the changes of their readings. The readings are not checked, because a change can make
+    them slightly invalid. `saturated` and `subsonic` are the indices of the choked and the subsonic points. `warm`
+    contains start values of b, m and cracking pressure.
     """
     flow, p_1, p_2, temperature = (getattr(points, channel) + shifts.get(channel, 0.0) for channel in CHANNELS)
     effective, indices = conductance_of(flow, p_1, temperature), list(subsonic)
@@ -213,9 +215,10 @@ def _fit_ratio(
     warm: tuple[float, float, float],
     is_free: list[bool],
 ) -> tuple[float, float, float]:
-    """Fit b and other parameters to the flow ratios of the subsonic points.
+    """Fit b, and m or the cracking pressure or both, to the flow ratios of the subsonic points.
 
-    The others are m or the cracking pressure, or both. `is_free` states which of them are free.
+    The arrays have one element for each point: p2/p1, flow relative to choked flow, and p1. `warm` contains start
+    values of b, m and cracking pressure, and `is_free` states which of them are free. The result contains all three.
     """
     from scipy.optimize import least_squares
 

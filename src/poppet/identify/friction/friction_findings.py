@@ -23,10 +23,7 @@ ZONES, UNEVEN = 8, 0.05
 
 
 def findings(analysis: FrictionFits) -> Iterator[Note]:
-    """Yield all findings on friction, the most important first.
-
-    Each contains the units that its message needs.
-    """
+    """Yield all findings on friction, the most important first."""
     units = {name: getattr(analysis.coordinate, name) for name in ("effort", "effort_unit", "length", "speed")}
     checks = _law_notes, _seal_and_bristle_notes, _motion_notes, _recording_notes
     for note in itertools.chain.from_iterable(check(analysis) for check in checks):
@@ -35,7 +32,7 @@ def findings(analysis: FrictionFits) -> Iterator[Note]:
 
 
 def _law_notes(analysis: FrictionFits) -> Iterator[Note]:
-    """Yield notes on the law that the data support, and on parameters that the selected law does not contain.
+    """Yield notes on the friction law that the data support, and on parameters that the selected law does not contain.
 
     The notes state upper bounds on these parameters.
     """
@@ -165,7 +162,7 @@ def _motion_notes(analysis: FrictionFits) -> Iterator[Note]:
 def _recording_notes(analysis: FrictionFits) -> Iterator[Note]:
     """Yield findings on the quality of the recordings.
 
-    They concern noise, the smoothing of velocities, and parameters that were set to zero.
+    They concern noise, the smoothing of velocities, omitted strokes, and parameters that the fit has set to zero.
     """
     stated = [record.uncertainty for record in analysis.records if record.uncertainty is not None]
     if stated:

@@ -250,7 +250,7 @@ def _conditions(analysis: FrictionFits, inertia: float) -> dict[str, Any]:
 
 
 def _report_curves(analysis: FrictionFits) -> dict[str, Any]:
-    """Return the curves for the report by name."""
+    """Return measured and modelled friction for the figures of the report, by name of the figure."""
     rows, solution, parameters = analysis.data.rows, analysis.fit.solution, analysis.fit.values
     bristles, unit = analysis.bristles, analysis.coordinate.effort_unit
     measured, model, curves = rows.friction - solution.zero(rows), solution.friction(rows), {}
@@ -292,7 +292,7 @@ def _report_curves(analysis: FrictionFits) -> dict[str, Any]:
 
 
 def _pressure_curve(analysis: FrictionFits, residual: FloatArray) -> dict[str, Any]:
-    """Return friction over pressure for the report.
+    """Return measured and modelled friction versus pressure, for the report.
 
     The curve has one point for each recording, or all samples if there is only one recording. `residual` is measured
     minus modelled friction along the motion.

@@ -29,15 +29,16 @@ def term_statistic(
     nuisances: Sequence[FloatArray],
     group: NDArray[np.int_],
 ) -> float:
-    """Return how significant a dependence on the pressure is.
+    """Return how significant the dependence of a friction term on the pressure is.
 
-    The term is one column of the law times the pressure. `law_columns` contains the derivatives of the friction by the
-    parameters of the law, (n, n_parameters). The coefficients of the `nuisances` can also depend on the pressure. The
-    result is the coefficient of the term divided by the half width of its interval; it is 0 for a negligible term.
+    The value is the coefficient of the dependence, divided by the half width of its interval. It is 0 for a negligible
+    dependence. `column` contains the values of the term, (n,). `law_columns` contains the derivatives of the friction
+    by the parameters of the law, (n, n_parameters). The coefficients of the terms `nuisances` can also depend on the
+    pressure. `group` is the group of each sample.
 
-    The friction of each recording has a free level. Therefore only the differences within recordings test the term.
+    The friction of each recording has a free level. Therefore only differences within recordings test the dependence.
     Residuals are independent between strokes, and between the points of a table. With at least three recordings, the
-    coefficient of the column in each recording must also follow the pressure beyond its scatter.
+    coefficient of the term in each recording must also depend on the pressure more than it scatters.
     """
     records = [np.where(rows.record == k, 1.0, 0.0) for k in np.unique(rows.record)]
     root = np.sqrt(rows.weight)
@@ -79,10 +80,10 @@ def term_statistic(
 def _statistic_between_recordings(
     rows: SlidingRows, candidates: Sequence[FloatArray], column: FloatArray, records: Sequence[FloatArray]
 ) -> float:
-    """Return the significance of a pressure dependence between recordings.
+    """Return how significantly the coefficient of a friction term depends on the pressure of the recordings.
 
-    A coefficient is fitted in each recording. The result is the slope of the coefficient over pressure, divided by its
-    half width.
+    `column` contains the values of the term. Its coefficient is fitted in each recording. The result is the slope of
+    the coefficient versus pressure, divided by the half width of its interval.
     """
     root = np.sqrt(rows.weight)
     matrix = np.column_stack([*(column * record for record in records), *candidates]) * root[:, None]

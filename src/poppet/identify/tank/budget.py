@@ -66,7 +66,7 @@ SOURCES = {
 
 @dataclass(frozen=True)
 class Uncertainties:
-    """Standard uncertainties of the quantities that a tank test states.
+    """Standard uncertainties of quantities that a tank test states, such as the volume.
 
     The uncertainty of an exact quantity is 0.
     """
@@ -80,9 +80,9 @@ class Uncertainties:
 
 
 def read_uncertainties(test: TankTest, plan: FitPlan) -> Uncertainties:
-    """Return the standard uncertainties of the quantities that a tank test states.
+    """Return the standard uncertainties of the quantities that a tank test states, such as the volume.
 
-    Uncertainties that are not stated have defaults. Those of volume and supply pressure can be fractions or absolute
+    If an uncertainty is not stated, it has a default. Those of volume and supply pressure can be fractions or absolute
     values.
     """
     if isinstance(test.uncertainties, int | float) and test.uncertainties == 0:
@@ -115,9 +115,10 @@ def read_uncertainties(test: TankTest, plan: FitPlan) -> Uncertainties:
 
 
 def _relative_uncertainty(argument: Any, name: str, unit: str, reference: float) -> float:
-    """Return a standard uncertainty as a fraction of a reference value.
+    """Return a standard uncertainty as a fraction of the value `reference`.
 
-    `argument` is the fraction, or an absolute value with the unit `unit`. `name` is the name for messages.
+    `argument` is the fraction, or an absolute uncertainty in units such as `unit`. `name` is the name of the quantity
+    for messages.
     """
     location, meaning = f"uncertainties.{name}", "standard uncertainty"
     fraction = Field(unit="1", low=0.0, high=LARGEST, meaning=meaning)
@@ -139,10 +140,10 @@ def add_budget(
     result: Result,
     ambient: Result,
 ) -> Result:
-    """Add the uncertainties of stated quantities to a result.
+    """Add the uncertainties of stated quantities to the standard errors and intervals of a tank test.
 
-    They increase the standard errors and intervals. `result` has the intervals of the fit, and `ambient` those that
-    include the ambient temperature. The Jacobian of the fit propagates the errors linearly.
+    `result` has the intervals of the fit, and `ambient` those that include the uncertainty of the ambient temperature.
+    The Jacobian of the fit propagates the errors linearly.
     """
     number = f"{test.part}.sonic_conductance"
     changes = _residual_changes(test, runs, plan, result, uncertainties)
@@ -192,7 +193,7 @@ def add_budget(
 
 
 def _stated_quantities(test: TankTest, runs: Sequence[TankRun]) -> set[str]:
-    """Return the names of the quantities with an uncertainty that the fit uses as they are stated."""
+    """Return the names of the quantities with an uncertainty that are not free in the fit."""
     fitted_runs = [run for run in runs if run.use == "fit"]
     is_stated = {
         "volume": not any(is_free(run.volume) for run in fitted_runs),
@@ -204,9 +205,9 @@ def _stated_quantities(test: TankTest, runs: Sequence[TankRun]) -> set[str]:
 
 
 def update_parameter_notes(plan: FitPlan, result: Result) -> Result:
-    """Return a result whose notes agree with its final intervals and verdicts.
+    """Return a result whose notes on single parameters agree with its final intervals and verdicts.
 
-    The notes are those on single parameters. Limited verdicts have a finding of their own.
+    Parameters with a verdict that was limited to `weak` have a separate finding.
     """
     capped = result.conditions.get("capped", {})
     free = [f for f in plan.free if f.name not in capped]
@@ -217,7 +218,7 @@ def update_parameter_notes(plan: FitPlan, result: Result) -> Result:
 
 
 def _widened_estimate(estimate: Estimate, error: float, low: float, high: float) -> Estimate:
-    """Return an estimate with an additional standard uncertainty, `error`.
+    """Return an estimate with the additional standard uncertainty `error`.
 
     The interval stays within the bounds `low` and `high`.
     """
@@ -239,16 +240,16 @@ def _sigmas(plan: FitPlan, result: Result) -> list[float]:
 
 
 def _local_model(plan: FitPlan, result: Result, errors: FloatArray) -> tuple[FloatArray, FloatArray]:
-    r"""Return the influence of the residuals on the estimates, and the second moments of the errors given the data.
+    r"""Return the derivatives of the estimates by the residuals, and the second moments of the errors given the data.
 
-    `errors` contains the changes of the residuals by the errors e, (n_rows, n_errors), in their standard uncertainties.
-    A large error of a stated quantity would be visible in the residuals r. Its moments therefore are those of the
-    posterior distribution with a standard normal prior, where C contains the changes without the part that the free
-    parameters can imitate, and w is the variance factor:
+    `errors` contains the changes of the residuals by the errors e of stated quantities, (n_rows, n_errors). Each error
+    has the size of its standard uncertainty. A large error would be visible in the residuals r. Its moments therefore
+    are those of the posterior distribution with a standard normal prior:
 
     .. math:: \Sigma = (1 + C^T C / w)^{-1}, \quad m = -\Sigma C^T r / w, \quad E[e e^T] = \Sigma + m m^T
 
-    Each element of m is limited to -1 to 1: a larger mean indicates a lack of fit instead of an error.
+    C is `errors` without the fraction that the free parameters can compensate, and w is the variance factor. Each
+    element of m is limited to -1 to 1: a larger mean indicates a lack of fit instead of an error.
     """
     x = np.array([result.parameters[f.name].value for f in plan.free])
     sigmas = _sigmas(plan, result)
@@ -267,9 +268,9 @@ def _local_model(plan: FitPlan, result: Result, errors: FloatArray) -> tuple[Flo
 
 
 def _contributions(sensitivities: FloatArray, moments: FloatArray) -> FloatArray:
-    """Return the contribution of each error to the standard uncertainty.
+    """Return the contribution of each error to the standard uncertainty of an estimate, (n_errors,).
 
-    `sensitivities` contains the change of an estimate by each error, and `moments` the second moments of the errors.
+    `sensitivities` contains the change of the estimate by each error, and `moments` the second moments of the errors.
     The errors can be correlated: a negative contribution reduces the others.
     """
     products = sensitivities * (moments @ sensitivities)
@@ -281,7 +282,7 @@ def _contributions(sensitivities: FloatArray, moments: FloatArray) -> FloatArray
 def _residual_changes(
     test: TankTest, runs: Sequence[TankRun], plan: FitPlan, result: Result, uncertainties: Uncertainties
 ) -> dict[str, FloatArray]:
-    """Return how the residuals change with each stated quantity.
+    """Return the change of all residuals with each stated quantity, by name of the quantity.
 
     A quantity changes by one standard uncertainty. Quantities that are exact, free or without effect are omitted.
     """
@@ -334,9 +335,9 @@ def _residual_changes(
 
 
 def _scaled_experiment(experiment: Experiment, plan: FitPlan, name: str, factor: float) -> Experiment:
-    """Return an experiment in which a volume or a supply pressure is scaled.
+    """Return a recording with its model in which the tank volume or the supply pressure is multiplied by `factor`.
 
-    `name` is the quantity, and `factor` the factor. A recorded supply pressure is scaled as well.
+    `name` is `volume` or `supply_pressure`. A recorded supply pressure is scaled as well.
     """
     address = VOLUME if name == "volume" else SUPPLY
     parameters, measurement = experiment.instance.parameters, experiment.measurement

@@ -11,7 +11,7 @@ from typing import Any, Literal, Self, TypeVar, get_args
 import numpy as np
 
 from poppet.core.codes import Note
-from poppet.core.errors import InputError, NameSuggestion, OutOfRangeError, collect
+from poppet.core.errors import InputError, NameSuggestion, OutOfRangeError, raise_errors
 from poppet.core.provenance import Number, Source
 from poppet.core.symbolic import clip, is_symbolic, minimum, smoothstep, where
 from poppet.laws.curves.curve import Curve, rising_intervals
@@ -88,7 +88,7 @@ class Characteristic:
 
     def __post_init__(self) -> None:
         # Only valid curves can be evaluated over the domain.
-        collect([*self._form_problems()])
+        raise_errors([*self._form_problems()])
         problems = []
         for name, (symbol, unit) in _CURVES.items():
             curve = self._curve(name)
@@ -105,7 +105,7 @@ class Characteristic:
                 continue
             facts: dict[str, Any] = {"value": values[worst], "unit": unit, "stroke_mm": 1e3 * worst, "limits": limits}
             problems.append(OutOfRangeError("curves.impossible_value", name, **facts, symbol=symbol, name=self.name))
-        collect(problems)
+        raise_errors(problems)
 
     def sonic_conductance_at(self, x: Any, parameters: Mapping[str, Any] | None = None) -> Any:
         """Return the sonic conductance at a stroke.
@@ -200,7 +200,9 @@ class Characteristic:
         """
         numbers = self.numbers()
         meaning, unknown = f"a parameter of {self.name}", [key for key in changes if key not in numbers]
-        collect([InputError("names.unknown", k, meaning=meaning, near=NameSuggestion(k, numbers)) for k in unknown])
+        raise_errors(
+            [InputError("names.unknown", k, meaning=meaning, suggestion=NameSuggestion(k, numbers)) for k in unknown]
+        )
         curves: dict[str, Any] = {curve: self._curve(curve).with_numbers(_under(curve, changes)) for curve in _CURVES}
         return replace(self, **curves, closing=changes.get("closing", self.closing))
 
@@ -333,7 +335,7 @@ class Characteristic:
                 yield OutOfRangeError("curves.beyond_points", domain=_span(*self.domain), symbol=symbol, points=points)
         if self.edge not in EDGES:
             near = NameSuggestion(self.edge, EDGES)
-            yield InputError("fields.not_an_option", "edge", meaning="edge policy", value=self.edge, near=near)
+            yield InputError("fields.not_an_option", "edge", meaning="edge policy", value=self.edge, suggestion=near)
         if self.closing is not None and not 0.0 < float(self.closing) < math.inf:
             yield OutOfRangeError("curves.closing", shown=self.closing.display())
 

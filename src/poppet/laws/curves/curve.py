@@ -8,7 +8,7 @@ from collections.abc import Hashable, Mapping, Sequence
 from itertools import pairwise
 from typing import Any, ClassVar, Self
 
-from poppet.core.errors import InputError, NameSuggestion, collect
+from poppet.core.errors import InputError, NameSuggestion, raise_errors
 from poppet.core.provenance import Number
 
 
@@ -106,7 +106,9 @@ class Curve(ABC):
         numbers = self.numbers()
         unknown = [name for name in changes if name not in numbers]
         meaning = "a parameter of this curve"
-        collect([InputError("names.unknown", n, meaning=meaning, near=NameSuggestion(n, numbers)) for n in unknown])
+        raise_errors(
+            [InputError("names.unknown", n, meaning=meaning, suggestion=NameSuggestion(n, numbers)) for n in unknown]
+        )
         return self._with_values(list({**numbers, **changes}.values()))
 
     def __call__(self, x: Any) -> Any:

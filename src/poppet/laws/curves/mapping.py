@@ -7,7 +7,7 @@ from collections.abc import Mapping, Sequence
 from functools import cached_property
 from typing import Any
 
-from poppet.core.errors import ErrorCollector, InputError, NameSuggestion, collect
+from poppet.core.errors import ErrorCollector, InputError, NameSuggestion, raise_errors
 from poppet.core.provenance import SOURCE_KINDS, Number, Source
 from poppet.core.tables import Field, missing_field
 from poppet.core.units import convert, quantity
@@ -66,14 +66,14 @@ def characteristic_from_mapping(table: Mapping[str, Any], *, name: str) -> Chara
     kind = table.get("kind")
     if kind not in _FIELDS:
         code = "curves.kind" if "kind" in table else "curves.no_kind"
-        raise InputError(code, name, value=kind, near=NameSuggestion(str(kind), _FIELDS))
+        raise InputError(code, name, value=kind, suggestion=NameSuggestion(str(kind), _FIELDS))
     reader = _CharacteristicReader(table, name, str(kind))
     # From here on, errors are collected, so one pass over the file reports all of them.
     reader.refuse_unknown()
     fields = reader.common()
     curves: dict[str, Any] = {field: reader.curve(field) for field in _UNITS}
     domain = reader.domain()
-    collect(reader.errors.collected)
+    raise_errors(reader.errors.collected)
     try:
         return Characteristic(**curves, domain=domain, name=name, **fields)
     except InputError as problem:
@@ -101,7 +101,7 @@ class _CharacteristicReader:
         for field in self.table:
             if field not in valid:
                 table = f"characteristic of kind {self.kind}"
-                self.complain("fields.unknown", field, table=table, near=NameSuggestion(field, valid))
+                self.complain("fields.unknown", field, table=table, suggestion=NameSuggestion(field, valid))
 
     def number(self, raw: Any, unit: str, field: str) -> Number | None:
         with self.errors.collecting():
@@ -167,7 +167,7 @@ class _CharacteristicReader:
         edge: Edge = self.table.get("edge", "hold")
         if edge not in EDGES:
             near = NameSuggestion(str(edge), EDGES)
-            self.complain("fields.not_an_option", "edge", meaning="edge policy", value=edge, near=near)
+            self.complain("fields.not_an_option", "edge", meaning="edge policy", value=edge, suggestion=near)
         return {"edge": edge, "closing": closing, "monotone": monotone, "source": self.source}
 
     def _source(self) -> Source:
@@ -179,7 +179,7 @@ class _CharacteristicReader:
                 return Source("given")
         kind, _, locator = (part.strip() for part in written.partition(","))
         if kind not in SOURCE_KINDS:
-            self.complain("curves.source", "source", value=written, near=NameSuggestion(kind, SOURCE_KINDS))
+            self.complain("curves.source", "source", value=written, suggestion=NameSuggestion(kind, SOURCE_KINDS))
             return Source("given")
         return Source(kind, locator, note)
 

@@ -14,7 +14,7 @@ from typing import Any, ClassVar, Self, final
 
 import numpy as np
 
-from poppet.core.errors import ErrorCollector, InputError, collect
+from poppet.core.errors import ErrorCollector, InputError, raise_errors
 from poppet.core.provenance import Number
 from poppet.core.symbolic import maximum, minimum
 from poppet.laws.curves.curve import Curve
@@ -183,7 +183,7 @@ class TableCurve(Curve):
         for index, (left, right) in enumerate(pairwise(self.strokes), start=2):
             if not left < right < math.inf:
                 errors.add("curves.not_rising", place=index, right_mm=right * 1e3, left_mm=left * 1e3)
-        collect(errors.collected)
+        raise_errors(errors.collected)
 
     def numbers(self) -> dict[str, Number]:
         return {f"y{i}": number for i, number in enumerate(self.values)}

@@ -508,7 +508,7 @@ def _conductance_per_cv(critical_ratio: float, definition: Definition) -> float:
         # Q = Kv/3600 sqrt((dp/1e5) (1000/rho)), so q = rho Q = Kv/3600 sqrt(0.01 dp rho), rho = p/(R T)
         return KV_PER_CV / 3600.0 * 0.1 * root / (ANR.density * math.sqrt(AIR_GAS_CONSTANT))
     near, meaning = NameSuggestion(definition, _DEFINITIONS), "definition of the flow coefficient"
-    raise InputError("fields.not_an_option", "definition", value=definition, meaning=meaning, near=near)
+    raise InputError("fields.not_an_option", "definition", value=definition, meaning=meaning, suggestion=near)
 
 
 def _nominal_flow_per_conductance(critical_ratio: float, subsonic_index: float, atmosphere: float) -> float:

@@ -11,7 +11,7 @@ from typing import Any
 
 import numpy as np
 
-from poppet.core.errors import OutOfRangeError, collect
+from poppet.core.errors import OutOfRangeError, raise_errors
 from poppet.core.symbolic import is_symbolic
 
 
@@ -79,7 +79,7 @@ def check(values: dict[str, Any], domains: dict[str, Domain] = DOMAINS) -> None:
     `domains` contains the interval of each value by name.
     """
     errors = (problem(name, value, domains[name]) for name, value in values.items())
-    collect([error for error in errors if error is not None])
+    raise_errors([error for error in errors if error is not None])
 
 
 def refuse_where(is_invalid: Any, name: str, value: Any, unit: str, code: str) -> None:

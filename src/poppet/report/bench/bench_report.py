@@ -365,7 +365,7 @@ def _test_section(result: BenchResult, reference: BenchResult | None, test: str)
         for row in rows
     ]  # fmt: skip
     headings = [Column(heading, "" if unit == "word" else "s") for heading, unit in columns]
-    text = paragraph(f"{meaning[:1].upper() + meaning[1:]}.")
+    text = paragraph(meaning)
     return [text, figure, findings(result.notes.get(test, ())), ReportTable(headings, cells if keys else ())]
 
 

@@ -7,7 +7,8 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from poppet.core.message_format import sentence
-from poppet.core.number_format import pretty, readable_unit, scaled
+from poppet.core.note_groups import explain_command
+from poppet.core.number_format import readable_unit, scaled
 from poppet.identify import Design, Prediction
 from poppet.identify.design.identify_design import TWO_SIDED
 from poppet.report.html_page import Section, document, findings, head, items, picture, write_page
@@ -55,7 +56,8 @@ def design_text(design: Design, max_findings: int | None = None) -> str:
     lines += [_joint_table(design).text(), "", _ranking_caption(design)]
     lines += [_candidate_table(design, MAX_CANDIDATES).text()]
     lines += [f"  ({n_omitted} more: the page and the result file)"] if n_omitted > 0 else []
-    return "\n".join([*lines, *(f"- {remark}" for remark in design.remarks)])
+    command = explain_command(remark.code for remark in design.remarks)
+    return "\n".join([*lines, *(f"- {remark}" for remark in design.remarks), *[f"more: {command}"] * bool(command)])
 
 
 def _joint_table(design: Design) -> ReportTable:
@@ -70,9 +72,15 @@ def _joint_table(design: Design) -> ReportTable:
         fitted = design.simulated.get(name)
         row = (name, scaled(p.value, p.unit, unit), "" if unit == "1" else unit, width(p.half), p.verdict)
         rows.append((*row, width(TWO_SIDED * fitted.standard_error), fitted.verdict) if fitted else row)
-    columns: list[Column | str] = ["parameter", Column("about", ".4g"), "unit", Column("+/- 95 %", ".2g"), "verdict"]
+    columns: list[Column | str] = [
+        "parameter",
+        Column("about", ".4g"),
+        "unit",
+        Column("half interval", ".2g"),
+        "verdict",
+    ]
     if design.simulated:
-        columns += [Column("simulated fits +/- 95 %", ".2g"), "their verdict"]
+        columns += [Column("simulated fits: half interval", ".2g"), "their verdict"]
     return ReportTable(tuple(columns), rows, "After these tests, if the circuit is correct")
 
 
@@ -130,5 +138,5 @@ def error_figure(design: Design) -> Figure:
         axes.set_yticks([])
         axes.grid(axis="x", alpha=0.4)
         axes.set_title(name, fontsize=8, parse_math=False)
-        axes.set_xlabel(pretty("± % of it"), fontsize=8)
+        axes.set_xlabel("half interval [% of value]", fontsize=8)
     return figure

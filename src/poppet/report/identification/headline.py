@@ -6,7 +6,7 @@ from collections.abc import Iterable
 
 from poppet.core.codes import Note
 from poppet.core.message_format import sentence
-from poppet.core.note_groups import grouped
+from poppet.core.note_groups import code_of, explain_command, grouped
 from poppet.core.number_format import number, pretty, readable_unit, scaled, value_with_error
 from poppet.identify.methods import METHODS
 from poppet.identify.result import VERDICTS, Result, behind
@@ -145,4 +145,6 @@ def result_summary(result: Result, max_findings: int | None = None) -> str:
     lines += [f"- {note}" for note in shown]
     if len(notes) > len(shown):
         lines.append(f"  ({len(notes) - len(shown)} more: --all, the page and the result file)")
+    command = explain_command(map(code_of, shown))
+    lines += [f"more: {command}"] * bool(command)
     return "\n".join(lines)

@@ -14,7 +14,7 @@ from poppet.core.number_format import scaled, with_unit
 from poppet.core.plugins import import_object
 from poppet.identify import Estimate, Result
 from poppet.identify.methods import METHODS
-from poppet.identify.result import DETERMINED, VERDICTS, WEAK
+from poppet.identify.result import VERDICTS
 from poppet.report.html_page import (
     Content,
     Section,
@@ -32,6 +32,7 @@ from poppet.report.identification import identification_tables as tables
 from poppet.report.identification.cost_figures import contour_figure, profile_figure, starts_figure
 from poppet.report.identification.headline import headline, next_step, split_notes
 from poppet.report.identification.method_sections import MethodReport
+from poppet.report.identification.verdict_reasons import verdict_limits, verdict_reasons
 from poppet.report.styles import stylesheet
 from poppet.report.tables import ReportTable, code
 from poppet.timeseries.plotting.figures import style
@@ -59,7 +60,7 @@ def identification_page(result: Result) -> str:
     method = (import_object(declaration.sections) if declaration else None) or MethodReport()
     with style("A report of an identification"):
         c = result.comparison
-        explanation = f"<p>{_report_text('explained', determined=100.0 * DETERMINED, weak=100.0 * WEAK)}</p>\n"
+        explanation = f"<p>{_report_text('explained', **verdict_limits(result))}</p>\n"
         if declaration and declaration.intervals:
             explanation += f"<p>{declaration.intervals}</p>\n"
         major, minor = split_notes(result.remarks)
@@ -135,12 +136,13 @@ def _title_and_results(result: Result, method: MethodReport) -> str:
     rows = [(tables.verdict_word(e.verdict), code(name), tables.estimate_text(e)) for name, e in estimates]
     # Without headings the table of the summary is not stacked.
     summary = bands or ReportTable(("", "", ""), rows).html().replace("scroll stack", "scroll")
+    reasons = "" if bands else "".join(map(paragraph, verdict_reasons(result)))
     step = next_step(result)
     next_line = f"<p><strong>Next:</strong> {html.escape(step)}</p>\n" if step else ""
     return (
         f"{head(result.title, declaration.description if declaration else result.method)}"
         f'<div class="summary {worst.replace(" ", "-")}"><p>{html.escape(headline(result))}</p>\n'
-        f"{next_line}{summary}</div>\n"
+        f"{next_line}{summary}{reasons}</div>\n"
     )
 
 

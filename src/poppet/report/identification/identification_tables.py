@@ -128,7 +128,7 @@ def _unit_of(e: Estimate) -> str:
 
 def parameter_table(parameters: Mapping[str, Estimate]) -> ReportTable:
     """Return a table of the parameters: value, confidence interval and verdict."""
-    estimate, start = numeric("value ± error", "95 % interval"), numeric("relative", "start")
+    estimate, start = numeric("value ± standard uncertainty", "95 % interval"), numeric("half interval", "start")
     columns: list[Column | str] = ["parameter", "verdict", *estimate, "unit", *start]
     rows = []
     for name, e in parameters.items():
@@ -141,7 +141,7 @@ def parameter_table(parameters: Mapping[str, Estimate]) -> ReportTable:
             with_detail(value_with_error(e.value, e.standard_error, e.unit, unit), si_value),
             interval(e.low, e.high, e.unit, unit),
             "-" if unit in ("1", "") else pretty(unit).replace(" ", "\N{NO-BREAK SPACE}"),
-            f"± {relative:{'.0f' if relative >= 10.0 else '.2g'}} %" if relative < 1000.0 else "-",
+            f"{relative:{'.0f' if relative >= 10.0 else '.2g'}} %" if relative < 1000.0 else "-",
             number(scaled(e.start, e.unit, unit)) if math.isfinite(e.start) else "-",
         ]
         rows.append(row)

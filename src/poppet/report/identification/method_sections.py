@@ -53,9 +53,7 @@ def _steady_sections(result: Result) -> list[Section]:
     formula_table = ReportTable(("parameter", "formulas of the standard", "direct fit"), formula_rows)
     note = "<p>The errors are standard uncertainties.</p>\n" if formula_rows else ""
     return [
-        Section(
-            "Tests at the strokes", ReportTable(("test", *numeric("stroke", "C ± error", "b ± error")), stroke_rows)
-        ),
+        Section("Tests at the strokes", ReportTable(("test", *numeric("stroke", "C ± u(C)", "b ± u(b)")), stroke_rows)),
         Section("Formulas of the standard", [formula_table, note]),
         *_budget_sections(result),
     ]

@@ -27,7 +27,7 @@ from poppet.report.html_page import Content, folded, inline_svg, items, paragrap
 from poppet.report.styles import stylesheet
 from poppet.report.tables import ReportTable, code, numeric
 from poppet.timeseries.columns import Columns
-from poppet.timeseries.plotting.panels import Panel, Series, looks_of, panels_of, shown_series, thinned
+from poppet.timeseries.plotting.panels import Panel, Series, code_styles, panels_of, shown_series, thinned
 from poppet.timeseries.plotting.plots import axis_unit, home_colours, panel_colours, time_unit
 from poppet.timeseries.recording import Recording
 
@@ -243,7 +243,7 @@ def plot(recording: Columns) -> str:
     if recording.time.size < 2:
         return ""
     pairs = zip(recording.names, recording.units, strict=True)
-    names = [name for name, unit in pairs if looks_of(name, unit, recording[name]) is None]  # no codes
+    names = [name for name, unit in pairs if code_styles(name, unit, recording[name]) is None]  # no codes
     # Only the samples that the plot shows. Internal outputs are omitted if there are other outputs.
     thin, ambient = [], recording.ambient_pressure
     for name in [name for name in names if name not in recording.inner] or names:

@@ -109,7 +109,7 @@ class PaperResult:
         """Return all tables and statements of the reproduction as text for a terminal."""
         tables = [f"{table.caption}\n\n{table.text()}" for name, table in self.tables.items() if name != "statements"]
         width = max(len(item.verdict.value) for item in self.statements)
-        lines = [f"{item.verdict.value:<{width}}  {item.text} ({item.place})" for item in self.statements]
+        lines = [f"{item.verdict.value:<{width}}  {item.text} {item.place}" for item in self.statements]
         return "\n\n".join([*tables, "Statements of the paper\n\n" + "\n".join(lines), f"Read {self.files[0]}"])
 
 
