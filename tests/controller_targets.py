@@ -1,4 +1,4 @@
-"""Runs of an exported controller on all targets: C in two precisions, structured text by an evaluator and two compilers.
+"""Runs of an exported controller on all targets: C in two precisions, structured text in an evaluator and compiled.
 
 A run returns the outputs and the status bits of all calls. MATIEC and STruC++ are used if the environment
 variables name their folders; no registry has them.

@@ -1,7 +1,7 @@
 """Exported controllers with invalid inputs, wrong times and wrong parameters, on all targets.
 
-The targets are C in double and single precision, structured text by the evaluator of the tests and by two compilers, and
-the traced program, which contains the equations of the simulation.
+The targets are C in double and single precision, structured text by the evaluator of the tests and by two compilers,
+and the traced program, which contains the equations of the simulation.
 """
 
 from __future__ import annotations
@@ -88,7 +88,9 @@ def check_equal(target, case, calls, folder):
     tolerance = {"single": 2e-4, "matiec": 1e-13, "strucpp": 1e-13}.get(target, 1e-15)
     differences = np.abs(outputs - expected).max(axis=1) if not size.any() else np.abs(outputs - expected)
     assert np.isfinite(outputs).all()
-    assert (differences <= tolerance * np.where(size > 0.0, size, 1.0)).all(), np.max(differences / np.maximum(size, 1e-300))
+    assert (differences <= tolerance * np.where(size > 0.0, size, 1.0)).all(), np.max(
+        differences / np.maximum(size, 1e-300)
+    )
     if target == "single":
         # A command at the border of its limits can be cut in one precision only.
         assert np.mean((status | SATURATED) == (bits | SATURATED)) == 1.0

@@ -183,6 +183,16 @@ class _Equations(NamedTuple):
     fired: Any
 
 
+class _Interface(NamedTuple):
+    """Inputs and parameters of a program with their rules."""
+
+    inputs: tuple[ExportInput, ...]
+    flags: frozenset[str]  # addresses of the inputs that are 0 or 1
+    limits: Sequence[tuple[float, float]]  # of each input; NaN if there is none
+    parameters: tuple[ExportParameter, ...]
+    ascending: Sequence[tuple[str, str]]  # pairs of parameters of which the first must be below the second
+
+
 def trace_controller_program(
     circuit: BaseCircuit,
     controllers: BaseCircuit,
@@ -206,7 +216,6 @@ def trace_controller_program(
     -------
     ControllerProgram
     """
-    import casadi as ca
 
     model, labels = trace_program(controllers.parts, tuple(controllers.parameters), controllers.connections)
     if continuous := sorted({state.name for state in model.states} - set(sensors)):
@@ -225,8 +234,7 @@ def trace_controller_program(
     }
     flags = frozenset(item.address for item in inputs if declared[item.address].is_flag)
     limits = [
-        tuple(end if isinstance(end, float) else float("nan") for end in (item.low, item.high))
-        for item in (declared[one.address] for one in inputs)
+        (_number_or_nan(item.low), _number_or_nan(item.high)) for item in (declared[one.address] for one in inputs)
     ]
     states = (
         *(ProgramState("memory", name, unit, name.rpartition(".")[2].startswith("is_")) for name, unit in model.memory),
@@ -234,13 +242,18 @@ def trace_controller_program(
         *(ProgramState("param", parameter.address, parameter.unit, False, parameter.value) for parameter in parameters),
         *(ProgramState("flag", name, "1", True) for name in FLAGS),
     )
-    first_u, first_p = ([item.value for item in items] for items in (inputs, parameters))
+    first_u, first_p = (np.array([item.value for item in items]) for items in (inputs, parameters))
     first_memory, timers = (ArrayFunction(f) for f in _first_functions(equations, model.n_timers))
     memory = first_memory(first_u, first_p)[0].ravel()
     next_instants = timers(first_u, first_p, memory)[0].ravel()
     cycle = float(next_instants[next_instants < NEVER].min())
-    rules = _parameter_rules(elementary, shown)
-    functions = _program_functions(equations, inputs, parameters, flags, limits, rules, states, model.n_timers, cycle)
+    ascending = [
+        (f"{name}.{low}", f"{name}.{high}")
+        for name, part in elementary.items()
+        for low, high in getattr(part, "ascending", ())
+    ]
+    interface = _Interface(inputs, flags, limits, parameters, ascending)
+    functions = _program_functions(equations, interface, states, model.n_timers, cycle)
     values = {parameter.address: parameter.value for parameter in export_model.parameters}
     return ControllerProgram(
         export_model.name, circuit.title, tuple(controllers.parts), inputs, flags, parameters, states, model.n_timers,
@@ -277,7 +290,9 @@ def _trace_equations(
     results = ca.substitute([ca.densify(result) for result in results], [model.symbols["x"]], [measured])
     results = ca.substitute(results, [model.symbols["p"]], [ca.vertcat(*values, memory)])
     used_u, used_p = (sorted({*ca.jacobian_sparsity(ca.vertcat(*results), symbol).get_col()}) for symbol in (u, p))
-    return _Equations(*results, u[used_u], p[used_p], memory, model.symbols["fired"]), used_u, used_p
+    start, update, output_values, label_values = results
+    symbols = u[used_u], p[used_p], memory, model.symbols["fired"]
+    return _Equations(start, update, output_values, label_values, *symbols), used_u, used_p
 
 
 def _first_functions(equations: _Equations, n_timers: int) -> tuple[casadi.Function, casadi.Function]:
@@ -293,26 +308,18 @@ def _first_functions(equations: _Equations, n_timers: int) -> tuple[casadi.Funct
     )
 
 
-def _parameter_rules(parts: Mapping[str, Any], shown: Mapping[str, str]) -> list[tuple[str, str]]:
-    """Return the pairs of parameters of which the first must be below the second, by address."""
-    rules = ((name, *rule) for name, part in parts.items() for rule in getattr(part, "ascending", ()))
-    return [(f"{name}.{low}", f"{name}.{high}") for name, low, high in rules]
+def _number_or_nan(limit: str | float) -> float:
+    """Return a limit of an input, or NaN if it is a parameter: the equations then contain it."""
+    return limit if isinstance(limit, float) else math.nan
 
 
 def _program_functions(
-    equations: _Equations,
-    inputs: Sequence[ExportInput],
-    parameters: Sequence[ExportParameter],
-    flags: frozenset[str],
-    limits: Sequence[tuple[float, ...]],
-    rules: Sequence[tuple[str, str]],
-    states: Sequence[ProgramState],
-    n_timers: int,
-    cycle: float,
+    equations: _Equations, interface: _Interface, states: Sequence[ProgramState], n_timers: int, cycle: float
 ) -> dict[str, casadi.Function]:
     """Return the functions of a program with the `SIGNATURES`."""
     import casadi as ca
 
+    inputs, parameters = interface.inputs, interface.parameters
     memory, held_u, held_p = equations.memory, ca.SX.sym("u", len(inputs)), ca.SX.sym("p", len(parameters))
     flag = ca.SX.sym("flag", len(FLAGS))
     z = ca.vertcat(memory, held_u, held_p, flag)
@@ -326,8 +333,8 @@ def _program_functions(
     old, new = [equations.u, equations.p], [effective_u, held_p]
     start, update, outputs, labels = ca.substitute([*equations[:4]], old, new)
 
-    accepted_p = _accepts_parameters(p, parameters, rules)
-    accepted_u, are_valid = _accept_inputs(u, held_u, inputs, flags, limits)
+    accepted_p = _accepts_parameters(p, interface)
+    accepted_u, are_valid = _accept_inputs(u, held_u, interface)
     accept = ca.vertcat(
         memory, accepted_u, _choose(accepted_p, p, held_p), is_started, ca.logic_not(are_valid),
         ca.logic_not(accepted_p), is_late,
@@ -389,25 +396,23 @@ def _choose(condition: Any, if_true: Any, if_false: Any) -> Any:
     return ca.if_else(condition, ca.SX(if_true), ca.SX(if_false))
 
 
-def _accepts_parameters(p: Any, parameters: Sequence[ExportParameter], rules: Sequence[tuple[str, str]]) -> Any:
+def _accepts_parameters(p: Any, interface: _Interface) -> Any:
     """Return the condition that all parameters are finite, within their limits, and in their order."""
     import casadi as ca
 
-    addresses, conditions = [parameter.address for parameter in parameters], []
-    for k, parameter in enumerate(parameters):
+    addresses, conditions = [parameter.address for parameter in interface.parameters], []
+    for k, parameter in enumerate(interface.parameters):
         # Both comparisons are false if the parameter is not a number.
         low, high = max(parameter.low, -LARGEST_INPUT), min(parameter.high, LARGEST_INPUT)
         conditions.append(p[k] > parameter.above if parameter.above is not None else p[k] >= low)
         conditions.append(p[k] < parameter.below if parameter.below is not None else p[k] <= high)
-    for low, high in rules:
-        if low in addresses and high in addresses:
-            conditions.append(p[addresses.index(low)] < p[addresses.index(high)])
+    for lower, upper in interface.ascending:
+        if lower in addresses and upper in addresses:
+            conditions.append(p[addresses.index(lower)] < p[addresses.index(upper)])
     return reduce(ca.logic_and, conditions, ca.SX(1.0))
 
 
-def _accept_inputs(
-    u: Any, held: Any, inputs: Sequence[ExportInput], flags: frozenset[str], limits: Sequence[tuple[float, ...]]
-) -> tuple[Any, Any]:
+def _accept_inputs(u: Any, held: Any, interface: _Interface) -> tuple[Any, Any]:
     """Return the inputs that the controllers use, and the condition that all given inputs are valid.
 
     An input that is not valid keeps the value of `held`. Valid inputs are clipped to their limits.
@@ -415,8 +420,8 @@ def _accept_inputs(
     import casadi as ca
 
     accepted, conditions = [], []
-    for k, (item, (low, high)) in enumerate(zip(inputs, limits, strict=True)):
-        if item.address in flags:
+    for k, (item, (low, high)) in enumerate(zip(interface.inputs, interface.limits, strict=True)):
+        if item.address in interface.flags:
             accepted.append(_choose(u[k] > 0.5, 1.0, 0.0))
             continue
         is_valid = ca.fabs(u[k]) <= LARGEST_INPUT

@@ -218,7 +218,7 @@ class Electronics(Controller):
         values = {f"{name}_sensor_pressure": scope.inputs[f"{name}_pressure"] for name in _SENSORS}
         values |= {state.name: 0.0 for state in self.memory()}
         values |= {"pilot_setpoint": ambient, "last_pressure": ambient, "integral": scope["initial_integral"]}
-        values |= {"outer": 0.0, "inner": 0.0, "vent": NEVER, "fault_count": NEVER_VALID}
+        values |= {"outer": 0.0, "inner": 0.0, "vent": NEVER, "faulty_samples": NEVER_VALID}
         return values | {"actual_pressure": scope.inputs["outlet_pressure"]}
 
     def list_internal_outputs(self) -> tuple[str, ...]:

@@ -558,12 +558,12 @@ def is_port(end: str) -> bool:
     return end.partition(".")[2] in PORTS
 
 
-def advance_clock(scope: Scope, timer: str, period: Any) -> dict[str, Any]:
+def advance_clock(scope: Scope, timer: str, period: Any, phase: Any = 0.0) -> dict[str, Any]:
     """Return the next sample instant of a periodic timer, and the incremented counter.
 
     The instant is computed from the counter, so rounding errors do not accumulate. A program with relative time adds
     the period to the time that remains, because a clock of single precision would become coarse.
     """
     count = scope.memory[f"{timer}_count"] + 1.0
-    instant = scope.memory[timer] + period if scope.has_relative_time else count * period
+    instant = scope.memory[timer] + period if scope.has_relative_time else phase + count * period
     return {timer: instant, f"{timer}_count": count}

@@ -239,7 +239,9 @@ class PID(SampledLoop):
         low = -scope["vent_limit"] / gains["vent_factor"] if self.is_of_openings else scope["lower_limit"]
         high = scope["fill_limit" if self.is_of_openings else "upper_limit"]
         scope.label("lowest_command", low, f"lower limit of the command [{self.command_unit}]")
-        safe = where(scope["safe_command"] >= low, where(scope["safe_command"] <= high, scope["safe_command"], low), low)
+        safe = where(
+            scope["safe_command"] >= low, where(scope["safe_command"] <= high, scope["safe_command"], low), low
+        )
         scope.label("safe_value", safe, f"safe command within the limits [{self.command_unit}]")
         # In the first sample after a safe state, the integral continues from the safe command.
         has_integral = gains["integral_time"] > 0.0

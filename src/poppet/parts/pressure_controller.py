@@ -107,7 +107,7 @@ class PressureController(SampledLoop):
         observer_time = scope["observer_time"]
         # The quotient is evaluated without an observer too: its divisor must be positive.
         observer_gain = 1.0 - exp(-time / maximum(observer_time, time * 1e-3))
-        # The prediction is not comparable with a measurement that is not valid, nor with the first one after a safe state.
+        # The prediction is not comparable with an invalid measurement, nor with the first one after a safe state.
         pauses = where(is_first(scope), 1.0, maximum(scope.inputs["input_fault"], recovers(scope, is_safe)))
         unexplained = where(pauses > 0.5, 0.0, (pressure - memory["predicted_pressure"]) / time)
         disturbance = memory["disturbance"] + where(observer_time > 0.0, observer_gain * unexplained, 0.0)

@@ -13,10 +13,10 @@ from poppet.core.symbolic import where
 from poppet.parts.part import DiscreteState, Input, Scope
 
 FAULT_INPUT = Input("input_fault", "1", 0.0, low=0.0, high=1.0, is_flag=True)
-FAULT_MEMORY = (DiscreteState("fault_count", "1"), DiscreteState("is_safe", "1"), DiscreteState("is_saturated", "1"))
+FAULT_MEMORY = (DiscreteState("faulty_samples", "1"), DiscreteState("is_safe", "1"), DiscreteState("is_saturated", "1"))
 """Discrete states: samples since the first invalid input, safe state, and saturation of the command."""
-NEVER_VALID = 1e15
-"""Start value of `fault_count`: before the first valid sample, an invalid input causes the safe state immediately."""
+NEVER_VALID = -1.0
+"""Start value of `faulty_samples`: before the first valid sample, a fault causes the safe state immediately."""
 _ROUNDING = 1e-6
 """Tolerance of `fault_time`, relative; it permits single precision."""
 
@@ -36,15 +36,16 @@ def fault_state(scope: Scope, period: Any) -> tuple[Any, dict[str, Any]]:
     is_safe : float or symbol
         1 if the command must be the safe command, otherwise 0.
     memory : dict
-        New values of `fault_count` and `is_safe`.
+        New values of `faulty_samples` and `is_safe`.
     """
     is_faulty = scope.inputs["input_fault"] > 0.5
-    count = scope.memory["fault_count"]
-    has_lasted = count * period >= scope["fault_time"] * (1.0 - _ROUNDING)
+    count = scope.memory["faulty_samples"]
+    was_valid = count > -0.5
+    has_lasted = where(was_valid, count * period, scope["fault_time"]) >= scope["fault_time"] * (1.0 - _ROUNDING)
     is_safe = where(is_faulty, where(has_lasted, 1.0, 0.0), 0.0)
     scope.label("is_faulty", is_faulty, "true if an input is not valid")
     scope.label("is_now_safe", is_safe, "true if an input has not been valid for the fault time")
-    return is_safe, {"fault_count": where(is_faulty, count + 1.0, 0.0), "is_safe": is_safe}
+    return is_safe, {"faulty_samples": where(is_faulty, where(was_valid, count + 1.0, count), 0.0), "is_safe": is_safe}
 
 
 def recovers(scope: Scope, is_safe: Any) -> Any:

@@ -149,7 +149,7 @@ class SampledLoop(Controller):
         return {self._sensor_state: ("measurement", "sensor")}
 
     def start(self, scope: Scope) -> dict[str, Any]:
-        discrete = {state.name: 0.0 for state in self.memory()} | {"fault_count": NEVER_VALID}
+        discrete = {state.name: 0.0 for state in self.memory()} | {"faulty_samples": NEVER_VALID}
         return discrete | {self._sensor_state: scope.inputs["measurement"], "sample": 0.0}
 
     def control(self, scope: Scope) -> ControlOutputs:

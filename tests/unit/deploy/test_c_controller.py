@@ -75,7 +75,7 @@ def test_parameters_change_between_calls(precision, tmp_path):
 
 
 def test_all_sample_instants_are_executed_after_hours(tmp_path):
-    """A single-precision counter stops at 2^24 calls, and a single-precision time would be coarse after half an hour."""
+    """A single-precision counter stops at 2^24 calls; a single-precision time would be coarse after half an hour."""
     files = c_controller(load(EXAMPLES / "pressure_control.toml"), name="ctl", precision="single")
     files = {name: text for name, text in files.items() if "host" not in name}
     files["own.c"] = """
@@ -102,7 +102,9 @@ def test_all_sample_instants_are_executed_after_hours(tmp_path):
 
 
 def test_single_precision_code_contains_no_double(tmp_path):
-    files = c_controller(load(EXAMPLES / "muscle_joint.toml"), CONTROLLERS["muscle_joint"], name="ctl", precision="single")
+    files = c_controller(
+        load(EXAMPLES / "muscle_joint.toml"), CONTROLLERS["muscle_joint"], name="ctl", precision="single"
+    )
     text = files["ctl.c"] + files["ctl.h"]
     assert "double" not in text
     assert not re.search(r"\d\.\d+(e[-+]?\d+)?(?![\d.f])", re.sub(r"/\*.*?\*/", "", text, flags=re.DOTALL))

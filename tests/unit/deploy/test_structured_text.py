@@ -19,7 +19,7 @@ from poppet.deploy.controller import controller_program
 from poppet.deploy.st.block import BlockNames, block_of, function_block
 from poppet.engine.printers.instructions import instructions
 from poppet.engine.printers.st import STRUCTURED_TEXT
-from poppet.engine.printers.statements import Result, Statements, UnsupportedOperationError, Value
+from poppet.engine.printers.statements import ResultVariable, Statements, UnsupportedOperationError, Value
 from refusals import refused
 from structured_text import FunctionBlock
 
@@ -166,8 +166,8 @@ def test_special_characters_in_titles_stay_in_the_comment():
 def test_unsupported_operations_are_refused(monkeypatch):
     x = ca.SX.sym("x")
     for expression in (ca.erf(x), x + ca.SX(float("inf"))):
+        statements = Statements(STRUCTURED_TEXT, [[Value("x")]], [[ResultVariable("y")]], str)
         with pytest.raises(UnsupportedOperationError):
-            statements = Statements(STRUCTURED_TEXT, [[Value("x")]], [[Result("y")]], str)
             statements.read(instructions(ca.Function("f", [x], [expression])))
     controller = program("pid")
     monkeypatch.setitem(

@@ -55,7 +55,8 @@ def test_a_pressure_loop_is_what_it_was_declared():
     assert plain.schedule is None
     assert {n: str(v) for n, v in plain.numbers().items()} == {
         "setpoint": "0 bar g", "sample_time": "1 ms", "sensor.lag": "0 s", "sensor.offset": "0 Pa", "fill_limit": "1",
-        "vent_limit": "1", "fault_time": "0.1 s", "safe_command": "0", "gain": "1e-05 1/Pa", "derivative_filter": "5 ms", "setpoint_weight": "1",
+        "vent_limit": "1", "fault_time": "0.1 s", "safe_command": "0",
+        "gain": "1e-05 1/Pa", "derivative_filter": "5 ms", "setpoint_weight": "1",
         "tracking_time": "0 s", "bias": "0", "dead_band": "0 Pa", "initial_integral": "0",
     }  # fmt: skip
     names = {item.name for item in plain.inputs()}

@@ -16,7 +16,7 @@ from poppet.deploy.export_files import c_string, comment_text, identifier, ident
 from poppet.engine.model_evaluation import Array
 from poppet.engine.printers.c import DOUBLE, SINGLE, Precision, statement_helpers, statement_language
 from poppet.engine.printers.instructions import instructions
-from poppet.engine.printers.statements import Result, Statements, Value
+from poppet.engine.printers.statements import ResultVariable, Statements, Value
 
 if TYPE_CHECKING:
     from poppet.circuit.circuit import BaseCircuit
@@ -70,7 +70,9 @@ def c_controller(
     bodies = _function_bodies(program, structs, kind)
     title = f"{comment_text(program.title or name)}: {', '.join(map(comment_text, program.parts))}"
     helpers = statement_helpers("\n".join(bodies.values()), kind)
-    values = [*zip(structs["in"], program.inputs, strict=True), *zip(structs["param"], program.parameters, strict=True)]
+    initial = [("in", member, item.value) for member, item in zip(structs["in"], program.inputs, strict=True)]
+    parameters = zip(structs["param"], program.parameters, strict=True)
+    initial += [("param", member, item.value) for member, item in parameters]
     fields = {
         "ABOUT": f"{title}, exported by poppet {__version__}",
         "NAME": name, "REAL": kind.real, "CYCLE": f"{program.cycle:g}", "CYCLE_LITERAL": kind.literal(program.cycle),
@@ -78,9 +80,9 @@ def c_controller(
         **{group.upper(): _struct_text(structs[group]) for group in ("in", "out", "param", "memory")},
         **{function.upper(): body for function, body in bodies.items()},
         "INITIAL": "\n".join(
-            f"  r->{'in' if member in structs['in'] else 'param'}.{member.path} = "
-            f"{('true' if item.value > 0.5 else 'false') if member.is_flag else kind.literal(item.value)};"
-            for member, item in values
+            f"  r->{group}.{member.path} = "
+            f"{('true' if value > 0.5 else 'false') if member.is_flag else kind.literal(value)};"
+            for group, member, value in initial
         ),
         **_test_vector(program, structs, kind, precision),
     }  # fmt: skip
@@ -190,7 +192,7 @@ def _function_bodies(program: ControllerProgram, structs: dict[str, list[Member]
         statements = Statements(
             statement_language(kind),
             [arguments[argument] for argument in inputs],
-            [[Result(value.text, value.is_flag) for value in results[r]] for r in outputs if r != "labels"],
+            [[ResultVariable(value.text, value.is_flag) for value in results[r]] for r in outputs if r != "labels"],
             new_name,
             labels=labels,
             unchanged=unchanged,

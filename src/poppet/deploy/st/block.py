@@ -14,7 +14,7 @@ from poppet.deploy.export_files import comment_text, identifier
 from poppet.deploy.targets import CircuitSource, Export
 from poppet.engine.printers.instructions import instructions
 from poppet.engine.printers.st import FUNCTIONS, STRUCTURED_TEXT, literal
-from poppet.engine.printers.statements import Result, Statements, UnsupportedOperationError, Value
+from poppet.engine.printers.statements import ResultVariable, Statements, UnsupportedOperationError, Value
 from poppet.parts.part import NEVER
 from poppet.timeseries.signals import SampledSignal
 
@@ -152,9 +152,10 @@ def function_block(program: ControllerProgram) -> str:
     def local_names(addresses: Iterable[str], mark: str = "") -> list[str]:
         return [names.add(f"{mark}{address.removeprefix(prefix)}") for address in addresses]
 
-    inputs, outputs = (local_names(q.address for q in items) for items in (program.inputs, program.outputs))
-    parameters = local_names(q.address for q in program.parameters)
-    interface = {q.address for q in (*program.inputs, *program.outputs)}
+    inputs = local_names(item.address for item in program.inputs)
+    outputs = local_names(output.address for output in program.outputs)
+    parameters = local_names(parameter.address for parameter in program.parameters)
+    interface = {*(item.address for item in program.inputs), *(output.address for output in program.outputs)}
     states = [
         state.address
         if state.group == "flag"
@@ -185,7 +186,7 @@ def function_block(program: ControllerProgram) -> str:
         statements = Statements(
             STRUCTURED_TEXT,
             [values[argument] for argument in arguments],
-            [[Result(v.text, v.is_flag) for v in values[result]] for result in results if result != "labels"],
+            [[ResultVariable(v.text, v.is_flag) for v in values[result]] for result in results if result != "labels"],
             # A labelled value has its name already.
             lambda text: text if text in label_names else names.add(text),
             labels=labels[name],
@@ -263,7 +264,10 @@ def _declarations(
         ),
         "END_VAR",
         "VAR_OUTPUT",
-        *(_declaration(name, "LREAL", "", q.unit, q.address) for name, q in zip(names["y"], program.outputs, strict=True)),
+        *(
+            _declaration(name, "LREAL", "", q.unit, q.address)
+            for name, q in zip(names["y"], program.outputs, strict=True)
+        ),
         *(_declaration(name, "BOOL", "", "", meaning) for name, meaning in _STATUS_MEANINGS.items()),
         "END_VAR",
         "VAR",

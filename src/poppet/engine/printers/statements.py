@@ -14,7 +14,6 @@ from typing import NamedTuple
 
 from poppet.engine.printers.instructions import Instruction
 
-
 _NAME = re.compile(r"[A-Za-z_][\w.\[\]]*(->[\w.]+)?")
 
 
@@ -54,7 +53,7 @@ class Value(NamedTuple):
         return self.text if self.is_atom else f"({self.text})"
 
 
-class Result(NamedTuple):
+class ResultVariable(NamedTuple):
     """Variable to which a result of a function is assigned."""
 
     name: str
@@ -88,7 +87,7 @@ class Statements:
         self,
         language: Language,
         inputs: Sequence[Sequence[Value]],
-        outputs: Sequence[Sequence[Result]],
+        outputs: Sequence[Sequence[ResultVariable]],
         new_name: Callable[[str], str],
         *,
         labels: Sequence[tuple[str, str]] = (),
@@ -107,7 +106,7 @@ class Statements:
         """Add statements for the instructions of the function."""
         uses, names, owners, needed, ends = self._plan(function)
         slots: dict[int, Value] = {}
-        results: list[tuple[Result, Value]] = []
+        results: list[tuple[ResultVariable, Value]] = []
         comment = ""
         for k, instruction in enumerate(function):
             vector, element = instruction.place
@@ -174,7 +173,7 @@ class Statements:
         ]
         return uses, names, owners, needed, ends
 
-    def _assign(self, results: Sequence[tuple[Result, Value]]) -> None:
+    def _assign(self, results: Sequence[tuple[ResultVariable, Value]]) -> None:
         """Add the statements that assign the results, except results that keep their values."""
         texts = {
             result.name: self._flag(value) if result.is_flag else self._number(value, is_operand=False)
@@ -200,7 +199,7 @@ class Statements:
             return value.operand if is_operand else value.text
         one, zero = (self.language.literal(number) for number in (1.0, 0.0))
         text = self.language.choice.format(value.operand, one, zero)
-        return text if text.endswith(")") and not text.startswith("(") or not is_operand else f"({text})"
+        return text if (text.endswith(")") and not text.startswith("(")) or not is_operand else f"({text})"
 
     def _flag(self, value: Value) -> str:
         """Return an expression as a condition; a number is compared with zero."""
@@ -245,8 +244,8 @@ class Statements:
                 return Value(flag, True, True, choice)
             text = language.choice.format(flag, chosen, language.literal(0.0))
             return Value(text, is_atom="?" not in language.choice, choice=choice)
-        if name == "add" and (choice := self._merge(*arguments)):
-            return choice
+        if name == "add" and (merged := self._merge(*arguments)):
+            return merged
         if name not in language.operations:
             raise UnsupportedOperationError(name)
         form = language.operations[name]
