@@ -35,7 +35,7 @@ PROGRAM = Command(
 def run(arguments: Sequence[str] | None = None) -> int:
     """Run poppet with command-line arguments, and return the exit code.
 
-    By default, the arguments are those of the running program.
+    By default, the arguments are those in `sys.argv`.
 
     Examples
     --------
@@ -91,7 +91,7 @@ def run(arguments: Sequence[str] | None = None) -> int:
 
 
 def command_parser(name: str) -> CommandParser:
-    """Return the parser of a command."""
+    """Return the parser of the arguments of the command `name`."""
     # `identify` has the methods of other packages.
     is_built_in = name in COMMANDS and name != "identify"
     return CommandParser(name, COMMANDS[name] if is_built_in else all_commands()[name])

@@ -25,11 +25,11 @@ from poppet.parts.quantities import (
     COMMANDS,
     OPENING,
     QUANTITIES,
-    as_command,
-    as_setpoint,
     command_of,
-    of_openings,
+    command_properties,
+    opening_properties,
     quantity_of,
+    setpoint_properties,
 )  # fmt: skip
 from poppet.parts.safe_state import FAULT_INPUT, FAULT_MEMORY, NEVER_VALID, fault_state
 
@@ -51,20 +51,26 @@ class SampledLoop(Controller):
 
     setpoint: NumberLike = number(
         "Pa", "0 bar g", doc="setpoint without a signal", kind="pressure", low=0.0, note="no pressure",
-        varies=as_setpoint,
+        varies=setpoint_properties,
     )  # fmt: skip
     sample_time: NumberLike = number("s", "1 ms", doc="sample time", low=MIN_SAMPLE_TIME)
     acts: str = option(AT_ONCE, NEXT_SAMPLE, doc="time at which a command acts")
     sensor: Any = group(FirstOrderSensor, doc="sensor")
     fill_limit: NumberLike = number(
-        "1", 1.0, doc="limit of the fill command", low=0.0, high=1.0, note="fully open", varies=of_openings
+        "1", 1.0, doc="limit of the fill command", low=0.0, high=1.0, note="fully open", varies=opening_properties
     )
     vent_limit: NumberLike = number(
-        "1", 1.0, doc="limit of the vent command", low=0.0, high=1.0, note="fully open", varies=of_openings
+        "1", 1.0, doc="limit of the vent command", low=0.0, high=1.0, note="fully open", varies=opening_properties
     )
     fault_time: NumberLike = number("s", "0.1 s", doc="time from an invalid input to the safe command", low=0.0)
     safe_command: NumberLike = number(
-        "1", 0.0, doc="command after an invalid input", low=-1.0, high=1.0, note="valves closed", varies=as_command
+        "1",
+        0.0,
+        doc="command after an invalid input",
+        low=-1.0,
+        high=1.0,
+        note="valves closed",
+        varies=command_properties,
     )
 
     @property

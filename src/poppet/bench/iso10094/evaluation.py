@@ -181,7 +181,10 @@ class Definition:
 
     @property
     def standard(self) -> str:
-        """Part of ISO 10094 that defines the value, with the advice to verify the definition."""
+        """Part of ISO 10094 that defines the value, as text.
+
+        The text advises the reader to verify the definition against the standard.
+        """
         return f"{self.of.part}; {VERIFY}"
 
 
@@ -240,7 +243,10 @@ class Evaluation:
         self.uncertainties[id(row), key] = uncertainty
 
     def values_of(self, rows: Sequence[Row], key: str) -> tuple[list[float], list[Uncertainty]]:
-        """Return the values of some rows in the column `key`, and their uncertainties."""
+        """Return one column of some rows of the results table, and its uncertainties.
+
+        `key` is the name of the column.
+        """
         return [row[key] for row in rows], [self.uncertainties[id(row), key] for row in rows]
 
     def add_curve(self, name: str, case: str, x: FloatArray, y: FloatArray) -> None:

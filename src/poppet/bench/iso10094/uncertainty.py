@@ -138,9 +138,9 @@ class Noise:
 
 
 def estimate_noise(parts: Sequence[FloatArray], degree: int = 1) -> Noise:
-    """Estimate the noise of series from their residuals about fitted polynomials.
+    """Estimate the common noise of several series from residuals about fitted polynomials.
 
-    `parts` are the series, and `degree` is the degree of the polynomials. All series have the same noise.
+    `parts` are the series, and `degree` is the degree of the polynomials.
 
     Examples
     --------
@@ -298,8 +298,8 @@ def mean_of(values: Sequence[float], uncertainties: Sequence[Uncertainty]) -> tu
     """Return the mean of repeated values and its uncertainty.
 
     The uncertainty includes the scatter of the values. The field `common` of the uncertainties is the half width of an
-    error range that all repetitions share. Values that scatter more than their noise cannot share one error, so the
-    range becomes narrower.
+    error range that is equal in all repetitions. If the values differ by more than their noise, their errors within
+    this range differ as well: the true value is then in the overlap of the ranges, which is narrower.
 
     Examples
     --------

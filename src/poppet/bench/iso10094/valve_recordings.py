@@ -228,7 +228,7 @@ MOST_LOOKED_AT = 200  # maximum number of samples before a run that are examined
 def find_clipped_samples(series: Mapping[str, FloatArray]) -> dict[str, Mask]:
     """Return a mask of the clipped samples of each series that has any.
 
-    Setpoint and outlet must be in % FS.
+    A clipped sample is at a limit of its channel, so the true value is unknown. Setpoint and outlet must be in % FS.
 
     Examples
     --------
