@@ -92,7 +92,7 @@ class TunedPoint:
     def sides(self) -> tuple[str, ...]:
         """Names of the sides (signs) of the command at which the margins keep the bound.
 
-        If the plant was measured with sines, they are labels of the sines instead.
+        For a plant that was measured with sines, the names are labels of the sines instead.
         """
         return tuple(dict.fromkeys(name.partition(", ")[2] for name in self.margins))
 
@@ -335,7 +335,7 @@ def schedule(
 
 
 def _add_working_step(plant: Plant, circuit: BaseCircuit, tuning: Tuning) -> Tuning:
-    """Return the tuning with a simulated setpoint step of usual size and its notes.
+    """Return the tuning with a simulated large setpoint step and its notes.
 
     The step is the largest one from an operating point to a level of the setpoint signal.
     """

@@ -37,7 +37,10 @@ Say = Callable[[str], object]
 
 
 class EvaluatedRecord(NamedTuple):
-    """Record of a trial with steps or a sine, and its rows in the results."""
+    """Record of a trial with steps or a sine, and the evaluated rows.
+
+    There is one row of results per step or sine.
+    """
 
     record: Record
     rows: list[Row]
