@@ -37,10 +37,7 @@ Say = Callable[[str], object]
 
 
 class EvaluatedRecord(NamedTuple):
-    """Record of a trial with steps or a sine, and the evaluated rows.
-
-    There is one row of results per step or sine.
-    """
+    """Record of a trial with steps or a sine, and the results of each step or sine."""
 
     record: Record
     rows: list[Row]
