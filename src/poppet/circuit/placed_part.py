@@ -33,9 +33,9 @@ _UPPER_LIMITS = {"length": 200.0, "nominal_length": 20.0, "height": 20.0, "wall_
 
 @dataclass(frozen=True, slots=True, eq=False)
 class PlacedPart:
-    """Part of a circuit, with properties that follow from its name and surroundings.
+    """Part of a circuit, with properties that depend on its name and the surroundings.
 
-    Copies of a circuit in which the part is unchanged share this object.
+    Copies of a circuit share this object if the part is unchanged.
     """
 
     part: Part

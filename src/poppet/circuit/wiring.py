@@ -136,7 +136,7 @@ def check_wiring(errors: ErrorCollector, wiring: Wiring) -> None:
 
 
 def connect_tube_cells(parts: Mapping[str, Part]) -> dict[str, Part]:
-    """Return all parts, with ports at tube ends connected to the end cells.
+    """Return all parts, in which ports that name a tube are connected to one of its end cells.
 
     An end cell is the first or the last cell of a tube.
     """

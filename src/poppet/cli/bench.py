@@ -221,7 +221,7 @@ def limits_summary(result: Any) -> str:
     """
     plan = result.plan
     head = ["-3 dB [Hz]", *(f"{a / 1e3:.3g} kPa" for a in plan.amplitudes)]
-    bandwidths, parts = result.grid("gain_frequency"), result.grid("limiting")
+    bandwidths, parts = result.bandwidth_map("gain_frequency"), result.bandwidth_map("limiting")
     rows = [
         [f"{v * 1e3:.3g} l", *(f"{f:.3g} {part}" for f, part in zip(*row, strict=True))]
         for v, *row in zip(plan.volumes, bandwidths, parts, strict=True)

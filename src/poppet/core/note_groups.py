@@ -64,7 +64,8 @@ def grouped(notes: Iterable[Note | str]) -> list[Note]:
     Examples
     --------
     >>> print(*grouped([Note("bench.doubtful", name) for name in "abcdefg"]))
-    The measurement uncertainty of a could not be determined. Number of further notes of this kind: 6, on b, c, d ...
+    The measurement uncertainty of a could not be determined.
+    Number of further notes of this kind: 6, on b, c, d and 3 others.
     """
     unique_notes = list(dict.fromkeys(notes_of(notes)))
     kinds: dict[str, list[Note]] = {}

@@ -53,9 +53,9 @@ class TomlFile:
 
     @property
     def content(self) -> dict[str, Any]:
-        """Tables of the file, in which no key and no text contains a control character.
+        """Tables of the file, after a check for control characters.
 
-        A control character raises an error.
+        A control character in a key or text raises an error.
         """
         tables = self.tables
         for address, text in _texts(tables):
@@ -193,21 +193,6 @@ def _dotted(text: str) -> str:
     return ".".join(a or b or c for a, b, c in _PIECE.findall(text))
 
 
-def _similar_files(path: Path, table: str) -> NameSuggestion:
-    """Return a suggestion for the name of a file that does not exist.
-
-    The suggestion contains files in the same folder that have a similar name and contain the table `table`.
-    """
-    names = []
-    for file in path.parent.glob(f"*{path.suffix}"):
-        with suppress(OSError, UnicodeDecodeError):
-            if not 0 < file.stat().st_size < LARGEST:
-                continue
-            if not table or TomlFile(file.read_text(encoding="utf-8-sig"), file.name).line_of(table):
-                names.append(file.name)
-    return NameSuggestion(path.name, names)
-
-
 def read_text(path: Path, table: str = "") -> str:
     """Return the content of a text file that the user has specified.
 
@@ -220,7 +205,14 @@ def read_text(path: Path, table: str = "") -> str:
         with path.open("rb") as file:
             data = file.read(LARGEST + 1)  # devices have no size
     except FileNotFoundError:
-        suggestion = _similar_files(path, table)
+        names = []
+        for similar in path.parent.glob(f"*{path.suffix}"):
+            with suppress(OSError, UnicodeDecodeError):
+                if not 0 < similar.stat().st_size < LARGEST:
+                    continue
+                if not table or TomlFile(similar.read_text(encoding="utf-8-sig"), similar.name).line_of(table):
+                    names.append(similar.name)
+        suggestion = NameSuggestion(path.name, names)
         is_lost = not suggestion.names
         new = is_lost and table == "parts"
         raise InputError(

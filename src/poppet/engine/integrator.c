@@ -1,4 +1,4 @@
-/* made from integrator.py, stepping.py, job.py, rosenbrock.py, sha256 de26cddd660214fe0da1b6466f2c494beae4e4a0786f8e05f122871f04e75afc */
+/* made from integrator.py, stepping.py, job.py, rosenbrock.py, sha256 dcf482f9e443e68030fa912e794bcd6407298ca2fb36c3b5be2368ba223f32ea */
 /* The adaptive integrator, translated from Python (tools/integrator_c.py); change it there.
 
    `integrate` takes one row of 64 bit numbers, addresses of functions and arrays and their lengths, and gives back how
@@ -776,8 +776,8 @@ static int64_t do_verdict(const RunState *run, double t, double window, int has_
   return (run->watch.at[1] != 0.0) ? INTERRUPTED : DONE;
 }
 
-/* Integrate over one segment of the inputs, and return status, time and next step length. calm is the last time at
-   which discrete states changed the rates, first the first successful step after it. */
+/* Integrate over one segment of the inputs, and return status, end and next step length. The argument h is the length
+   of the first step, as for begin in poppet.engine.stepping. */
 static void do_over(const RunState *run, Segment segment, double h, int64_t *r0, double *r1, double *r2) {
   const Work *work;
   const Control *control;

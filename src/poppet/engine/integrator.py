@@ -78,15 +78,16 @@ def _accept(run, segment, step):
 
 @compiled
 def _over(run, segment, h):
-    """Integrate over one segment of the inputs, and return status, time and next step length.
+    """Integrate over one segment of the inputs, and return status, end and next step length.
 
-    `calm` is the last time at which discrete states changed the rates, `first` the first successful step after it.
+    The argument h is the length of the first step, as for `begin` in `poppet.engine.stepping`.
     """
     work, control, counts, memory, script = run.work, run.control, run.counts, run.memory, run.control.script
     t, stop, has_timers = segment.start, segment.stop, run.memory.fired.size > 0
     error_before, step_before, rejected, fresh, moves = 1e-2, 0.0, False, True, stepping.varies(segment)
     window, lands = t, run.stops.weights.shape[0] > 0 or script.size > 0
-    # A new segment counts as progress, like a sample instant.
+    # Last time at which discrete states changed the rates, and length of the first accepted step after it. A new
+    # segment counts as progress, like a sample instant.
     calm, first, has_changed, has_acted = t, 0.0, True, has_timers or t > 0.0
     stepping.stage_inputs(run, segment, t, 0.0)
     while t < stop:

@@ -123,7 +123,7 @@ call3_arrays = stepping.caller(3)
 
 @compiled
 def rows(f, field):
-    """Return a field of f as an array whose rows contain one double for each lane."""
+    """Return a field of the job f as an array whose rows contain one double for each lane."""
     return carray(stepping.doubles_at(f[field]), (1, f[AT.width]))
 
 
@@ -135,13 +135,13 @@ def flags_of(f):
 
 @compiled
 def doubles(f, field, size):
-    """Return the array of `size` doubles whose address is a field of f."""
+    """Return the array of `size` doubles whose address is a field of the job f."""
     return carray(stepping.doubles_at(f[field]), (size,))
 
 
 @compiled
 def integers(f, field, size):
-    """Return the array of `size` integers whose address is a field of f."""
+    """Return the array of `size` integers whose address is a field of the job f."""
     return carray(stepping.integers_at(f[field]), (size,))
 
 
@@ -166,7 +166,7 @@ def table_at(f, run):
 
 @compiled
 def gather(f, field, i, one):
-    """Copy the values of lane i from a field of f into the array `one`."""
+    """Copy the values of lane i from a field of the job f into the array `one`."""
     vector = rows(f, field)
     for s in range(one.size):
         one[s] = vector[s, i]
@@ -174,7 +174,7 @@ def gather(f, field, i, one):
 
 @compiled
 def scatter(f, field, i, one):
-    """Copy the array `one` into the values of lane i in a field of f."""
+    """Copy the array `one` into the values of lane i in a field of the job f."""
     vector = rows(f, field)
     for s in range(one.size):
         vector[s, i] = one[s]

@@ -92,7 +92,7 @@ class SampledPoint:
         """
         return self._padded(self.start), np.concatenate([self.numbers, self.memory_start])
 
-    def remembered(self, v: Array) -> Array:
+    def all_discrete_states(self, v: Array) -> Array:
         """Return the values of all discrete states for the variables v.
 
         Clocks have their values at the start of a run.
@@ -152,7 +152,7 @@ class SampledPoint:
         and that no timer runs except the clocks.
         """
         residual, limit = scaled_residual(self.scaled, v, self.size)
-        if not np.all(residual <= limit) or not self.waits(v):
+        if not np.all(residual <= limit) or not self.is_idle(v):
             return False
         max_change = limit[self.n :] * self.size[self.n :] * self.clock.sample_time
         return all(
@@ -160,7 +160,7 @@ class SampledPoint:
             for fired in np.unique(self.clock.fired, axis=0)
         )
 
-    def waits(self, v: Array) -> bool:
+    def is_idle(self, v: Array) -> bool:
         """Return True if no timer runs in v, except the clocks.
 
         A clock is a periodic timer, which triggers the samples.

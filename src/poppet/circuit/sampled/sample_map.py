@@ -78,7 +78,10 @@ def sample_map(point: SampledPoint, phases: tuple[Phase, ...]) -> tuple[Array, A
 
 
 def eigenvalues_of(a: Array) -> NDArray[np.complex128]:
-    """Return the eigenvalues of the matrix `a` of a map from one sample to the next."""
+    """Return the eigenvalues of a matrix.
+
+    `a` maps the variables from one sample to the next, so some of its rows and columns can be zero.
+    """
     # Without rows or columns of zeros: balancing would divide by their size.
     rows = np.arange(len(a))
     while True:

@@ -63,7 +63,7 @@ def find_sampled_steady_state(instance: Instance, u: Array) -> SteadyState:
         dict(zip(point.input_names, u.tolist(), strict=True)),
         float(np.max(residual, initial=0.0)),
         tuple(notes),
-        dict(zip(names, point.remembered(v).tolist(), strict=True)),
+        dict(zip(names, point.all_discrete_states(v).tolist(), strict=True)),
         kink_notes(point, v),
         is_stable,
     )

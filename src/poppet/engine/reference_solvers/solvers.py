@@ -241,7 +241,8 @@ class _Cvodes(_Legs):
     def _chain(self, segment: int, parts: Sequence[Array], x: Array) -> Iterator[Leg]:
         """Yield the solution over several groups of intervals, until the solver fails.
 
-        Each element of `parts` contains the times between the intervals of one group, with start and end [s].
+        Each element of `parts` contains the start of the first interval of a group, and the ends of all its intervals
+        [s].
         """
         for stops in parts:
             reached = stops[0]

@@ -49,7 +49,7 @@ def design_page(design: Design) -> str:
 def design_text(design: Design, max_findings: int | None = None) -> str:
     """Return an experiment design as text for a terminal.
 
-    All findings are included; `max_findings` has no effect.
+    All findings are included. `max_findings` has no effect; the summaries of other methods use it.
     """
     n_omitted = len(design.tests) - MAX_CANDIDATES
     lines = [design.title, "Make:", *(f"  {k}. {name}" for k, name in enumerate(design.chosen, start=1)), ""]
@@ -61,7 +61,7 @@ def design_text(design: Design, max_findings: int | None = None) -> str:
 
 
 def _joint_table(design: Design) -> ReportTable:
-    """Return the expected confidence intervals after all recommended tests, as a table."""
+    """Return a table of the expected confidence intervals after all recommended tests."""
     rows = []
     for name, p in design.together.items():
         unit = readable_unit(p.unit, p.value)
@@ -85,11 +85,11 @@ def _joint_table(design: Design) -> ReportTable:
 
 
 def _candidate_table(design: Design, n_max: int) -> ReportTable:
-    """Return the expected errors of the parameters after each single test, as a table.
+    """Return a table of the expected errors of the parameters after each single test.
 
-    The relative error of a parameter is half its 95 % interval divided by its value. The table contains the geometric
-    mean of this error over all assumed values and samples of the priors. The criterion of the design is computed from
-    these errors. `n_max` limits the number of tests.
+    The relative error of a parameter is half its 95 % interval divided by its value. The table contains its geometric
+    mean over all assumed values and samples of the priors, and the criterion that is computed from these means. `n_max`
+    is the maximum number of tests.
     """
     names, ranked_by = next(iter(design.tests.values())).keys(), design.ranked_by()
     rows = [
@@ -109,7 +109,7 @@ def _ranking_caption(design: Design) -> str:
 
 
 def error_figure(design: Design) -> Figure:
-    """Draw the relative 95 % intervals after each of the best tests.
+    """Draw the relative 95 % confidence intervals after each of the best tests.
 
     Each parameter has one panel.
     """
