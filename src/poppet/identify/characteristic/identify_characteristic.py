@@ -279,7 +279,14 @@ def _fit_spline(
     `evidence` contains C and b of the tests, and `common` the errors that all tests share.
     """
     decoupled = [e.decoupled() for e in evidence]
-    candidates = [options.knots] if options.knots else _knot_candidates(options.strokes, decoupled)
+    if options.knots:
+        candidates = [options.knots]
+    else:
+        # AICc decides between selections of knots; the largest one has all strokes at which tests determine b.
+        strokes, determined = options.strokes, np.unique(determined_values(decoupled, 1)[0])
+        selections = [select_knots(strokes, n) for n in range(FEWEST_KNOTS, strokes.size)]
+        selections += [select_knots(determined, n) for n in range(FEWEST_KNOTS, determined.size + 1)]
+        candidates = list(dict.fromkeys(selections))
     fits = (fit_evidence(decoupled, _spline_shapes(options, k, False)) for k in candidates)
     rivals = tuple(sorted(fits, key=CurveFit.aicc))
     free = rivals[0]
@@ -291,17 +298,6 @@ def _fit_spline(
         else None
     )
     return constrained, judge_monotone(constrained, free, polynomials, decoupled)
-
-
-def _knot_candidates(strokes: Array, evidence: Sequence[TestEvidence]) -> list[tuple[float, ...]]:
-    """Return several selections of knots, between which AICc decides.
-
-    The largest selection contains all strokes at which tests determine b.
-    """
-    determined = np.unique(determined_values(evidence, 1)[0])
-    candidates = [select_knots(strokes, n) for n in range(FEWEST_KNOTS, strokes.size)]
-    candidates += [select_knots(determined, n) for n in range(FEWEST_KNOTS, determined.size + 1)]
-    return list(dict.fromkeys(candidates))
 
 
 def _spline_shapes(options: _CurveOptions, knots: tuple[float, ...], constrained: bool) -> Shapes:

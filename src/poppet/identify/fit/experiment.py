@@ -76,7 +76,17 @@ class Experiment:
     ) -> None:
         self.measurement = measurement
         parameters = [f for f in free if f.recording in ("", measurement.name)]
-        self.free, instance = _with_dead_times(parameters, measurement, instance)
+        # Replace free dead times of recorded inputs by shifts of the recordings, which can contain times before the
+        # start of the run.
+        recorded = {item.address for item in measurement.inputs}
+        inputs = {i.delay: i.name for i in instance.model.inputs if i.delay and i.name in recorded}
+        shifting = {f.address for f in parameters if f.role == "number"} & set(inputs)
+        self.free = tuple(
+            dataclasses.replace(f, role="dead_time", address=inputs[f.address]) if f.address in shifting else f
+            for f in parameters
+        )
+        if shifting:
+            instance = instance.with_values(dict.fromkeys(shifting, 0.0))
         outputs = [name for name, _ in instance.model.outputs]
         for channel in measurement.channels:
             if channel.address not in outputs:
@@ -343,24 +353,6 @@ def channels_of(experiments: Sequence[Experiment]) -> list[FittedChannel]:
             channels.append(FittedChannel(f"{e.name}.{channel.address}", channel, slice(row, row + channel.time.size)))
             row += channel.time.size
     return channels
-
-
-def _with_dead_times(
-    free: Sequence[FreeParameter], measurement: Measurement, instance: Instance
-) -> tuple[tuple[FreeParameter, ...], Instance]:
-    """Replace free dead times of recorded inputs by shifts of the recorded inputs.
-
-    The result contains the free parameters and the compiled circuit, whose dead times are then zero. A shifted
-    recording can contain times before the start of the run.
-    """
-    recorded = {item.address for item in measurement.inputs}
-    inputs_by_delay = {item.delay: item.name for item in instance.model.inputs if item.delay and item.name in recorded}
-    shifting = {f.address for f in free if f.role == "number"} & set(inputs_by_delay)
-    parameters = tuple(
-        dataclasses.replace(f, role="dead_time", address=inputs_by_delay[f.address]) if f.address in shifting else f
-        for f in free
-    )
-    return parameters, instance.with_values(dict.fromkeys(shifting, 0.0)) if shifting else instance
 
 
 def start_values(measurement: Measurement, instance: Instance) -> dict[str, Any]:

@@ -14,6 +14,7 @@ from functools import cached_property
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from poppet.core.errors import InputError
 from poppet.identify.flow.points import CHANNELS, Effect, FlowPoints
@@ -289,7 +290,7 @@ class FlowFit:
         return self.model.jacobian(self.x, self.sigma)
 
     @cached_property
-    def gain(self) -> tuple[FloatArray, Any]:
+    def gain(self) -> tuple[FloatArray, NDArray[np.bool_]]:
         """Derivatives of the estimates by the weighted residuals, and a mask of the determined parameters."""
         return gain(self.jacobian)
 

@@ -150,6 +150,8 @@ def identify_flow(
         standard |= {name: getattr(evaluation, name), f"u_{name}": error}
     standard |= {"saturated_points": [*evaluation.saturated], "subsonic_points": [*evaluation.subsonic]}
     prefix, rows = f"{part}." if part else "", accepted.gain[0][: len(accepted.model.free)]
+    order = np.argsort(points.pressure_ratio, kind="stable")
+    modelled = conductance_of(accepted.modelled, points.pressure_1, points.temperature_1)
     return Result(
         method="flow",
         title=title,
@@ -165,7 +167,16 @@ def identify_flow(
         },
         remarks=remarks + notes_of(notes),
         conditions=_conditions(accepted, fixed),
-        series=_conductance_series(accepted),
+        series={
+            "points.effective_conductance": {
+                "x": points.pressure_ratio[order],
+                "measured": points.effective_conductance[order],
+                "model": modelled[order],
+                "unit": "m^3/(s Pa)",
+                "x_unit": "1",
+                "x_name": "p2/p1",
+            }
+        },
     )
 
 
@@ -198,21 +209,4 @@ def _conditions(fit: FlowFit, fixed: Mapping[str, float]) -> dict[str, Any]:
             for name in ("pressure_ratio", "pressure_1", "temperature_1")
         },
         "standard_uncertainties": {channel: row for channel, row in stated.items() if row},
-    }
-
-
-def _conductance_series(fit: FlowFit) -> dict[str, Any]:
-    """Return measured and fitted effective conductance versus the pressure ratio p2/p1, for the report."""
-    points = fit.model.points
-    order = np.argsort(points.pressure_ratio, kind="stable")
-    modelled = conductance_of(fit.modelled, points.pressure_1, points.temperature_1)
-    return {
-        "points.effective_conductance": {
-            "x": points.pressure_ratio[order],
-            "measured": points.effective_conductance[order],
-            "model": modelled[order],
-            "unit": "m^3/(s Pa)",
-            "x_unit": "1",
-            "x_name": "p2/p1",
-        }
     }

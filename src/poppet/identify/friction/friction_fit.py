@@ -613,24 +613,15 @@ def fit_records(
         raise InputError("friction.no_law", records[0].coordinate.effort, count=len(rows))
     is_offset_known = offset is not None or any(record.is_motion for record in records)
     analysis = FrictionFits(records, tuple(motions), data, distance, fits, law, is_offset_known)
-    analysis = _with_growing_laws(analysis, has_pressure)
+    # Laws whose Stribeck excess depends on the pressure: if the residuals show it, or if such a law is requested.
+    falling = [fit for fit in fits.values() if fit.solution.law.is_falling]
+    grows = bool(falling) and abs(falling[-1].growth) > 1.0
+    if has_pressure and (grows or law in GROWING_LAWS):
+        growing = {name: fit for name, candidate in GROWING_LAWS.items() if (fit := fit_friction_law(data, candidate))}
+        analysis = replace(analysis, fits={**fits, **growing}, grows=grows and bool(growing))
     if law not in ("best", LUGRE, *analysis.fits):
         raise InputError("friction.law_not_told", "law", value=law)
     return analysis
-
-
-def _with_growing_laws(analysis: FrictionFits, has_pressure: bool) -> FrictionFits:
-    """Add fits of laws whose Stribeck excess (static minus Coulomb friction) depends on the pressure.
-
-    They are added if the residuals show this dependence or if the caller requests such a law. `has_pressure` is True if
-    the pressure varies between the samples.
-    """
-    falling = [fit for fit in analysis.fits.values() if fit.solution.law.is_falling]
-    grows = bool(falling) and abs(falling[-1].growth) > 1.0
-    if not has_pressure or not (grows or analysis.requested in GROWING_LAWS):
-        return analysis
-    fits = {name: fit for name, law in GROWING_LAWS.items() if (fit := fit_friction_law(analysis.data, law))}
-    return replace(analysis, fits={**analysis.fits, **fits}, grows=grows and bool(fits))
 
 
 def levels_of(analysis: FrictionFits) -> list[dict[str, Any]]:

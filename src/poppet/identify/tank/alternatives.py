@@ -20,6 +20,7 @@ from poppet.identify.free_parameter import FreeParameter, with_starts
 from poppet.identify.result import Estimate, Result, mark_interrupted
 from poppet.identify.tank.tank_plan import TankRun, is_free, plan_tank_fit, plausible_wall
 from poppet.identify.tank.test import TankTest
+from poppet.parts.fields import NumberLike
 from poppet.timeseries.checks import FloatArray
 
 HELD = (
@@ -194,7 +195,7 @@ def _alternative_plan(test: TankTest, runs: Sequence[TankRun], name: str) -> Fit
     return plan_tank_fit(replace(test, **changed), runs)
 
 
-def _free_table(argument: Any) -> Any:
+def _free_table(argument: Any) -> NumberLike:
     return argument if argument is None or is_free(argument) else {"start": argument}
 
 
