@@ -46,7 +46,7 @@ class Response:
         command: FloatArray = self.command[np.maximum(index, 0)]
         return command
 
-    def even(self, step: float) -> tuple[FloatArray, FloatArray, FloatArray]:
+    def resample(self, step: float) -> tuple[FloatArray, FloatArray, FloatArray]:
         """Resample the recorded command and response with a constant time step [s].
 
         The result contains the times, the command (constant between its changes) and the linearly interpolated
@@ -104,7 +104,7 @@ class SecondOrderArx:
         from scipy.signal import lfilter, lfiltic
 
         time = np.arange(0.0, response.time[-1] + self.step, self.step)
-        push = self._push(response, time)
+        push = self._input_terms(response, time)
         denominator = np.concatenate([[1.0], -self.a])
         state = lfiltic([1.0], denominator, [response.first, response.first])
         # An unstable model overflows; its error is then not-a-number, and another dead time is selected.
@@ -118,11 +118,11 @@ class SecondOrderArx:
 
         Each prediction uses the two previous measured values. The times have the constant step of the model.
         """
-        time, _, measured = response.even(self.step)
-        predicted = self._push(response, time)[2:] + self.a[0] * measured[1:-1] + self.a[1] * measured[:-2]
+        time, _, measured = response.resample(self.step)
+        predicted = self._input_terms(response, time)[2:] + self.a[0] * measured[1:-1] + self.a[1] * measured[:-2]
         return predicted, measured[2:]
 
-    def _push(self, response: Response, time: FloatArray) -> FloatArray:
+    def _input_terms(self, response: Response, time: FloatArray) -> FloatArray:
         """Return the contribution of command and constant to each step of the difference equation.
 
         `time` contains the times of the steps. Until the first recorded command takes effect, the command is assumed to
@@ -257,7 +257,7 @@ def fit_arx(responses: Sequence[Response]) -> SecondOrderArx:
     for dead_steps in range(int(_longest_dead_time(responses) / step) + 1):
         rows, target = [], []
         for r in responses:
-            _, command, measured = r.even(step)
+            _, command, measured = r.resample(step)
             k = np.arange(max(2, dead_steps + 1), measured.size)
             driven = command[k - dead_steps], command[k - dead_steps - 1]
             rows.append(np.column_stack((measured[k - 1], measured[k - 2], *driven, np.ones(k.size))))

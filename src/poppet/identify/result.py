@@ -313,10 +313,10 @@ def fitted_number(estimate: Estimate, title: str) -> Number:
 
 
 def judged(half: float, size: float, limits: tuple[float, float] = (DETERMINED, WEAK)) -> Verdict:
-    """Return the verdict on an estimate, such as `determined`, from the width of its interval.
+    """Return the verdict on an estimate from the width of its interval: `determined`, `weak` or `not determined`.
 
-    The verdict depends on the ratio of the half width `half` to the reference `size`. `limits` contains the largest
-    ratios for the verdicts `determined` and `weak`.
+    `half` is half the width, and `size` the value with which it is compared. `limits` contains the largest ratios of
+    both for the verdicts `determined` and `weak`.
     """
     # In this order not-a-number and infinity are "not determined".
     return "determined" if half <= limits[0] * size else "weak" if half <= limits[1] * size else "not determined"

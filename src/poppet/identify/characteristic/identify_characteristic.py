@@ -26,7 +26,7 @@ from poppet.identify.characteristic.characteristic_fit import (
     ambient_uncertainty,
     bootstrap_bands,
     fit_evidence,
-    fit_histories,
+    fit_recordings,
 )
 from poppet.identify.characteristic.characteristic_shapes import (
     LARGEST_RATIO,
@@ -42,11 +42,11 @@ from poppet.identify.characteristic.stroke_tests import (
     TestEvidence,
     check_tests,
     determined_values,
-    evidence_of,
+    evaluate_test,
     test_name,
 )
 from poppet.identify.data_file import or_file
-from poppet.identify.gum import few_runs_probability, widened
+from poppet.identify.gum import add_relative_uncertainty, few_runs_probability
 from poppet.identify.result import Estimate, ResidualSummary, Result, judged, replace_uncertain_findings
 from poppet.timeseries.checks import FloatArray as Array
 
@@ -174,7 +174,7 @@ def identify_characteristic(
     assert not isinstance(tests, str | Path)  # `or_file` has read a file
     degrees = {"degree_conductance": degree_conductance, "degree_ratio": degree_ratio}
     options = _check_options(tests, form, degrees, domain, knots, common, bootstrap, seed)
-    evidence = [evidence_of(test, test_name(test, k)) for k, test in enumerate(tests)]
+    evidence = [evaluate_test(test, test_name(test, k)) for k, test in enumerate(tests)]
     n_strokes = np.unique(determined_values(evidence, 1)[0]).size
     n_needed = degree_ratio + 1 if form == "polynomial" else FEWEST_KNOTS
     if n_strokes < n_needed:
@@ -191,14 +191,14 @@ def identify_characteristic(
     by_test = fit
     recorded = [k for k, test in enumerate(tests) if not isinstance(test, StrokePoint)]
     if joint and recorded and not (verdict and verdict.rejected):
-        fit = fit_histories(tests, evidence, fit, progress)
+        fit = fit_recordings(tests, evidence, fit, progress)
     bands = _confidence_bands(fit, evidence, options)
     remarks = characteristic_findings(fit, by_test, evidence, verdict, options.domain, joint and bool(recorded))
     prefix = f"{part}.characteristic." if part else ""
     estimates = _estimates(fit, options, prefix)
     if ambient:
         names = [f.name for f in fit.nuisance if f.name in ambient.shares]
-        estimates |= {name: widened(estimates[name], ambient.shares[name]) for name in names}
+        estimates |= {name: add_relative_uncertainty(estimates[name], ambient.shares[name]) for name in names}
         remarks = (*remarks, ambient.note(("C(x)", *names)))
     if fit.twin:  # the intervals include those of the equivalent curves
         twin_bands = _confidence_bands(fit.twin, evidence, options)

@@ -340,9 +340,9 @@ def check_effects(plan: FitPlan) -> None:
 
 
 def _effective_parameters(experiment: Experiment, values: Mapping[str, float]) -> set[str]:
-    """Return the names of the parameters that affect a compared output.
+    """Return the names of the free parameters that change a simulated channel of a recording.
 
-    `values` are their present values.
+    `values` maps the names of the free parameters to their present values.
     """
     # Not-a-number, from a run that failed at a bound, gives no information.
     slopes = [np.nan_to_num(slope) for slope in experiment.slopes(values)]

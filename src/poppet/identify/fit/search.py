@@ -14,7 +14,7 @@ from poppet.core.tables import Field
 from poppet.identify.fit.experiment import FAILED, SAMPLED_DIFFERENCE, Experiment, channels_of
 from poppet.identify.fit.residuals import LOSSES, costs_of, curvatures_of, weights_of, whiteness
 from poppet.identify.free_parameter import FreeParameter, by_name
-from poppet.identify.least_squares import LocalModel, condense, search
+from poppet.identify.least_squares import LocalModel, search, triangular_factor
 from poppet.timeseries.checks import FloatArray
 from poppet.timeseries.measurements import noise_of
 
@@ -194,12 +194,12 @@ class FitObjective:
         columns, residual = self._weighted_slopes(x, width), self.residual(x)
         columns[:, -1] = residual
         if loss == "linear":
-            triangle, force = condense(columns), residual
+            triangle, force = triangular_factor(columns), residual
         else:
             force, root = residual * weights_of(residual, loss), np.sqrt(curvatures_of(residual, loss))
             rows = columns * root[:, np.newaxis]
             rows[:, -1] = force / root
-            triangle = condense(rows)
+            triangle = triangular_factor(rows)
         return LocalModel(triangle[:, indices], triangle[:, -1], columns[:, indices], force)
 
     def _weighted_slopes(self, x: FloatArray, width: float) -> FloatArray:
@@ -231,8 +231,8 @@ class FitObjective:
         return self._slopes[1]
 
 
-def kick_rounds(settings: SearchSettings, experiments: Sequence[Experiment]) -> int:
-    """Return the maximum number of restarts of a search near its optimum.
+def count_restart_rounds(settings: SearchSettings, experiments: Sequence[Experiment]) -> int:
+    """Return the maximum number of rounds in which a search restarts near its optimum.
 
     If the settings do not state it, it depends on the kind of circuit.
     """
@@ -313,11 +313,11 @@ def _leave_false_minimum(objective: FitObjective, x: FloatArray, settings: Searc
     The reason is a false minimum of a discharge near the isothermal or the adiabatic limit, where the residuals are not
     white. Conductance and wall conductance compensate each other there.
     """
-    max_rounds = kick_rounds(settings, objective.experiments)
+    max_rounds = count_restart_rounds(settings, objective.experiments)
     if max_rounds == 0:
         return x
     start = np.array([objective.fixed.get(f.name, f.start) for f in objective.free])
-    cost, is_white = objective.cost(x), not _is_suspicious(objective, x)
+    cost, is_white = objective.cost(x), not _has_coloured_residuals(objective, x)
     for _ in range(max_rounds):
         previous_cost = cost
         # Each restart point differs in one parameter.
@@ -330,7 +330,7 @@ def _leave_false_minimum(objective: FitObjective, x: FloatArray, settings: Searc
         for point in [] if is_white else points:
             optimum, other_cost = _search_locally(objective, point, settings)
             if other_cost < cost * (1.0 - 1e-6):
-                x, cost, is_white = optimum, other_cost, not _is_suspicious(objective, optimum)
+                x, cost, is_white = optimum, other_cost, not _has_coloured_residuals(objective, optimum)
             if is_white:
                 break
         if cost > 0.999 * previous_cost:
@@ -338,7 +338,7 @@ def _leave_false_minimum(objective: FitObjective, x: FloatArray, settings: Searc
     return x
 
 
-def _is_suspicious(objective: FitObjective, x: FloatArray) -> bool:
+def _has_coloured_residuals(objective: FitObjective, x: FloatArray) -> bool:
     """Return True if the residuals of any channel at the point `x` are not white noise."""
     residual = objective.residual(x)
     return any(whiteness(residual[fitted.rows]) < SUSPICIOUS for fitted in objective.channels)

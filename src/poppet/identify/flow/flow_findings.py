@@ -118,7 +118,7 @@ def uncalibrated(points: FlowPoints, names: Iterable[str]) -> tuple[list[str], l
     return [channel for channel in CHANNELS if any(channel in by_name[name] for name in affected)], affected
 
 
-def weakened(estimates: Mapping[str, Estimate], remarks: Iterable[Note]) -> dict[str, Estimate]:
+def limit_verdicts(estimates: Mapping[str, Estimate], remarks: Iterable[Note]) -> dict[str, Estimate]:
     """Return estimates whose verdict `determined` is reduced to `weak` if a finding requires it."""
     limited: set[str] = set()
     for note in remarks:

@@ -248,7 +248,7 @@ class FlowFit:
         return len(self.model.points) - len(self.model.free)
 
     @property
-    def stated(self) -> float:
+    def stated_probability(self) -> float:
         """Probability of a larger chi-square, if the stated uncertainties are correct.
 
         It is NaN if no uncertainties are stated.
@@ -261,7 +261,7 @@ class FlowFit:
 
         It is 1 if they do not exceed it, or if no scatter is stated.
         """
-        is_large = self.scatter_is_known and self.stated < SCATTERED
+        is_large = self.scatter_is_known and self.stated_probability < SCATTERED
         return math.sqrt(max(1.0, self.chi_square / self.degrees_of_freedom)) if is_large else 1.0
 
     @property
@@ -344,7 +344,7 @@ def fit_flow(model: FlowModel) -> FlowFit:
         return _iterate_weights(model, x, adapt="extra", extra=float(np.mean(misfit**2)))
     fit = _iterate_weights(model, x)
     fit = replace(fit, stated_chi_square=fit.chi_square)
-    if not fit.stated < DOUBT:  # NaN: there are no degrees of freedom
+    if not fit.stated_probability < DOUBT:  # NaN: there are no degrees of freedom
         return fit
     birge = math.sqrt(fit.chi_square / fit.degrees_of_freedom)
     wider = _iterate_weights(model, fit.x, adapt="inflation", inflation=birge)

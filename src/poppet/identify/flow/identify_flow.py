@@ -14,7 +14,7 @@ from poppet.core.codes import notes_of
 from poppet.core.errors import ErrorCollector, InputError
 from poppet.identify.data_file import or_file
 from poppet.identify.flow.flow_file import read_flow_file
-from poppet.identify.flow.flow_findings import findings, influence_of, suspicions, weakened
+from poppet.identify.flow.flow_findings import findings, influence_of, limit_verdicts, suspicions
 from poppet.identify.flow.flow_fit import (
     UNITS,
     FlowFit,
@@ -141,7 +141,7 @@ def identify_flow(
     if doubts:  # independent of the width of the intervals
         weaker: dict[Verdict, Verdict] = {"determined": "weak"}
         estimates = {name: replace(e, verdict=weaker.get(e.verdict, e.verdict)) for name, e in estimates.items()}
-    estimates = weakened(estimates, remarks)
+    estimates = limit_verdicts(estimates, remarks)
     evaluation = evaluate_by_standard(points, subsonic_index, cracking_pressure)
     errors_by_standard = standard_uncertainties(points, evaluation, subsonic_index, cracking_pressure)
     is_bound = fit.values["critical_ratio"] < float(np.min(points.pressure_ratio))
@@ -190,7 +190,7 @@ def _statistical_tests(fit: FlowFit) -> dict[str, Any]:
     return {
         "chi_square": fit.chi_square if math.isnan(fit.stated_chi_square) else fit.stated_chi_square,
         "degrees_of_freedom": fit.degrees_of_freedom,
-        "chi_square_probability": fit.stated,
+        "chi_square_probability": fit.stated_probability,
         "scatter_factor": fit.inflation * fit.scatter_factor,
         "scatter_from_residuals": not fit.scatter_is_known,
         "runs_probability": few_runs_probability(fit.residuals[:n][order]),

@@ -31,7 +31,7 @@ from poppet.identify.friction.motion import (
     rows_of_table,
     stack_rows,
 )
-from poppet.identify.friction.pressure_terms import term_statistic
+from poppet.identify.friction.pressure_terms import pressure_significance
 from poppet.identify.friction.records import (
     COULOMB,
     SEAL,
@@ -42,7 +42,7 @@ from poppet.identify.friction.records import (
     Coordinate,
     FrictionRecord,
 )
-from poppet.identify.gum import ClusterCovariance, clustered, coverage_factor
+from poppet.identify.gum import ClusterCovariance, cluster_covariance, coverage_factor
 from poppet.timeseries.checks import FloatArray
 
 _SEARCHED = 40
@@ -188,7 +188,7 @@ class LawSolution:
             linear[1] -= linear[0]  # excess of the static force
         return np.asarray(self.design(rows) @ linear)
 
-    def zero(self, rows: SlidingRows) -> FloatArray:
+    def force_offset(self, rows: SlidingRows) -> FloatArray:
         """Return the fitted offset of the force sensor at each sample, (n,) [N]."""
         return np.array([self.offsets.get(int(k), 0.0) for k in rows.record])
 
@@ -198,7 +198,7 @@ class LawSolution:
         `unknown` contains the indices of recordings with free offsets. If the solution has no offset for such a
         recording, its mean residual is subtracted.
         """
-        errors = self.friction(rows) + self.zero(rows) - rows.friction
+        errors = self.friction(rows) + self.force_offset(rows) - rows.friction
         for k in unknown:
             is_record = rows.record == k
             if k not in self.offsets and is_record.any():
@@ -312,7 +312,7 @@ class FrictionLawFit:
             covariance = float(errors @ errors) / freedom * np.linalg.inv(table.T @ table)
             return ClusterCovariance(covariance, np.full(len(values), float(freedom)))
         root = np.sqrt(rows.weight)
-        return clustered(self.jacobian * root[:, None], self.errors * root, self.data.group, len(values))
+        return cluster_covariance(self.jacobian * root[:, None], self.errors * root, self.data.group, len(values))
 
     @cached_property
     def jacobian(self) -> FloatArray:
@@ -354,15 +354,15 @@ class FrictionLawFit:
         return np.asarray(rows.sign * np.exp(-((rows.velocity / self.values[STRIBECK]) ** 2)))
 
     def _pressure_statistic(self, column: FloatArray, *nuisances: FloatArray) -> float:
-        return term_statistic(self.data.rows, self.jacobian, column, nuisances, self.data.group)
+        return pressure_significance(self.data.rows, self.jacobian, column, nuisances, self.data.group)
 
     @cached_property
-    def together(self) -> float:
+    def residual_correlation_time(self) -> float:
         """Correlation time of the residuals, in samples; 1 for a table."""
         return correlation_time(self.errors) if self.data.axis != "point" else 1.0
 
     @cached_property
-    def allowed(self) -> list[LawSolution]:
+    def equivalent_solutions(self) -> list[LawSolution]:
         """Fits at other Stribeck velocities that are not significantly worse.
 
         The effective number of samples in this test is their number divided by the correlation time of the residuals.
@@ -370,7 +370,7 @@ class FrictionLawFit:
         rows, law = self.data.rows, self.solution.law
         if not law.is_falling:
             return []
-        freedom = max(len(rows) / self.together - len(self.values), 1.0)
+        freedom = max(len(rows) / self.residual_correlation_time - len(self.values), 1.0)
         limit = self.solution.cost * (1.0 + coverage_factor(freedom) ** 2 / freedom)
         offsets = [*self.solution.offsets]
         solutions = [_solve_linear(rows, law, math.exp(x), offsets) for x in search_grid(rows)]
@@ -383,8 +383,8 @@ class FrictionLawFit:
         half = coverage_factor(float(self.spread.freedom[index])) * error if math.isfinite(error) else math.inf
         value = self.values[name]
         low, high = value - half, value + half
-        if self.allowed and name in (STRIBECK, STATIC, COULOMB):
-            ends = [solution.values[name] for solution in self.allowed]
+        if self.equivalent_solutions and name in (STRIBECK, STATIC, COULOMB):
+            ends = [solution.values[name] for solution in self.equivalent_solutions]
             low, high = min(low, *ends), max(high, *ends)
             if name in (STRIBECK, STATIC) and self._is_open(0):
                 low, high = (0.0, high) if name == STRIBECK else (low, math.inf)
@@ -399,7 +399,7 @@ class FrictionLawFit:
         the upper end.
         """
         last = float(search_grid(self.data.rows)[end])
-        return any(abs(math.log(solution.values[STRIBECK]) - last) < 1e-9 for solution in self.allowed)
+        return any(abs(math.log(solution.values[STRIBECK]) - last) < 1e-9 for solution in self.equivalent_solutions)
 
 
 def count_speeds(rows: SlidingRows) -> int:
@@ -457,7 +457,7 @@ def is_better(fit: FrictionLawFit, reference: FrictionLawFit) -> bool:
     from scipy.special import fdtrc
 
     numbers = len(fit.values) + len(fit.solution.offsets)
-    freedom = max(len(rows) / fit.together - numbers, 1.0)
+    freedom = max(len(rows) / fit.residual_correlation_time - numbers, 1.0)
     n_additional = max(len(fit.values) - len(reference.values), 1)
     gain = (reference.solution.cost - fit.solution.cost) / n_additional
     return gain > negligible and bool(
@@ -540,7 +540,7 @@ class FrictionFits:
         return fit_bristles(self.motions, self.fit.values, self.fit.solution.offsets, self.distance)
 
     @cached_property
-    def misses_pressure_speed(self) -> bool:
+    def lacks_viscous_pressure_term(self) -> bool:
         """True if the residuals depend significantly on the product of pressure and speed."""
         return SEAL in self.fit.values and abs(self.fit.pressure_speed) > 1.0
 

@@ -140,7 +140,7 @@ def identify_friction(
     is_finite = np.isfinite(np.diag(covariance)) & np.array([name != addressed(SEAL_EXCESS) for name in order])
     finite_names = [name for name, is_in in zip(order, is_finite, strict=True) if is_in]
     rows, solution = analysis.data.rows, analysis.fit.solution
-    modelled = solution.friction(rows) + solution.zero(rows)
+    modelled = solution.friction(rows) + solution.force_offset(rows)
     residuals = {}
     for k, record in enumerate(record_list):
         pair = modelled[rows.record == k], rows.friction[rows.record == k]
@@ -176,7 +176,9 @@ def _estimates(analysis: FrictionFits, radius: float) -> dict[str, Estimate]:
         verdict = judged(max(high - value, value - low), value) if value > 0.0 else "at bound"
         if name in (COULOMB, STATIC) and analysis.is_one_way and not analysis.is_offset_known:
             verdict = max(verdict, "weak", key=VERDICTS.index)  # an offset of the force counts as friction
-        misses_pressure = (analysis.grows and SEAL_EXCESS not in analysis.fit.values) or analysis.misses_pressure_speed
+        misses_pressure = (
+            analysis.grows and SEAL_EXCESS not in analysis.fit.values
+        ) or analysis.lacks_viscous_pressure_term
         if misses_pressure and name != SEAL_EXCESS:
             verdict = max(verdict, "weak", key=VERDICTS.index)  # the law lacks an effect of the pressure
         lever = radius if name in (SEAL, SEAL_EXCESS) else 1.0  # seals act at the radius of the pulley
@@ -253,7 +255,7 @@ def _report_curves(analysis: FrictionFits) -> dict[str, Any]:
     """Return measured and modelled friction for the figures of the report, by name of the figure."""
     rows, solution, parameters = analysis.data.rows, analysis.fit.solution, analysis.fit.values
     bristles, unit = analysis.bristles, analysis.coordinate.effort_unit
-    measured, model, curves = rows.friction - solution.zero(rows), solution.friction(rows), {}
+    measured, model, curves = rows.friction - solution.force_offset(rows), solution.friction(rows), {}
     for k, record in enumerate(analysis.records):
         if record.is_motion:
             columns = {"time": rows.time, "measured": measured, "model": model}

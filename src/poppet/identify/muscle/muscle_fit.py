@@ -238,7 +238,7 @@ def fit_force_law(points: MusclePoints, name: str) -> ForceLawFit | None:
         return None
     held_out: dict[str, FloatArray] = {}
     without: list[list[float]] = []
-    for axis, group in filter(None, (points.groups, points.crossed)):
+    for axis, group in filter(None, (points.groups, points.second_groups)):
         errors = []
         for k in np.unique(group[taut & (group >= 0)]):
             withheld = taut & (group == k)

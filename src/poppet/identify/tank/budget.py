@@ -201,7 +201,7 @@ def add_budget(
 
 
 def _stated_quantities(test: TankTest, runs: Sequence[TankRun]) -> set[str]:
-    """Return the names of the quantities with an uncertainty that are not free in the fit."""
+    """Return the names of the quantities with an uncertainty that the fit treats as known, such as the volume."""
     fitted_runs = [run for run in runs if run.use == "fit"]
     is_stated = {
         "volume": not any(is_free(run.volume) for run in fitted_runs),

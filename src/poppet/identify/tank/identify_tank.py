@@ -20,7 +20,7 @@ from poppet.identify.fit.identify_fit import CLEAR, STRONG, Progress, identify_f
 from poppet.identify.fit.intervals import Stages
 from poppet.identify.fit.optima import unite_estimates
 from poppet.identify.flow.flow_findings import USUAL_CONDUCTANCE
-from poppet.identify.gum import SPREAD, widened
+from poppet.identify.gum import SPREAD, add_relative_uncertainty
 from poppet.identify.result import DETERMINED, Result
 from poppet.identify.tank.alternatives import (
     Alternative,
@@ -161,7 +161,7 @@ def widen_for_ambient(test: TankTest, runs: Sequence[TankRun], result: Result) -
     if test.ambient_temperature is not None or is_known:
         return result
     wider = {
-        name: widened(estimate, POWERS[field] * SPREAD / ROOM)
+        name: add_relative_uncertainty(estimate, POWERS[field] * SPREAD / ROOM)
         for name, estimate in result.parameters.items()
         if (field := name.rpartition(".")[2]) in POWERS and estimate.verdict in ("determined", "weak")
     }
