@@ -53,9 +53,9 @@ class Summary:
 
 @dataclass(frozen=True)
 class TornadoRange:
-    """Values of a metric while one parameter varies and all others have their medians.
+    """Values of a metric at a low quantile, the median and a high quantile of one parameter.
 
-    The parameter has a low quantile, its median and a high quantile.
+    All other parameters have their medians.
     """
 
     address: str

@@ -64,8 +64,8 @@ class FirstOrder:
 
     Notes
     -----
-    Until the first recorded command takes effect, the channel stays at its first value, because earlier commands are
-    not available.
+    u is the command, y the output, tau the time constant, K the gain, theta the dead time and c the offset. Until the
+    first recorded command takes effect, the output stays at its first value, because earlier commands are not available.
     """
 
     dead_time: float  # theta [s]
@@ -84,8 +84,9 @@ class FirstOrder:
 
 @dataclass(frozen=True, eq=False)
 class SecondOrderArx:
-    r"""Linear difference equation of second order, with dead time and a constant.
+    """Linear difference equation of second order, with dead time and a constant.
 
+    y_k is the output at step k, u the command, d the dead time in steps, and c the constant.
 
     .. math:: y_k = a_1 y_{k-1} + a_2 y_{k-2} + b_1 u_{k-d} + b_2 u_{k-d-1} + c
     """

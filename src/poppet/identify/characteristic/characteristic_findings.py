@@ -32,7 +32,7 @@ FLAT = 1e-6
 
 @dataclass(frozen=True)
 class MonotoneVerdict:
-    """Result of the statistical test whether the sonic conductance C may never fall with the stroke."""
+    """Result of a statistical test of the constraint that the sonic conductance never falls with the stroke."""
 
     rejected: bool  # True if the data reject the constraint
     probability: float  # probability of this gain or a larger one if C does not fall

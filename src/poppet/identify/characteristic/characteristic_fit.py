@@ -39,7 +39,7 @@ APART = 0.01
 
 
 class RecordingTerm:
-    """Residuals of the samples of one recorded test, as a function of C, b and the bench.
+    """Residuals of the samples of one recorded test, as a function of C, b and parameters of the test bench.
 
     They are divided by the noise that a fit to this test alone has estimated.
     """
@@ -115,7 +115,7 @@ class CurveFit:
     strokes: tuple[Array, Array] = (np.empty(0), np.empty(0))  # strokes of the tests that determine C and b, ascending
 
     def part(self, index: int) -> slice:
-        """Return the slice of `theta`, the vector of free parameters, that belongs to C, b or the bench.
+        """Return the slice of `theta`, the vector of free parameters, that belongs to C, b or the test bench.
 
         `index` is 0 for C, 1 for b and 2 for the bench.
         """

@@ -47,7 +47,7 @@ from poppet.identify.characteristic.stroke_tests import (
 )
 from poppet.identify.data_file import or_file
 from poppet.identify.gum import add_relative_uncertainty, few_runs_probability
-from poppet.identify.result import Estimate, ResidualSummary, Result, judged, replace_uncertain_findings
+from poppet.identify.result import Estimate, ResidualSummary, Result, replace_uncertain_findings, verdict_on_interval
 from poppet.timeseries.checks import FloatArray as Array
 
 Form = Literal["polynomial", "spline"]
@@ -337,7 +337,7 @@ def _estimates(fit: CurveFit, options: _CurveOptions, prefix: str) -> dict[str, 
 
 def _estimate(value: float, unit: str, error: float, coverage: float, limits: tuple[float, float]) -> Estimate:
     half, is_at_bound = coverage * error, value <= limits[0] or value >= limits[1] * (1.0 - BOUND)
-    verdict = "at bound" if is_at_bound else judged(half, abs(value))
+    verdict = "at bound" if is_at_bound else verdict_on_interval(half, abs(value))
     return Estimate(value, unit, error, max(limits[0], value - half), min(limits[1], value + half), verdict)
 
 

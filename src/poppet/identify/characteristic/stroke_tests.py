@@ -245,7 +245,7 @@ def evaluate_test(test: StrokeTest, name: str) -> TestEvidence:
 def free_parameters(test: StrokeRecording) -> tuple[FreeParameter, ...]:
     """Return the free parameters of the fit to one recorded test.
 
-    C and b come first, then those of the bench.
+    C and b come first, then those of the test bench, such as a wall conductance.
     """
     return (*(read_free(f"{test.passage}.{number}", {}, test.circuit) for number in NUMBERS), *test.free)
 

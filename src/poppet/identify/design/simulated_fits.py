@@ -54,8 +54,8 @@ class SimulatedEstimate:
 def count_fits(plan: DesignPlan, selected: Sequence[TestCandidate]) -> int:
     """Return the number of simulated fits of the selected tests.
 
-    If the plan does not state it, the default is 5 for fast fits. It is 0 for sampled circuits, for many samples, and
-    for designs with an earlier result, because a fit does not use this result.
+    If the plan does not state it, the default is 5. It is 0 if fits are slow (circuits with sampled controllers, many
+    samples), and for designs with an earlier result, because a fit does not use this result.
     """
     if plan.fits is not None:
         return plan.fits

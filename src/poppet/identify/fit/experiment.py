@@ -131,9 +131,9 @@ class Experiment:
         self._last: tuple[tuple[float, ...], _LastRun] | None = None
 
     def with_samples(self, samples: Sequence[FloatArray], free: Sequence[FreeParameter]) -> Experiment:
-        """Return a copy of the experiment with other samples and other start values.
+        """Return a copy of the recording and its model with other recorded values and other start values.
 
-        `samples` contains the samples of each channel. `free` contains the free parameters with the new start values.
+        `samples` contains the values of each channel. `free` contains the free parameters with the new start values.
         """
         channels = zip(self.measurement.channels, samples, strict=True)
         resampled = tuple(dataclasses.replace(channel, values=values) for channel, values in channels)
@@ -250,7 +250,7 @@ class Experiment:
         """Return the derivatives of each simulated channel by the free parameters, (n_samples, n_free) each.
 
         `values` maps the names of the free parameters to their values. `width` is the relative step of the finite
-        differences, which only sampled circuits use.
+        differences, which are used only for circuits with sampled controllers.
         """
         repeated, tables, steps = self._run_at(values)
         # Column order, because each column is written as a whole.
@@ -364,7 +364,7 @@ def start_values(measurement: Measurement, instance: Instance) -> dict[str, Any]
     Raises
     ------
     InputError
-        If a start value is `first` and no channel measures it.
+        If a start value is stated as `first`, the first sample of a channel, and no channel measures it.
     """
     values: dict[str, Any] = {}
     for address, start in measurement.start.items():
@@ -380,7 +380,7 @@ def start_values(measurement: Measurement, instance: Instance) -> dict[str, Any]
 
 
 def starting_channel(address: str, instance: Instance, measurement: Measurement) -> tuple[str, Channel | None]:
-    """Return the output that begins with the initial value `address`, and its recorded channel.
+    """Return the output whose first value is the initial value at `address`, and its recorded channel.
 
     The channel is None if the output was not measured.
     """

@@ -123,7 +123,10 @@ class _Searches:
 
 
 def find_optima(plan: FitPlan, *, progress: Callable[[int, float], Any] | None = None) -> Optimum:
-    """Return the optimum with the lowest cost, with all equivalent optima."""
+    """Search from several start points, and return the optimum with the lowest cost.
+
+    The result contains all other optima that fit equally well.
+    """
     experiments, free, settings = plan.experiments, plan.free, plan.settings
     searches = _Searches(plan, initial_sigmas(experiments), progress)
     start = np.array([f.start for f in free])

@@ -79,7 +79,7 @@ class KnownOptimum(NamedTuple):
     errors: FloatArray  # standard error of each parameter, infinite if the data are insensitive to it
     cost: float
 
-    def holds(self, x: FloatArray, cost: float) -> bool:
+    def contains(self, x: FloatArray, cost: float) -> bool:
         """Return True if the point `x` with the cost `cost` belongs to this optimum.
 
         The point belongs to the optimum if each parameter differs by at most a tenth of a standard error, and the cost
@@ -180,7 +180,8 @@ class FitObjective:
     def residual_and_jacobian(self, x: FloatArray, width: float = SAMPLED_DIFFERENCE) -> tuple[FloatArray, FloatArray]:
         """Return the residuals at the point `x`, divided by the noise, and their derivatives.
 
-        `width` is the relative step of the finite differences, which only sampled circuits use.
+        `width` is the relative step of the finite differences, which are used only for circuits with sampled
+        controllers.
         """
         residual = self.residual(x)
         return residual, self._weighted_slopes(x, width)[:, :-1]
@@ -234,7 +235,7 @@ class FitObjective:
 def count_restart_rounds(settings: SearchSettings, experiments: Sequence[Experiment]) -> int:
     """Return the maximum number of rounds in which a search restarts near its optimum.
 
-    If the settings do not state it, it depends on the kind of circuit.
+    If the settings do not state it, it is 0 for circuits with sampled controllers, and `KICKS` for all others.
     """
     if settings.kicks is not None:
         return settings.kicks
@@ -368,7 +369,7 @@ def _search_downhill(
 ) -> tuple[FloatArray, float]:
     """Return the end point of one local search from `x`, and its cost.
 
-    `width` is the relative step of finite differences, which only sampled circuits use.
+    `width` is the relative step of finite differences, which are used only for circuits with sampled controllers.
     """
     indices = objective.searched_indices()
     if indices.size == 0:
@@ -389,7 +390,7 @@ def _search_downhill(
     def look(searched_values: FloatArray) -> LocalModel:
         nonlocal joined
         full = whole(searched_values)
-        joined = next((optimum for optimum in objective.joinable if optimum.holds(full, objective.cost(full))), None)
+        joined = next((optimum for optimum in objective.joinable if optimum.contains(full, objective.cost(full))), None)
         if joined is not None:
             raise _JoinedError
         return objective.local_model(full, width, settings.loss, searched)

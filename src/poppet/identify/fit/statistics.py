@@ -14,7 +14,7 @@ from poppet.identify.fit.residuals import Staircase, correlation_time, weights_o
 from poppet.identify.fit.search import Optimum
 from poppet.identify.free_parameter import FreeParameter
 from poppet.identify.gum import corrected_penalty, correlations, coverage_factor
-from poppet.identify.result import CONFIDENCE, Estimate, ResidualSummary, Verdict, judged
+from poppet.identify.result import CONFIDENCE, Estimate, ResidualSummary, Verdict, verdict_on_interval
 from poppet.timeseries.checks import FloatArray
 from poppet.timeseries.measurements import Channel
 
@@ -332,7 +332,7 @@ def verdict(f: FreeParameter, value: float, half: float) -> Verdict:
     """
     span = f.high - f.low
     is_ratio = (f.unit == "1" or f.role == "offset") and np.isfinite(span)
-    return judged(half, span, OF_RATIOS) if is_ratio else judged(half, abs(value))
+    return verdict_on_interval(half, span, OF_RATIOS) if is_ratio else verdict_on_interval(half, abs(value))
 
 
 def covariance(optimum: Optimum) -> FloatArray:

@@ -137,7 +137,7 @@ LIMITING = ("flow.residuals_too_large", "flow.below_atmosphere", "flow.unusual_t
 def suspicions(
     fit: FlowFit, estimates: Mapping[str, Estimate], tests: Mapping[str, Any], alternative: tuple[str, FlowFit] | None
 ) -> Iterator[Note]:
-    """Yield findings that cast doubt on all estimates.
+    """Yield findings that cast doubt on all estimates of a flow bench.
 
     They concern wrong units, or an unsuitable flow law.
     """

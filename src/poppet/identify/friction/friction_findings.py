@@ -14,7 +14,7 @@ from poppet.identify.friction.friction_fit import GROWING_LAWS, LAWS, FrictionFi
 from poppet.identify.friction.motion import FEWEST, HALF_POWER, SHORTEST, stack_rows
 from poppet.identify.friction.records import SEAL, SEAL_EXCESS, STATIC, STRIBECK, VISCOUS
 from poppet.identify.gum import cluster_covariance, coverage_factor
-from poppet.identify.result import judged
+from poppet.identify.result import verdict_on_interval
 
 SMEARED = 1.5
 """Residual of lines through the windows, in standard deviations, above which the window is too long."""
@@ -70,12 +70,12 @@ def _law_notes(analysis: FrictionFits) -> Iterator[Note]:
             value, (_, bottom, top) = fits[law].values[name], fits[law].interval(name)
             adds = top * high if name == VISCOUS else None
             bounds = {"low": bottom, "high": top, "unit": coordinate.unit(name), "adds": adds}
-            verdict = judged(max(top - value, value - bottom), value)
+            verdict = verdict_on_interval(max(top - value, value - bottom), value)
             yield Note("friction.bounded", coordinate.name(name), **bounds, law=law, verdict=verdict)
 
 
 def _seal_and_bristle_notes(analysis: FrictionFits) -> Iterator[Note]:
-    """Yield findings on the bristles and on the effect of the pressure."""
+    """Yield findings on the bristles (elastic contact) and on the dependence of the friction on the pressure."""
     bristles, levels = analysis.bristles, levels_of(analysis)
     if bristles is None:
         yield Note("friction.no_reversals", count=analysis.reversals)

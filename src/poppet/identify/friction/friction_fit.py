@@ -76,7 +76,7 @@ class FrictionLaw:
 
     @property
     def names(self) -> list[str]:
-        """Names of the parameters, the Stribeck velocity last."""
+        """Names of the parameters of the friction law, the Stribeck velocity last."""
         flags = (True, self.is_falling, self.is_viscous, self.has_pressure, self.grows, self.is_falling)
         names = COULOMB, STATIC, VISCOUS, SEAL, SEAL_EXCESS, STRIBECK
         return [name for name, is_in in zip(names, flags, strict=True) if is_in]
@@ -207,10 +207,10 @@ class LawSolution:
 
 
 def _solve_linear(rows: SlidingRows, law: FrictionLaw, velocity: float, offsets: Sequence[int]) -> LawSolution | None:
-    """Fit the linear parameters of a law for a given Stribeck velocity.
+    """Fit the linear parameters of a friction law for the Stribeck velocity `velocity`.
 
-    No parameter is negative, except the dependence of the Stribeck excess on the pressure. The result is None if the
-    samples do not determine the parameters.
+    No parameter is negative, except the dependence of the Stribeck excess (static minus Coulomb friction) on the
+    pressure. The result is None if the samples do not determine the parameters.
     """
     matrix = _design_matrix(rows, law, velocity, offsets)
     weighted = matrix * rows.weight[:, None]
@@ -290,7 +290,7 @@ class FrictionLawFit:
 
     @property
     def values(self) -> Mapping[str, float]:
-        """Mapping from the name of each parameter to its fitted value."""
+        """Mapping from the name of each parameter of the friction law to its fitted value."""
         return self.solution.values
 
     @cached_property
@@ -329,7 +329,7 @@ class FrictionLawFit:
         return columns
 
     @property
-    def growth(self) -> float:
+    def excess_significance(self) -> float:
         """Significance of a dependence of the Stribeck excess on the pressure.
 
         The Stribeck excess is static minus Coulomb friction. The value is the dependence divided by the half width of
@@ -340,7 +340,7 @@ class FrictionLawFit:
         return self._pressure_statistic(self._falling, self.data.rows.velocity)
 
     @property
-    def pressure_speed(self) -> float:
+    def viscous_significance(self) -> float:
         """Significance of a viscous coefficient that depends on the pressure.
 
         The value is the dependence divided by the half width of its 99 % interval.
@@ -542,7 +542,7 @@ class FrictionFits:
     @cached_property
     def lacks_viscous_pressure_term(self) -> bool:
         """True if the residuals depend significantly on the product of pressure and speed."""
-        return SEAL in self.fit.values and abs(self.fit.pressure_speed) > 1.0
+        return SEAL in self.fit.values and abs(self.fit.viscous_significance) > 1.0
 
     @property
     def reversals(self) -> int:
@@ -615,7 +615,7 @@ def fit_records(
     analysis = FrictionFits(records, tuple(motions), data, distance, fits, law, is_offset_known)
     # Laws whose Stribeck excess depends on the pressure: if the residuals show it, or if such a law is requested.
     falling = [fit for fit in fits.values() if fit.solution.law.is_falling]
-    grows = bool(falling) and abs(falling[-1].growth) > 1.0
+    grows = bool(falling) and abs(falling[-1].excess_significance) > 1.0
     if has_pressure and (grows or law in GROWING_LAWS):
         growing = {name: fit for name, candidate in GROWING_LAWS.items() if (fit := fit_friction_law(data, candidate))}
         analysis = replace(analysis, fits={**fits, **growing}, grows=grows and bool(growing))
@@ -625,7 +625,7 @@ def fit_records(
 
 
 def levels_of(analysis: FrictionFits) -> list[dict[str, Any]]:
-    """Return one table for each record, with measured and modelled mean friction."""
+    """Return one table for each record, with its pressure and the measured and modelled mean friction."""
     solution, levels = analysis.fit.solution, []
     for k, record in enumerate(analysis.records):
         rows = analysis.data.rows.of(analysis.data.rows.record == k)

@@ -31,7 +31,7 @@ from poppet.identify.friction.records import (
     FrictionRecord,
 )
 from poppet.identify.gum import correlations, coverage_factor
-from poppet.identify.result import VERDICTS, Estimate, ResidualSummary, Result, judged
+from poppet.identify.result import VERDICTS, Estimate, ResidualSummary, Result, verdict_on_interval
 from poppet.laws.physics.friction import sliding_level
 from poppet.timeseries.checks import FloatArray
 
@@ -63,8 +63,9 @@ def identify_friction(
         Tables or recordings, possibly at several pressures, or a file for `read_friction_file`.
     law : str, optional
         `best` (default) is the simplest law that no other law improves significantly. Alternatives are `coulomb`,
-        `coulomb_viscous`, `stribeck`, `stribeck_viscous`, `stribeck_seal` and `stribeck_seal_viscous`, whose static
-        friction has a dependence on pressure of its own, and `lugre` for the best of these with bristles.
+        `coulomb_viscous`, `stribeck`, `stribeck_viscous`, `stribeck_seal` and `stribeck_seal_viscous`. In the last
+        two, static and Coulomb friction depend on the pressure by different coefficients. `lugre` adds bristles
+        (elastic contact) to the best of these laws.
     offset : float or str, optional
         Offset of the force [N] or torque [N m]; `free` estimates it for each recording. The default is `free` for
         recordings and 0 for tables.
@@ -173,7 +174,7 @@ def _estimates(analysis: FrictionFits, radius: float) -> dict[str, Estimate]:
             viscous = analysis.fits.get("coulomb_viscous")
             is_told = viscous is not None and any(fit.solution.law.is_falling for fit in analysis.fits.values())
             low = min(low, viscous.interval(name)[1]) if viscous is not None and is_told else 0.0
-        verdict = judged(max(high - value, value - low), value) if value > 0.0 else "at bound"
+        verdict = verdict_on_interval(max(high - value, value - low), value) if value > 0.0 else "at bound"
         if name in (COULOMB, STATIC) and analysis.is_one_way and not analysis.is_offset_known:
             verdict = max(verdict, "weak", key=VERDICTS.index)  # an offset of the force counts as friction
         misses_pressure = (
@@ -187,12 +188,12 @@ def _estimates(analysis: FrictionFits, radius: float) -> dict[str, Estimate]:
     bristles = analysis.bristles
     if bristles is not None and bristles.is_resolved:
         # The interval is logarithmic.
-        verdict = judged((bristles.high / bristles.low) ** 0.5 - 1.0, 1.0)
+        verdict = verdict_on_interval((bristles.high / bristles.low) ** 0.5 - 1.0, 1.0)
         unit, ends = analysis.coordinate.unit(BRISTLES), (bristles.low, bristles.high)
         estimates[BRISTLES] = Estimate(bristles.stiffness, unit, bristles.error, *ends, verdict)
     if bristles is not None and bristles.is_damped:
         unit, ends = analysis.coordinate.unit(DAMPING), (bristles.damping_low, bristles.damping_high)
-        verdict = judged(0.5 * (ends[1] - ends[0]), bristles.damping)
+        verdict = verdict_on_interval(0.5 * (ends[1] - ends[0]), bristles.damping)
         estimates[DAMPING] = Estimate(bristles.damping, unit, bristles.damping_error, *ends, verdict)
     return estimates
 

@@ -247,9 +247,9 @@ def _fit_plan(
 ) -> Optimum:
     """Return the optimum of an alternative model of a tank test.
 
-    The search starts from the values of the fit `result`. Parameters that this fit does not contain start from `times`
-    their usual start value. `conducts` is the least start value of the wall conductance, as a multiple of its usual
-    start value.
+    The search starts from the values of the original fit, `result`. Additional parameters start from their usual start
+    value times the factor `times`. The wall conductance starts from at least its usual start value times the factor
+    `conducts`.
     """
     is_walled = any(f.address == "tank.wall_heat_capacity" for f in plan.free)
 

@@ -149,7 +149,10 @@ def identify_tank(
 
 
 def widen_for_ambient(test: TankTest, runs: Sequence[TankRun], result: Result) -> Result:
-    """Widen the intervals of a tank test if the temperature of the flowing gas is not known."""
+    """Widen the intervals of a tank test if the temperature of the flowing gas is not known.
+
+    This is the case if the ambient temperature is not stated, and no stated or recorded temperature replaces it.
+    """
 
     # The temperature of the flowing gas is that of the supply or that in the tank.
     is_known = all(
@@ -236,7 +239,7 @@ def apply_caps(
 def _is_equivalent_model(alternative: Alternative, result: Result, number: str) -> bool:
     """Return True if an alternative model of a tank test explains the recordings equally well.
 
-    `number` is the address of the sonic conductance C. If C of both models is similar, the alternative must not have
+    `number` is the address of the sonic conductance C. An alternative with nearly the same C counts only if it has no
     more free parameters.
     """
     simple, value = result.parameters[number], alternative.estimates[number].value

@@ -166,7 +166,7 @@ def plan_tank_fit(test: TankTest, runs: Sequence[TankRun]) -> FitPlan:
 
 def _ambient(test: TankTest) -> Ambient:
     try:
-        return Ambient(pressure=test.ambient_pressure, temperature=test.room)
+        return Ambient(pressure=test.ambient_pressure, temperature=test.effective_ambient_temperature)
     except InputError as error:
         raise relocated(error, "ambient_{}".format) from None
 
@@ -293,15 +293,15 @@ def _circuit(test: TankTest, run: TankRun, ambient: Ambient) -> BaseCircuit:
     common = {
         "energy": {
             "wall_conductance": COMMON_COEFFICIENT * AREA_FACTOR * cubic_metres ** (2.0 / 3.0),
-            "wall_temperature": test.room,
+            "wall_temperature": test.effective_ambient_temperature,
             "wall_heat_capacity": plausible_wall(cubic_metres),
         },
         "polytropic": {"polytropic_exponent": COMMON_EXPONENT},
     }.get(test.thermal, {})
     numbers: dict[str, Any] = {field: _start_value(getattr(test, field), value) for field, value in common.items()}
     if test.initial_temperature is not None or not run.has_temperature:
-        argument = _start_value(test.initial_temperature, test.room)
-        numbers["initial_temperature"] = test.room if argument is None else argument
+        argument = _start_value(test.initial_temperature, test.effective_ambient_temperature)
+        numbers["initial_temperature"] = test.effective_ambient_temperature if argument is None else argument
     start_pressure = float(run.pressure.values[0])
     tank = Chamber(volume=volume, thermal=test.thermal, initial_pressure=start_pressure, **numbers)
     ports = ("tank", "ambient") if run.direction == "discharge" else ("supply", "tank")
@@ -315,8 +315,8 @@ def _circuit(test: TankTest, run: TankRun, ambient: Ambient) -> BaseCircuit:
     )
     parts: dict[str, Part] = {"tank": tank, test.part: valve}
     if run.direction == "charge":
-        argument = _start_value(run.supply_temperature, test.room)
-        temperature = test.room if argument is None else argument
+        argument = _start_value(run.supply_temperature, test.effective_ambient_temperature)
+        temperature = test.effective_ambient_temperature if argument is None else argument
         parts = {"supply": Reservoir(pressure=run.supply, temperature=temperature)} | parts
     if has_leak(test):
         start = _start_value(test.leak_conductance, LEAK * float(valve.sonic_conductance))  # type: ignore[arg-type]

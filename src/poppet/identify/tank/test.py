@@ -181,11 +181,8 @@ class TankTest:
                 errors.add("tank.part", "part", value=self.part)
 
     @property
-    def room(self) -> NumberLike:
-        """Ambient temperature of the test, as stated.
-
-        It is 293.15 K if the test does not state it.
-        """
+    def effective_ambient_temperature(self) -> NumberLike:
+        """Ambient temperature of the test, as stated; 293.15 K if the test does not state it."""
         return ROOM if self.ambient_temperature is None else self.ambient_temperature
 
 
