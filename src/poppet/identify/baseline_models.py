@@ -64,8 +64,9 @@ class FirstOrder:
 
     Notes
     -----
-    u is the command, y the output, tau the time constant, K the gain, theta the dead time and c the offset. Until the
-    first recorded command takes effect, the output stays at its first value, because earlier commands are not available.
+    u is the command, y the output, tau the time constant, K the gain, theta the dead time and c the offset. Until
+    the first recorded command takes effect, the output stays at its first value, because earlier commands are not
+    available.
     """
 
     dead_time: float  # theta [s]
