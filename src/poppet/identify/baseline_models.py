@@ -37,9 +37,10 @@ class Response:
     first: float  # smoothed value of the channel at time 0
 
     def commanded(self, time: FloatArray) -> FloatArray:
-        """Return the recorded command at given times [s].
+        """Return the recorded command at the times `time`.
 
-        Before the first recorded command, the result is the first recorded command.
+        The command is constant between its changes. Before the first recorded command, the result is the first recorded
+        command.
         """
         # At the sample instant of a new command, use the new one, in spite of rounding errors of both clocks.
         index = np.searchsorted(self.command_time, time + 1e-9, side="right") - 1
@@ -156,7 +157,7 @@ class Score:
     held_out : bool
         True if the recording was withheld from the fit for validation.
     rms : float
-        Root mean square of model - measured.
+        Root mean square of model - measured, in the SI unit of the channel.
     nrmse : float
         Ratio of `rms` to the range (max - min) of the measurement.
     fit : float
@@ -317,7 +318,7 @@ def baselines(plan: FitPlan, commands: Mapping[str, str], result: Result | None 
     -------
     list of Score
         Scores of the circuit, of the first-order lag, and of the ARX model (simulation and one-step prediction), for
-        each channel and window.
+        each channel of each recording.
 
     Examples
     --------

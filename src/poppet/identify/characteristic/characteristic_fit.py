@@ -182,21 +182,21 @@ class CurveFit:
 
     @property
     def chi_square(self) -> float:
-        """Sum of the squared, normalised deviations of all tests from both curves."""
+        """Sum of the squared, normalised deviations of all tests from the curves of C and b."""
         return sum(m.chi_square for m in dict.fromkeys(self.misfits))
 
     @property
     def freedom(self) -> int:
-        """Degrees of freedom of `chi_square`, which measures the lack of fit of both curves."""
+        """Degrees of freedom of `chi_square`, which measures the lack of fit of the curves of C and b."""
         return sum(m.freedom for m in dict.fromkeys(self.misfits))
 
     @property
     def size(self) -> int:
-        """Number of free parameters of both curves."""
+        """Number of free parameters of the curves of C and b together."""
         return self.shapes[0].size + self.shapes[1].size
 
     def aicc(self) -> float:
-        """Return the information criterion AICc of both curves.
+        """Return the information criterion AICc of the curves of C and b.
 
         The correction of Akaike's criterion for small samples applies only if the variance is estimated. Here the
         variances are known, so the correction is zero.
@@ -405,7 +405,10 @@ class AmbientUncertainty:
     shares: dict[str, float]  # relative standard uncertainty by free parameter
 
     def note(self, names: Sequence[str]) -> Note:
-        """Return a finding: the intervals of `names` include the uncertainty of assumed temperatures."""
+        """Return a finding that the uncertainty of assumed temperatures is included in intervals.
+
+        `names` contains the parameters with these intervals.
+        """
         facts = {"percent": 100.0 * self.conductance / SPREAD, "spread": SPREAD, "untold": self.unstated}
         return Note("characteristic.room", "sonic_conductance", **facts, names=tuple(names))
 

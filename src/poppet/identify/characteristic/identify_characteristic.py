@@ -357,7 +357,7 @@ def _comparison(fit: CurveFit, evidence: Sequence[TestEvidence], verdict: Monoto
 def _confidence_bands(
     fit: CurveFit, evidence: Sequence[TestEvidence], options: _CurveOptions
 ) -> list[tuple[Array, Array]]:
-    """Return the lower and upper limits of the 95 % bands of C and b at many strokes in the domain."""
+    """Return lower and upper limits of the 95 % bands of C and b at evenly spaced strokes."""
     x = np.linspace(*options.domain, DRAWN)
     limits = ((0.0, np.inf), (0.0, 1.0))
     if options.bootstrap:

@@ -380,7 +380,7 @@ def start_values(measurement: Measurement, instance: Instance) -> dict[str, Any]
 
 
 def starting_channel(address: str, instance: Instance, measurement: Measurement) -> tuple[str, Channel | None]:
-    """Return the output whose first value is the initial value at `address`, and its recorded channel.
+    """Return the output that has the initial value at `address`, and the recorded channel of this output.
 
     The channel is None if the output was not measured.
     """

@@ -55,8 +55,9 @@ class SearchSettings:
     seed : int
         Seed of the random start points.
     kicks : int or None
-        Maximum number of restart rounds if the residuals are not white. None selects 3 rounds, or 0 for sampled
-        circuits, because their residuals are seldom white and their simulations take long.
+        Maximum number of rounds of restarts near the optimum, if the residuals are not white. None selects 3 rounds, or
+        0 for circuits with sampled controllers, because their residuals are seldom white and their simulations take
+        long.
     """
 
     loss: str = "linear"
@@ -233,7 +234,7 @@ class FitObjective:
 
 
 def count_restart_rounds(settings: SearchSettings, experiments: Sequence[Experiment]) -> int:
-    """Return the maximum number of rounds in which a search restarts near its optimum.
+    """Return the maximum number of rounds of restarts near the optimum of a search.
 
     If the settings do not state it, it is 0 for circuits with sampled controllers, and `KICKS` for all others.
     """

@@ -168,8 +168,8 @@ class ErrorModel:
     def deviation(self, weights: FloatArray, *, offsets: Sequence[SensorOffset] | None = None) -> float:
         """Return the standard deviation of a weighted sum of the samples.
 
-        `weights` are per standard deviation of the noise. `offsets` contains the sensor offsets that are included; by
-        default, all detected ones.
+        The samples are divided by their noise. `offsets` contains the sensor offsets that are included; by default, all
+        detected ones.
         """
         if not np.all(np.isfinite(weights)):
             return float("inf")
@@ -185,7 +185,7 @@ class ErrorModel:
     def factor(self, weights: FloatArray) -> float:
         """Return the ratio of the variance of a weighted sum of the samples to its value for white noise.
 
-        `weights` are per standard deviation of the noise.
+        The samples are divided by their noise.
         """
         white_deviation = float(np.sqrt(weights @ weights)) if np.all(np.isfinite(weights)) else 0.0
         return (self.deviation(weights) / white_deviation) ** 2 if white_deviation > 0.0 else self.variance_factor

@@ -523,7 +523,7 @@ class FrictionFits:
 
     @cached_property
     def mean_friction(self) -> float:
-        """Mean magnitude of the modelled friction, above 0 [N]."""
+        """Mean magnitude of the modelled friction over all samples, which is positive [N]."""
         return max(float(np.mean(np.abs(self.fit.solution.friction(self.data.rows)))), 1e-300)
 
     @property

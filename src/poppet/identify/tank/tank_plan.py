@@ -115,7 +115,7 @@ class TankRun:
 
     @property
     def place(self) -> str:
-        """Address of the recording in the input file, for messages."""
+        """Address of the recording in the input file, which messages state."""
         return f"recordings.{self.measurement.name}"
 
 
