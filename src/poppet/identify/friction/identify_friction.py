@@ -33,7 +33,6 @@ from poppet.identify.friction.records import (
 from poppet.identify.gum import correlations, coverage_factor
 from poppet.identify.result import VERDICTS, Estimate, ResidualSummary, Result, verdict_on_interval
 from poppet.laws.physics.friction import sliding_level
-from poppet.timeseries.checks import FloatArray
 
 MOST = 1500
 """Maximum number of points of a curve."""
@@ -275,7 +274,24 @@ def _report_curves(analysis: FrictionFits) -> dict[str, Any]:
         "x_name": "speed",
     }
     if SEAL in parameters:
-        curves["pressure.friction"] = _pressure_curve(analysis, rows.sign * (measured - model))
+        # One point for each recording, or all samples of a single recording.
+        groups = [np.flatnonzero(rows.record == k) for k in np.unique(rows.record)]
+        groups = groups if len(groups) > 1 else [np.array([k]) for k in selected]
+        x, spread = np.linspace(0.0, 1.05 * float(rows.pressure.max()), 80), analysis.fit.spread
+        pair = [list(parameters).index(name) for name in (COULOMB, SEAL)]
+        base, line = np.stack([np.ones_like(x), x], axis=1), parameters[COULOMB] + parameters[SEAL] * x
+        variance = np.einsum("ij,jk,ik->i", base, spread.covariance[np.ix_(pair, pair)], base)
+        half = coverage_factor(float(min(spread.freedom[pair]))) * np.sqrt(variance)
+        friction = rows.sign * (measured - model) + parameters[COULOMB] + parameters[SEAL] * rows.pressure
+        curves["pressure.friction"] = {
+            "x": x,
+            "y": line,
+            **({"low": line - half, "high": line + half} if np.isfinite(half).all() else {}),
+            "points_x": np.array([float(np.mean(rows.pressure[indices])) for indices in groups]),
+            "points_y": np.array([float(np.mean(friction[indices])) for indices in groups]),
+            "x_unit": "Pa",
+            "x_name": "pressure difference",
+        }
     if bristles is not None:
         turns = usable_reversals(analysis.motions, parameters, solution.offsets, analysis.distance)
         turns = [turn for turn in turns if not turn.is_chained]
@@ -292,33 +308,6 @@ def _report_curves(analysis: FrictionFits) -> dict[str, Any]:
             "x_name": "way behind a reversal",
         }
     return {name: curve | {"unit": unit} for name, curve in curves.items()}
-
-
-def _pressure_curve(analysis: FrictionFits, residual: FloatArray) -> dict[str, Any]:
-    """Return measured and modelled friction versus pressure, for the report.
-
-    The curve has one point for each recording, or all samples if there is only one recording. `residual` is measured
-    minus modelled friction along the motion.
-    """
-    rows, parameters, spread = analysis.data.rows, analysis.fit.values, analysis.fit.spread
-    groups = [np.flatnonzero(rows.record == k) for k in np.unique(rows.record)]
-    if len(groups) < 2:
-        groups = [np.array([k]) for k in _select_points(len(rows))]
-    x = np.linspace(0.0, 1.05 * float(rows.pressure.max()), 80)
-    pair = [list(parameters).index(name) for name in (COULOMB, SEAL)]
-    base, line = np.stack([np.ones_like(x), x], axis=1), parameters[COULOMB] + parameters[SEAL] * x
-    variance = np.einsum("ij,jk,ik->i", base, spread.covariance[np.ix_(pair, pair)], base)
-    half = coverage_factor(float(min(spread.freedom[pair]))) * np.sqrt(variance)
-    friction = residual + parameters[COULOMB] + parameters[SEAL] * rows.pressure
-    return {
-        "x": x,
-        "y": line,
-        **({"low": line - half, "high": line + half} if np.isfinite(half).all() else {}),
-        "points_x": np.array([float(np.mean(rows.pressure[indices])) for indices in groups]),
-        "points_y": np.array([float(np.mean(friction[indices])) for indices in groups]),
-        "x_unit": "Pa",
-        "x_name": "pressure difference",
-    }
 
 
 def _select_points(count: int) -> NDArray[np.int_]:
