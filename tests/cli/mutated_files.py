@@ -1,6 +1,6 @@
 """Random mutations of all kinds of input files, which the command line reads in this process.
 
-`python tests/cli/mutated_files.py 20000 [KIND ...]` prints the rows of the table in docs/cli.md.
+`python tests/cli/mutated_files.py 20000 [KIND ...]` prints one row per kind of file; docs/cli.md states the maxima.
 """
 
 from __future__ import annotations

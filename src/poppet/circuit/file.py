@@ -65,7 +65,7 @@ def read_circuit(file: TomlFile, circuit_class: type[CircuitT]) -> CircuitT:
     Returns
     -------
     BaseCircuit
-        Of that class.
+        Circuit of the class `circuit_class`.
     """
     with file.errors() as errors:
         data = file.content
@@ -110,7 +110,7 @@ def _table(errors: ErrorCollector, name: str, value: Any) -> Mapping[str, Any]:
 class _Parts:
     """Parts of a circuit file, with their inputs, parameters and connections.
 
-    If a part is invalid, only its connections are used. The other parts can then still be checked.
+    If a part is invalid, only its connections are read, so that the other parts can still be checked.
     """
 
     def __init__(
@@ -178,8 +178,8 @@ def _kind(table: Any) -> type[Part]:
 def _flatten(tables: Mapping[str, Any], prefix: str = "") -> list[tuple[str, Any]]:
     """Return pairs of input address and signal table from nested tables.
 
-    Without quotes, a header such as [signals.valve.pilot_pressure] creates nested tables. `prefix` is the part of the
-    address that has been read so far.
+    A header without quotes, such as [signals.valve.pilot_pressure], creates nested tables. `prefix` is the beginning of
+    all addresses in `tables`.
     """
     signals: list[tuple[str, Any]] = []
     for key, table in tables.items():

@@ -100,7 +100,7 @@ def linearise(
 class _LinearisationPoint:
     """Circuit with constant inputs, for which rates, outputs and derivatives are evaluated.
 
-    Argument x of the methods contains the states, (n,), without the quadratures (integrals of flows).
+    The argument x of the methods contains the states, (n,), without the quadratures (integrals of flows).
     """
 
     def __init__(self, instance: Instance, u: Array) -> None:
@@ -119,14 +119,14 @@ class _LinearisationPoint:
         return [f.ravel(), y.ravel(), *matrices]
 
     def padded(self, x: Array) -> Array:
-        """Return the states x, extended by a zero for each quadrature.
+        """Return a state vector with a zero for each quadrature after the states x.
 
         Quadratures are integrals of flows, which do not affect the rates.
         """
         return np.concatenate([x, np.zeros(self.model.n_quadratures)])
 
     def scaled(self, x: Array) -> tuple[Array, Array]:
-        """Return the rates and their Jacobian, in units of the size of each state."""
+        """Return the rates and their Jacobian, scaled by the typical size of each state [1/s]."""
         f, _, jacobian, *_ = self.linear(x)
         return f / self.size, jacobian * self.size[None, :] / self.size[:, None]
 
@@ -138,7 +138,7 @@ class _LinearisationPoint:
 
 
 def _run_slow_gas(point: _LinearisationPoint) -> Array:
-    """Return the final state of a transient in which only the gas is slowed down.
+    """Return the final state of a transient in which the gas dynamics are slower.
 
     The steady states are unchanged. With slow gas, fast mechanical parts do not cause oscillations.
     """

@@ -99,10 +99,10 @@ def circuit_schema() -> Schema:
 
 
 def by_kind(noun: str, definitions: dict[str, str], field: str = "kind") -> Schema:
-    """Return a JSON schema in which one field, usually `kind`, selects the valid fields.
+    """Return the JSON schema of an object whose other fields depend on one field, usually `kind`.
 
-    `noun` describes the object in texts. `definitions` maps each value of the field `field` to the name of a
-    definition.
+    `noun` describes the object in texts. `definitions` maps each value of this field to the name of the definition that
+    applies.
     """
     branches = [
         {"if": {"properties": {field: {"const": kind}}, "required": [field]}, "then": {"$ref": f"#/$defs/{definition}"}}

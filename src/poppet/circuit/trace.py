@@ -93,7 +93,8 @@ class _Tracer:
     def scope(self, name: str, *, at_start: bool = False) -> Scope:
         """Return all symbols that the equations of the part `name` can use.
 
-        If `at_start` is True, states and discrete states are omitted, because initial values cannot depend on them.
+        If the keyword `at_start` is True, states and discrete states are omitted, because initial values cannot depend
+        on them.
         """
         prefix = f"{name}."
 
@@ -204,9 +205,9 @@ class _Tracer:
         )
 
     def _shown(self, address: str) -> str:
-        """Return the public address of an element of a compound part.
+        """Return the address under which users see an element of the circuit.
 
-        A compound part is made of member parts, and its elements can have another address inside it.
+        In the equations, elements inside a compound part can have other addresses.
         """
         return self.shown.get(address, address)
 
@@ -238,9 +239,9 @@ class _Tracer:
     def _balances(
         self, scopes: Mapping[str, Scope], passages: Mapping[str, PassageFlows]
     ) -> tuple[dict[str, GasBalance], list[FlowInfo], list[StoreInfo], list[Any]]:
-        """Return the gas balances of all gas nodes, with flows and rates of integrals.
+        """Return the gas balances of all gas nodes, with their flows and the rates of integrals.
 
-        A flow has integrals of mass and enthalpy. A gas node with a mass has integrals of heat and work.
+        Each flow has an integral of mass and one of enthalpy. A gas node with a mass has integrals of heat and work.
         """
         arriving: dict[str, list[tuple[Any, Any]]] = defaultdict(list)
         flows, stores = [], []
@@ -303,7 +304,7 @@ class _Tracer:
         return [*connected, *self._resolve(slopes)]
 
     def _resolve(self, expressions: Mapping[str, Any]) -> list[tuple[Any, Any]]:
-        """Substitute symbols of connected inputs until no expression contains such a symbol."""
+        """Substitute symbols of connected inputs in expressions until none of these symbols remains."""
         ca = self.ca
         dependencies = {
             target: [address for address in expressions if ca.depends_on(expression, self.joined[address])]
@@ -321,7 +322,10 @@ class _Tracer:
         return resolved
 
     def _substitute(self, expression: casadi.SX, connected: Sequence[tuple[Any, Any]]) -> casadi.SX:
-        """Return an expression in which connected inputs are replaced by their expressions."""
+        """Return an expression in which symbols of connected inputs are replaced by expressions.
+
+        `connected` contains pairs of such a symbol and its expression.
+        """
         if not connected or expression.is_empty():
             return expression
         symbols, values = zip(*connected, strict=True)
@@ -329,10 +333,10 @@ class _Tracer:
         return substituted
 
     def _update(self, scopes: Mapping[str, Scope], connected: Sequence[tuple[Any, Any]], fired: Any) -> casadi.SX:
-        """Return the discrete states after a sample instant.
+        """Return expressions for the discrete states after a sample instant.
 
-        `fired` contains 1 for each timer that is due. The timers act one after the other, each on the result of the
-        previous one.
+        `fired` contains a symbol for each timer, which is 1 if the timer is due. The timers act one after the other,
+        each on the result of the previous one.
         """
         ca = self.ca
         index = {name: k for k, name in enumerate(self.memory_names)}

@@ -80,10 +80,7 @@ def check_kinds(circuit: Any) -> None:
 
 
 def check_count(parts: Any) -> None:
-    """Raise InputError if a circuit has too many parts.
-
-    The check takes place before the parts are created.
-    """
+    """Raise InputError if a circuit file has too many parts; this check precedes their creation."""
     if isinstance(parts, Mapping) and len(parts) > MOST_PARTS:
         raise InputError("wiring.too_many", "parts", value=len(parts), most=MOST_PARTS)
 
@@ -139,7 +136,7 @@ def check_wiring(errors: ErrorCollector, wiring: Wiring) -> None:
 
 
 def connect_tube_cells(parts: Mapping[str, Part]) -> dict[str, Part]:
-    """Return all parts, with ports at tube ends connected to the end cells.
+    """Return all parts, in which ports that name a tube are connected to one of its end cells.
 
     An end cell is the first or the last cell of a tube.
     """
@@ -171,10 +168,10 @@ def check_bodies(errors: ErrorCollector, wiring: Wiring) -> None:
 
 
 def find_drives(wiring: Wiring, connections: Mapping[str, str], inputs: Mapping[str, Input]) -> dict[str, list[str]]:
-    """Return the addresses of the inputs that can move each body.
+    """Return the addresses of the inputs that can move each body, by body.
 
-    An input acts through connections, and from each part on the gas nodes at its ports. It does not act on the supply
-    of its part, nor on a reservoir, whose pressure is prescribed.
+    The effect of an input continues through connections, through gas nodes at the ports of parts, and through
+    actuators. A part has no effect on its supply, nor on a reservoir, whose pressure is prescribed.
     """
     successors: dict[str, set[str]] = {name: set() for name in wiring}
     for target, source in connections.items():
@@ -260,7 +257,7 @@ def check_starts(
 ) -> None:
     """Collect an error for each actuator that cannot reach the initial position of its body.
 
-    `signals` and `section` are the signals and the ambient section of the circuit.
+    `signals` are the signals of the circuit. `section` is the beginning of the addresses in the errors.
     """
     for name, part in parts.items():
         body = parts.get(part.body_name() or "")

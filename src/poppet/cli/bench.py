@@ -16,7 +16,7 @@ from poppet.cli.commands import COMMANDS
 from poppet.cli.main import FAILED, INTERRUPTED
 from poppet.cli.progress import BenchProgress, PointProgress
 from poppet.cli.summary import require_matplotlib, write_result
-from poppet.core.errors import InputError, collect
+from poppet.core.errors import InputError, raise_errors
 from poppet.core.note_groups import grouped
 from poppet.core.number_format import aligned
 
@@ -28,9 +28,9 @@ CIRCUIT_OPTIONS = ("valve", "volume", "supply", "sweep_time", "frequencies", "va
 
 
 def run_bench_command(options: argparse.Namespace) -> int:
-    """Determine the characteristic values of a valve.
+    """Run the command `bench`: determine the characteristic values of a valve.
 
-    The input is a circuit, recordings or a result file.
+    The input is a circuit file, a file of recordings or a result file. The result is the exit code.
     """
     from dataclasses import replace
 
@@ -41,7 +41,7 @@ def run_bench_command(options: argparse.Namespace) -> int:
     if options.recording and not options.compare:  # the comparison may be a circuit
         declared = {option.name: option for option in COMMANDS["bench"].options if option.name in CIRCUIT_OPTIONS}
         unused = [option.names[-1] for name, option in declared.items() if getattr(options, name)]
-        collect([InputError("cli.bench.of_circuit", option=name) for name in unused])
+        raise_errors([InputError("cli.bench.of_circuit", option=name) for name in unused])
     require_matplotlib(options.report)
     # Both files are read before the first run: an error in the second must not cost a bench of the first.
     run = _result_provider(options, Path(options.file or options.recording), options.values, is_comparison=False)
@@ -66,10 +66,10 @@ def run_bench_command(options: argparse.Namespace) -> int:
 def _result_provider(
     options: argparse.Namespace, path: Path, values: list[str], *, is_comparison: bool
 ) -> Callable[[BenchProgress], BenchResult]:
-    """Return a function that provides the bench result for a file.
+    """Return a function that returns the bench result for a file; its argument shows the progress.
 
     The file at `path` can be a result file, a list of recordings, or a circuit, on which the function runs the tests.
-    `values` are changed parameters.
+    `values` are texts ADDRESS=VALUE with changed parameters of the circuit.
     """
     from poppet.bench.iso10094.bench_result import is_result, read_bench_result
     from poppet.bench.iso10094.run_bench import run_recordings
@@ -159,8 +159,8 @@ def _tests(options: argparse.Namespace) -> list[str]:
 def bench_summary(result: BenchResult) -> str:
     """Return a bench result as text for a terminal.
 
-    The text contains the characteristic values and the notes. A second column contains the values of the reference
-    valve, if there is one.
+    The text contains the characteristic values and the notes. If the result is compared with another one, a second
+    column contains its values.
     """
     lines = [result.title]
     compared_rows = result.comparison.get("figures", {})
@@ -188,9 +188,9 @@ def bench_summary(result: BenchResult) -> str:
 
 
 def find_bench_limits(options: argparse.Namespace) -> int:
-    """Determine which part of a valve limits the bandwidth.
+    """Run the command `bench limits`: determine which part of a valve limits its bandwidth.
 
-    The analysis varies load volume, amplitude, spring rates and damping.
+    The analysis varies load volume, amplitude, spring rates and damping. The result is the exit code.
     """
     from poppet.bench.limits.maps import DONE, find_limits, limits_plan
 
@@ -217,11 +217,11 @@ def find_bench_limits(options: argparse.Namespace) -> int:
 def limits_summary(result: Any) -> str:
     """Return the dynamic limits of a valve as text for a terminal.
 
-    The text contains a table of bandwidths with the limiting parts, and the findings.
+    The text contains a table of bandwidths by volume and amplitude, each with the limiting part, and the findings.
     """
     plan = result.plan
     head = ["-3 dB [Hz]", *(f"{a / 1e3:.3g} kPa" for a in plan.amplitudes)]
-    bandwidths, parts = result.grid("gain_frequency"), result.grid("limiting")
+    bandwidths, parts = result.bandwidth_map("gain_frequency"), result.bandwidth_map("limiting")
     rows = [
         [f"{v * 1e3:.3g} l", *(f"{f:.3g} {part}" for f, part in zip(*row, strict=True))]
         for v, *row in zip(plan.volumes, bandwidths, parts, strict=True)

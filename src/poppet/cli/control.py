@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 
 
 def execute(options: argparse.Namespace) -> int:
-    """Run a `control` command: tune a controller, or compare several controllers."""
+    """Run the command `control tune` or `control compare`, and return the exit code."""
     return _tune(options) if options.action == "tune" else _compare(options)
 
 
@@ -54,11 +54,15 @@ def _tune(options: argparse.Namespace) -> int:
     print_notes(tuning.notes)
     without = f"{Path(options.files[0]).name} without {tuning.controller}."
     if tuning.is_verified:
-        verification = [f"Bounded: {tuning.bounded}, {tuning.held}, {without}", "", verification_table(tuning).text()]
+        verification = [
+            f"Bounded: {tuning.bound_text}, {tuning.command_text}, {without}",
+            "",
+            verification_table(tuning).text(),
+        ]
     else:
         overshoot = 100.0 * max(point.overshoot for point in tuning.points)
         verification = [
-            f"Bounded: {tuning.bounded}, {tuning.held}, small steps of {without}",
+            f"Bounded: {tuning.bound_text}, {tuning.command_text}, small steps of {without}",
             f"Overshoot of a small step {overshoot:.2g} %. Limits and dead zones of the valves are not in it.",
         ]
     print("\n".join([tuning.text(), margin_table(tuning).text(), "", *verification]))

@@ -31,13 +31,13 @@ def plant_of(circuit: BaseCircuit, controller: str | None = None) -> Plant:
     Returns
     -------
     Plant
-        Circuit without the controller, and its connections.
+        Circuit with a free command in place of the controller.
 
     Raises
     ------
     InputError
-        If there is no such controller, or it is not connected; if a circuit has further sampled parts and its
-        controller commands openings for a pressure.
+        If there is no such controller, or it is not connected. Also if a pressure controller commands openings and the
+        circuit has further sampled parts.
 
     Notes
     -----
@@ -71,7 +71,7 @@ def plant_of(circuit: BaseCircuit, controller: str | None = None) -> Plant:
 
 
 class Loop(NamedTuple):
-    """Controller and its circuit, from which the outer loops of the controller are removed."""
+    """Controller and its circuit, without the outer loops of the controller."""
 
     circuit: BaseCircuit
     controller: str
@@ -82,7 +82,7 @@ class Loop(NamedTuple):
 
     @property
     def numbers(self) -> dict[str, float]:
-        """Mapping from the name of each parameter of the controller to the SI value."""
+        """Parameters of the controller in SI units, by name."""
         return self.part.parameters(self.circuit.surroundings)
 
     @property
@@ -91,13 +91,13 @@ class Loop(NamedTuple):
         return self.numbers["sample_time"]
 
     @property
-    def shown(self) -> str:
-        """Address of the output that contains the measured value of the sensor."""
+    def sensor_output(self) -> str:
+        """Address of the output with the value that the sensor of the controller measures."""
         return f"{self.controller}.sensor_{self.part.controls}"
 
 
 def loop_of(circuit: BaseCircuit, controller: str | None = None) -> Loop:
-    """Return the loop of the named controller.
+    """Return the loop of the controller with a given name.
 
     The name is optional if the circuit has only one sampled controller.
     """
@@ -164,7 +164,7 @@ def release_command(circuit: BaseCircuit, controller: str, *, keeps: bool) -> Ba
 def _remove_outer_loops(circuit: BaseCircuit, controller: str) -> BaseCircuit:
     """Return the circuit without the outer loops of a controller.
 
-    An outer controller commands only `controller`, or another outer controller.
+    An outer controller commands only `controller`, or only other outer controllers.
     """
     targets_of: dict[str, set[str]] = {}
     for target, source in circuit.connections.items():

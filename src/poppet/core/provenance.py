@@ -110,7 +110,7 @@ class Number:
         Returns
         -------
         float
-            The value, absolute, in the unit of the number.
+            Value in `unit`, absolute.
         """
         if self.reference != "gauge":
             return float(self.value)
@@ -120,7 +120,7 @@ class Number:
         return float(result)
 
     def display(self) -> str:
-        """Return the text that the user wrote, or value and unit."""
+        """Return the text of the user, or value and unit if there is no text."""
         if self.text:
             try:
                 float(self.text)
@@ -134,7 +134,7 @@ class Number:
 
 
 def assumed(value: float, unit: str, note: str, *, reference: Reference = "") -> Number:
-    """Return an assumed value, which reports mark as assumed.
+    """Return a value whose source is an assumption; `note` contains its reason.
 
     Examples
     --------

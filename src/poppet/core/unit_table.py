@@ -20,7 +20,7 @@ Dimension = tuple[Fraction, ...]  # exponents of m, kg, s, K, A, rad; the angle 
 
 @dataclass(frozen=True, slots=True)
 class Unit:
-    """Unit with SI value = scale * (value + offset).
+    """Unit of measurement: value in SI = scale * (value + offset).
 
     Parameters
     ----------
@@ -29,7 +29,7 @@ class Unit:
     scale : Fraction
         Factor to the SI unit.
     offset : Fraction, optional
-        Zero of the scale above absolute zero, in degrees of the scale.
+        Value that is added before the multiplication, for example 273.15 for degC.
     """
 
     dimension: Dimension

@@ -168,9 +168,9 @@ def to_control(
 
 
 def _without_controllers(circuit: BaseCircuit, controllers: str | Sequence[str]) -> BaseCircuit:
-    """Return a circuit without some of its controllers.
+    """Return the circuit without some of its controllers.
 
-    Inputs that these controllers drive become free inputs.
+    `controllers` are names. The inputs that these controllers drive become free inputs.
     """
     available = [name for name, part in circuit.parts.items() if isinstance(part, Controller)]
     for name in (controllers,) if isinstance(controllers, str) else controllers:

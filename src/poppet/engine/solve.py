@@ -32,8 +32,8 @@ def solve(
 ) -> RawRun:
     """Run a problem with the selected solver.
 
-    If the Rosenbrock kernel stalls and `repeats_stalled` is True, the run is repeated with tighter tolerances, then
-    with other solvers. The result then contains a note on the repetition.
+    If the Rosenbrock kernel stalls, the run is repeated with tighter tolerances, then with other solvers. The result
+    then contains a note on the repetition. The keyword `repeats_stalled` can prevent the repetition.
     """
     stalled = run_kernel(problem, progress) if solver == "rosenbrock" else None
     if stalled is not None and (stalled.outcome is not Outcome.STALLED or not repeats_stalled):
@@ -64,7 +64,7 @@ def solve(
 
 
 def run_kernel(problem: Problem, progress: Callable[[float], Any] | None = None) -> RawRun:
-    """Run a problem with poppet's own integrator.
+    """Run a problem with the compiled Rosenbrock integrator of poppet.
 
     A run that stalls is not repeated with another solver.
     """

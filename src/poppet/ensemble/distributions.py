@@ -12,7 +12,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from poppet.core.errors import ErrorCollector, InputError, NameSuggestion, collect
+from poppet.core.errors import ErrorCollector, InputError, NameSuggestion, raise_errors
 from poppet.core.provenance import Number
 from poppet.core.tables import Field, missing_field, read_fields
 from poppet.core.units import Kind, quantity
@@ -159,7 +159,7 @@ def read_distribution(raw: Any, spec: NumberSpec, number: Number, address: str, 
             raise InputError("ensemble.given_twice", address, names=[relative, *twice])
         read |= derived
     read |= {key: middle for key in MIDDLES if key in form.fields and key not in read}
-    collect([missing_field(f"{address}.{key}", fields[key]) for key in form.fields if key not in read])
+    raise_errors([missing_field(f"{address}.{key}", fields[key]) for key in form.fields if key not in read])
     numbers = {key: float(read[key]) for key in form.fields}
     _check(numbers, read, address)
     limits = (read.get("low", -math.inf), read.get("high", math.inf)) if "low" not in form.fields else (-np.inf, np.inf)

@@ -30,7 +30,7 @@ class _InverseMuscleLaw(MuscleLawPart, Controller):
     The law gives the pressure for a required force. The pressure is then limited to the permitted range.
     """
 
-    data: Any = reference(doc="library set")
+    data: Any = reference(doc="name of a parameter set of the library")
     lowest_pressure: NumberLike = number(
         "Pa", "0 bar g", doc="lowest pressure", kind="pressure", low=0.0, note="vented"
     )
@@ -62,7 +62,7 @@ class _InverseMuscleLaw(MuscleLawPart, Controller):
         return ControlOutputs(self.compute_outputs(scope))
 
     def _limits(self, scope: Scope) -> tuple[Any, Any]:
-        """Return the lowest and the highest permitted gauge pressure [Pa]."""
+        """Return the lowest and the highest pressure of the controller as gauge pressures [Pa]."""
         ambient = scope.surroundings.pressure
         return scope["lowest_pressure"] - ambient, scope["highest_pressure"] - ambient
 

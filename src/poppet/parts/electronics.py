@@ -21,7 +21,7 @@ from poppet.parts.part import (
     Timer,
     advance_clock,
 )
-from poppet.parts.quantities import as_difference
+from poppet.parts.quantities import difference_properties
 
 MIN_LAG = 1e-6
 """Lower bound of the lag of a sensor [s], which avoids a division by zero."""
@@ -45,7 +45,7 @@ class FirstOrderSensor:
     """Parameters of a sensor with a first-order lag and an offset."""
 
     lag: NumberLike = number("s", 0.0, doc="time constant", low=0.0, note="none")
-    offset: NumberLike = number("Pa", 0.0, doc="offset", note="none", varies=as_difference)
+    offset: NumberLike = number("Pa", 0.0, doc="offset", note="none", varies=difference_properties)
 
 
 @dataclass(frozen=True)
@@ -79,7 +79,13 @@ class OuterLoop:
     integral_band: NumberLike = number("Pa", 0.0, doc="highest error that is integrated", low=0.0, note="no limit")
     integral_limit: NumberLike = number("Pa", 0.0, doc="limit of the integral", low=0.0, note="no limit")
     dead_zone: NumberLike = number("Pa", 0.0, doc="half the dead zone of the seats", low=0.0, note="none")
-    correction_limit: NumberLike = number("Pa", 0.0, doc="limit of the correction", low=0.0, note="no limit")
+    correction_limit: NumberLike = number(
+        "Pa",
+        0.0,
+        doc="limit of the correction; sum of proportional part, dead zone and integral",
+        low=0.0,
+        note="no limit",
+    )
     pilot_limit: NumberLike = number("Pa", doc="highest pilot pressure", kind="pressure", above=0.0)
     sample_time: NumberLike = number("s", "1 ms", doc="sample time of the outer loop", low=MIN_SAMPLE_TIME)
 
@@ -92,7 +98,9 @@ class InnerLoop:
     """
 
     gain: NumberLike = number("1/Pa", doc="duty per error of the pilot pressure", low=0.0)
-    hold_band: NumberLike = number("Pa", 0.0, doc="hold band", low=0.0, note="none")
+    hold_band: NumberLike = number(
+        "Pa", 0.0, doc="hold band; error up to which both solenoid valves are closed", low=0.0, note="none"
+    )
     minimum_duty: NumberLike = number("1", 0.0, doc="minimum duty", low=0.0, below=1.0, note="none")
     vent_delay: NumberLike = number("s", 0.0, doc="delay of venting", low=0.0, note="at once")
     sample_time: NumberLike = number("s", "1 ms", doc="sample time of the inner loop", low=MIN_SAMPLE_TIME)
@@ -144,12 +152,19 @@ class Electronics(Controller):
         "pilot_sensor_pressure",
     )  # fmt: skip
 
-    data: Any = reference(doc="library set")
-    preset: str = option(*PRESETS, doc="preset; variant of the library set")
+    data: Any = reference(doc="name of a parameter set of the library")
+    preset: str = option(*PRESETS, doc="preset; variant of the parameter set in `data`")
     setpoint_type: str = option(*SCALES, doc="type of setpoint")
     setpoint_delay: NumberLike = number("s", 0.0, doc="delay of the setpoint's signal", low=0.0, note="none")
     scaling: Any = group(Scaling, doc="pressures at 0 % and 100 %")
-    zero_suppression: NumberLike = number("1", 0.0, doc="zero-point suppression", low=0.0, below=1.0, note="none")
+    zero_suppression: NumberLike = number(
+        "1",
+        0.0,
+        doc="zero-point suppression; fraction of the range below which the setpoint counts as zero",
+        low=0.0,
+        below=1.0,
+        note="none",
+    )
     outlet_sensor: Any = group(FirstOrderSensor, doc="sensor of the outlet pressure")
     pilot_sensor: Any = group(FirstOrderSensor, doc="sensor of the pilot pressure")
     converter: Any = group(Converter, doc="converter")

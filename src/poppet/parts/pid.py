@@ -15,12 +15,12 @@ from poppet.parts.part import DiscreteState, Input, Quantities, Scope, Surroundi
 from poppet.parts.quantities import (
     COMMANDS,
     QUANTITIES,
-    as_command,
-    as_command_change,
-    as_difference,
-    as_gain,
-    as_limit,
+    command_change_properties,
     command_of,
+    command_properties,
+    difference_properties,
+    gain_properties,
+    limit_properties,
 )  # fmt: skip
 from poppet.parts.rows import GainSchedule
 from poppet.parts.sampled_loop import SampledLoop, is_first
@@ -77,21 +77,27 @@ class PID(SampledLoop):
     quantity: str = option(*QUANTITIES, doc="measured quantity")
     command_quantity: str = option(*COMMANDS, doc="commanded quantity")
     feedforward: str = switch(doc="feedforward; adds an input to the command")
-    lower_limit: NumberLike = number("1", optional=True, doc="lower limit of the command", varies=as_limit)
-    upper_limit: NumberLike = number("1", optional=True, doc="upper limit of the command", varies=as_limit)
-    gain: NumberLike = number("1/Pa", optional=True, doc="gain K, command per error", varies=as_gain)
+    lower_limit: NumberLike = number("1", optional=True, doc="lower limit of the command", varies=limit_properties)
+    upper_limit: NumberLike = number("1", optional=True, doc="upper limit of the command", varies=limit_properties)
+    gain: NumberLike = number("1/Pa", optional=True, doc="gain K, command per error", varies=gain_properties)
     integral_time: NumberLike = number("s", optional=True, doc="integral time T_i", low=0.0)
     derivative_time: NumberLike = number("s", optional=True, doc="derivative time T_d", low=0.0)
     derivative_filter: NumberLike = number("s", "5 ms", doc="time constant of the derivative's filter", low=0.0)
     setpoint_weight: NumberLike = number("1", 1.0, doc="setpoint weight beta", low=0.0, high=1.0, note="full")
     tracking_time: NumberLike = number("s", 0.0, doc="tracking time T_t", low=0.0, note="as the integral time")
-    bias: NumberLike = number("1", 0.0, doc="command at zero error", low=-1.0, high=1.0, note="none", varies=as_command)
-    dead_band: NumberLike = number("Pa", 0.0, doc="dead band of the error", low=0.0, note="none", varies=as_difference)
+    bias: NumberLike = number(
+        "1", 0.0, doc="command at zero error", low=-1.0, high=1.0, note="none", varies=command_properties
+    )
+    dead_band: NumberLike = number(
+        "Pa", 0.0, doc="dead band of the error", low=0.0, note="none", varies=difference_properties
+    )
     integral_dead_band: NumberLike = number(
-        "Pa", optional=True, doc="dead band of the integral", above=0.0, varies=as_difference
+        "Pa", optional=True, doc="dead band of the integral", above=0.0, varies=difference_properties
     )
     vent_factor: NumberLike = number("1", optional=True, doc="vent factor phi of commands to vent", above=0.0)
-    initial_integral: NumberLike = number("1", 0.0, doc="integral at the start", note="none", varies=as_command_change)
+    initial_integral: NumberLike = number(
+        "1", 0.0, doc="integral at the start", note="none", varies=command_change_properties
+    )
     schedule: Any = reference(doc="gains over operating points; mapping of lists")
     schedule_by: str = option("measurement", "setpoint", doc="quantity of the operating point")
 
@@ -167,7 +173,7 @@ class PID(SampledLoop):
     def law_memory(self) -> tuple[DiscreteState, ...]:
         units = dict.fromkeys(("integral", "derivative"), self.command_unit)
         units |= dict.fromkeys(("origin", "last_measurement", "last_error"), self.unit)
-        units |= {"last_gain": as_gain(self)["unit"]} if self.schedule is not None else {}
+        units |= {"last_gain": gain_properties(self)["unit"]} if self.schedule is not None else {}
         return tuple(DiscreteState(name, unit) for name, unit in units.items())
 
     def law_outputs(self, scope: Scope) -> Quantities:

@@ -53,7 +53,9 @@ class PressureController(SampledLoop):
 
     time_constant: NumberLike = number("s", doc="time constant tau of the closed loop", above=0.0)
     observer_time: NumberLike = number("s", 0.0, doc="time constant of the observer", low=0.0, note="no observer")
-    hold_band: NumberLike = number("Pa", 0.0, doc="hold band", low=0.0, note="none")
+    hold_band: NumberLike = number(
+        "Pa", 0.0, doc="hold band; error up to which both valves are closed", low=0.0, note="none"
+    )
     volume: NumberLike = number("m^3", doc="volume V in the model", above=0.0)
     polytropic_exponent: NumberLike = number(
         "1", AIR_ISENTROPIC_EXPONENT, doc="polytropic exponent n", low=1.0, high=1.7

@@ -72,10 +72,11 @@ def gain_unit(quantity: str, command: str) -> str:
 # --- Changes of declarations ---
 
 
-def as_setpoint(part: Any) -> dict[str, Any]:
-    """Return unit, kind, default and limits of the setpoint field of the controller `part`.
+def setpoint_properties(part: Any) -> dict[str, Any]:
+    """Return the properties of the field for the setpoint that depend on the measured quantity.
 
-    They override the declaration of the field, which is that of a pressure. The result is empty for a pressure.
+    They are unit, kind of value, default and limits, and override the declaration of the field, which is valid for a
+    pressure. `part` is the controller. The result is empty if it measures a pressure.
     """
     name = quantity_of(part)
     if name == "pressure":
@@ -85,26 +86,27 @@ def as_setpoint(part: Any) -> dict[str, Any]:
     return {"unit": measured.unit, "kind": measured.kind, **limits}
 
 
-def as_difference(part: Any) -> dict[str, Any]:
-    """Return the unit of a field of the controller `part` for a difference of measured values.
+def difference_properties(part: Any) -> dict[str, Any]:
+    """Return the unit of a field for a difference of measured values, such as a dead band.
 
-    An example is a dead band. The result overrides the unit in the declaration of the field.
+    The result overrides the unit in the declaration of the field. `part` is the controller.
     """
     return {"unit": QUANTITIES[quantity_of(part)].unit}
 
 
-def as_gain(part: Any) -> dict[str, Any]:
-    """Return the unit of the gain (command per error) of the controller `part`.
+def gain_properties(part: Any) -> dict[str, Any]:
+    """Return the unit of the field for the gain, command per error.
 
-    The result overrides the unit in the declaration of the field.
+    The result overrides the unit in the declaration of the field. `part` is the controller.
     """
     return {"unit": gain_unit(quantity_of(part), command_of(part))}
 
 
-def as_command(part: Any) -> dict[str, Any]:
-    """Return unit, kind, default and limits of a field of the controller `part` for a command.
+def command_properties(part: Any) -> dict[str, Any]:
+    """Return the properties of a field for a command that depend on the commanded quantity.
 
-    They override the declaration of the field, which is that of an opening. The result is empty for an opening.
+    They are unit, kind of value, default and limits, and override the declaration of the field, which is valid for the
+    opening of a valve. `part` is the controller. The result is empty if it commands an opening.
     """
     name = command_of(part)
     if name == OPENING:
@@ -114,25 +116,27 @@ def as_command(part: Any) -> dict[str, Any]:
     return {"unit": command.unit, "kind": command.kind, **limits}
 
 
-def as_limit(part: Any) -> dict[str, Any]:
-    """Return unit, kind and limits of a field of the controller `part` for a limit of its command.
+def limit_properties(part: Any) -> dict[str, Any]:
+    """Return the properties of a field for a limit of the command, such as its unit.
 
-    They override the declaration of the field. The result contains no default: a user must specify the limits.
+    They are those of `command_properties` without the default, because a user must specify the limits. `part` is the
+    controller.
     """
-    return {key: value for key, value in as_command(part).items() if key != "default"}
+    return {key: value for key, value in command_properties(part).items() if key != "default"}
 
 
-def as_command_change(part: Any) -> dict[str, Any]:
-    """Return the unit of a field of the controller `part` for a difference of commands.
+def command_change_properties(part: Any) -> dict[str, Any]:
+    """Return the unit of a field for a difference of commands, such as the initial integral.
 
-    An example is the initial integral. The result overrides the unit in the declaration of the field.
+    The result overrides the unit in the declaration of the field. `part` is the controller.
     """
     return {"unit": COMMANDS[command_of(part)].unit}
 
 
-def of_openings(part: Any) -> dict[str, Any]:
-    """Return changes that make a field optional if the controller `part` does not command an opening.
+def opening_properties(part: Any) -> dict[str, Any]:
+    """Return the properties of a field that has an effect only on commands that open valves.
 
-    The field, such as the largest opening, then has no default and no effect. The result is empty for an opening.
+    If the controller `part` commands another quantity, the field is optional and has no default. If it commands an
+    opening, the result is empty.
     """
     return {} if command_of(part) == OPENING else {"default": None, "optional": True}

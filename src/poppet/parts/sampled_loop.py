@@ -25,10 +25,10 @@ from poppet.parts.quantities import (
     COMMANDS,
     OPENING,
     QUANTITIES,
-    as_setpoint,
     command_of,
-    of_openings,
+    opening_properties,
     quantity_of,
+    setpoint_properties,
 )  # fmt: skip
 
 AT_ONCE, NEXT_SAMPLE = "at_once", "next_sample"
@@ -49,16 +49,16 @@ class SampledLoop(Controller):
 
     setpoint: NumberLike = number(
         "Pa", "0 bar g", doc="setpoint without a signal", kind="pressure", low=0.0, note="no pressure",
-        varies=as_setpoint,
+        varies=setpoint_properties,
     )  # fmt: skip
     sample_time: NumberLike = number("s", "1 ms", doc="sample time", low=MIN_SAMPLE_TIME)
     acts: str = option(AT_ONCE, NEXT_SAMPLE, doc="time at which a command acts")
     sensor: Any = group(FirstOrderSensor, doc="sensor")
     fill_limit: NumberLike = number(
-        "1", 1.0, doc="limit of the fill command", low=0.0, high=1.0, note="fully open", varies=of_openings
+        "1", 1.0, doc="limit of the fill command", low=0.0, high=1.0, note="fully open", varies=opening_properties
     )
     vent_limit: NumberLike = number(
-        "1", 1.0, doc="limit of the vent command", low=0.0, high=1.0, note="fully open", varies=of_openings
+        "1", 1.0, doc="limit of the vent command", low=0.0, high=1.0, note="fully open", varies=opening_properties
     )
 
     @property

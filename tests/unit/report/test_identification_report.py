@@ -27,7 +27,7 @@ from poppet.identify.fit.identify_fit import compare_results
 from poppet.identify.flow.identify_flow import identify_flow
 from poppet.identify.flow.points import FlowPoints
 from poppet.iso6358 import mass_flow_rate
-from poppet.report.identification.headline import headline, next_step, verdicts
+from poppet.report.identification.headline import headline, next_step, verdict_counts
 from poppet.report.identification.identification_figures import (
     channel_figure,
     flow_curve,
@@ -387,7 +387,7 @@ def test_outliers_have_rings_in_both_axes():
 )
 def test_verdicts_are_summarised(verdict_names, expected):
     parameters = {str(k): Estimate(1.0, "s", 0.1, 0.9, 1.1, v) for k, v in enumerate(verdict_names)}
-    assert verdicts(Result("fit", "t", parameters)) == expected
+    assert verdict_counts(Result("fit", "t", parameters)) == expected
 
 
 def test_worst_verdict_sets_summary_colour():

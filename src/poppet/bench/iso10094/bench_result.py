@@ -114,7 +114,13 @@ def read_bench_result(path: str | Path) -> BenchResult:
                 curves.setdefault(test, []).append(PlottedCurve(name, case, x, y))
         rows = {name: data[test.table or name] for name, test in TESTS.items() if (test.table or name) in data}
         conditions, comparison = data.get("conditions", {}), data.get("comparison", {})
-        outcome, notes = data.get("outcome", "done"), _notes_of_content(data)
+        pairs: list[tuple[str, Any]] = [(entry["test"], {**entry}) for entry in data.get("codes", ())]
+        for _, table in pairs:
+            del table["test"]  # the remaining fields are the note
+        # A file without note codes contains sentences, each of which begins with the name of its test.
+        pairs = pairs or [(entry.partition(": ")[0], entry.partition(": ")[2]) for entry in data.get("notes", ())]
+        notes = {test: notes_of(note for owner, note in pairs if owner == test) for test in dict.fromkeys(dict(pairs))}
+        outcome = data.get("outcome", "done")
         return BenchResult(data["title"], data["source"], figures, rows, curves, notes, conditions, comparison, outcome)
     except (ValueError, KeyError, TypeError, AttributeError, RecursionError) as error:
         raise InputError("bench.no_result", path=str(path), why=str(error)) from None
@@ -123,18 +129,6 @@ def read_bench_result(path: str | Path) -> BenchResult:
 def is_result(data: Mapping[str, Any]) -> bool:
     """Return True if the content of a TOML or JSON file is a bench result."""
     return data.get("method") == METHOD
-
-
-def _notes_of_content(data: Mapping[str, Any]) -> dict[str, tuple[Note, ...]]:
-    """Return the notes of a result file, as a mapping from test to notes.
-
-    A file without note codes contains sentences, each of which begins with the name of its test.
-    """
-    pairs: list[tuple[str, Any]] = [(entry["test"], {**entry}) for entry in data.get("codes", ())]
-    for _, table in pairs:
-        del table["test"]  # the remaining fields are the note
-    pairs = pairs or [(entry.partition(": ")[0], entry.partition(": ")[2]) for entry in data.get("notes", ())]
-    return {test: notes_of(entry for owner, entry in pairs if owner == test) for test in dict.fromkeys(dict(pairs))}
 
 
 def compare_bench_results(result: BenchResult, other_result: BenchResult) -> dict[str, Any]:

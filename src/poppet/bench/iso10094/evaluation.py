@@ -176,8 +176,8 @@ class Definition:
 
     @property
     def full(self) -> str:
-        """Description of the characteristic value, followed by the text of `limits` in brackets."""
-        return f"{self.text} ({self.limits})"
+        """Description of the characteristic value, followed by the text of `limits`."""
+        return f"{self.text} {self.limits}"
 
     @property
     def standard(self) -> str:

@@ -141,7 +141,18 @@ def _evaluate_direction(
     lags = lags_of(record.time, clipped_flow, y, branches(clipped_flow, TURN * top))
     delayed = delay_by_lags(record.time, clipped_flow, lags)
     grid = np.linspace(0.0, top, PLACES)
-    going, coming = _outlet_at_flows(clipped_flow, delayed, y, grid)
+    top_samples = np.flatnonzero(clipped_flow >= FOLD * top)
+    start_samples = np.flatnonzero(clipped_flow <= STILL * top)
+    earlier, later = start_samples[start_samples < top_samples[0]], start_samples[start_samples > top_samples[-1]]
+    # The samples between first and last arrival at the top are excluded: the valve is at its limit.
+    parts = (
+        slice(int(earlier[-1]) + 1, int(top_samples[0]) + 1) if earlier.size else None,
+        slice(int(top_samples[-1]), int(later[0])) if later.size else None,
+    )
+    half = 0.5 * top / (PLACES - 1)
+    going, coming = (
+        None if part is None else values_at_points(delayed[part], y[part], grid, half)[0] for part in parts
+    )
     if going is None:
         evaluation.note("flow.no_rise", record.name, way=side.direction)
         return None
@@ -181,30 +192,6 @@ def _lag_error(lags: Sequence[Lag]) -> float:
     """
     errors = [lag.error * lag.rate for lag in lags]
     return float(np.linalg.norm(errors)) / len(errors) if errors else 0.0
-
-
-def _outlet_at_flows(
-    flow: FloatArray, delayed: FloatArray, y: FloatArray, grid: FloatArray
-) -> tuple[FloatArray | None, FloatArray | None]:
-    """Return the outlet pressure on a grid of flows, for increasing and for decreasing flow.
-
-    `delayed` is the flow, delayed by the lag of the outlet, and `y` the outlet pressure [% FS]. `grid` contains the
-    flows [kg/s]. An item is None if the record has no such sweep.
-    """
-    top = grid[-1]
-    top_samples = np.flatnonzero(flow >= FOLD * top)
-    start_samples = np.flatnonzero(flow <= STILL * top)
-    earlier, later = start_samples[start_samples < top_samples[0]], start_samples[start_samples > top_samples[-1]]
-    # The samples between first and last arrival at the top are excluded: the valve is at its limit.
-    parts = (
-        slice(int(earlier[-1]) + 1, int(top_samples[0]) + 1) if earlier.size else None,
-        slice(int(top_samples[-1]), int(later[0])) if later.size else None,
-    )
-    half = 0.5 * top / (PLACES - 1)
-    going, coming = (
-        None if part is None else values_at_points(delayed[part], y[part], grid, half)[0] for part in parts
-    )
-    return going, coming
 
 
 def _set_flow_capacity(

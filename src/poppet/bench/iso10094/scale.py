@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from poppet.core.errors import InputError, collect
+from poppet.core.errors import InputError, raise_errors
 from poppet.core.tables import Field
 
 FloatArray = NDArray[np.float64]
@@ -42,7 +42,7 @@ class Scale:
         setpoints = ("setpoint_range", self.setpoint_low, self.setpoint_high, self.setpoint_unit)
         pressures = ("full_scale", self.pressure_low, self.pressure_high, "Pa")
         wrong = [ends for ends in (setpoints, pressures) if not -math.inf < ends[1] < ends[2] < math.inf]
-        collect([InputError("bench.range.scale", name, low=a, high=b, unit=unit) for name, a, b, unit in wrong])
+        raise_errors([InputError("bench.range.scale", name, low=a, high=b, unit=unit) for name, a, b, unit in wrong])
 
     @property
     def span(self) -> float:

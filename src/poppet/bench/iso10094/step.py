@@ -110,7 +110,15 @@ def _evaluate_step(
     row["is_settled"] = reason != "unsettled"
     if not record.is_exact and jump.duration > COARSE * row.get("delay", math.inf):
         note("coarse", error=0.5 * jump.duration, delay=row["delay"])
-    _add_step_curve(evaluation, record, row, y, jump, after.stop)
+    # The curve begins shortly before the step and ends after the outlet has settled.
+    lasts = max(2.0 * row.get("settling_time", 0.0), 3.0 * row.get("response_time", 0.0)) or math.inf
+    lead = 0.1 * min(lasts, record.time[after.stop - 1] - jump.time)
+    first = max(0, int(np.searchsorted(record.time, jump.time - lead)))
+    last = min(after.stop, int(np.searchsorted(record.time, jump.time + lasts)) + 1) - 1
+    indices = np.unique(np.linspace(first, last, POINTS).astype(int))
+    volume = f", {1e3 * record.volume:.4g} l" if math.isfinite(record.volume) else ""
+    change = 100.0 * (y[indices] - start) / (end - start)  # in per cent of the total change
+    evaluation.add_curve("outlet", f"{high - low:+.3g} % FS{volume}", record.time[indices] - jump.time, change)
 
 
 def _add_times(
@@ -249,22 +257,6 @@ def _overshoot(evaluation: Evaluation, rows: Sequence[Row]) -> None:
 
 def _case(row: Row) -> Row:
     return {key: row[key] for key in CASE if key in row}
-
-
-def _add_step_curve(evaluation: Evaluation, record: Record, row: Row, y: FloatArray, jump: Jump, stop: int) -> None:
-    """Add the step response, as a percentage of the total change, to the curves.
-
-    The curve begins shortly before the step and ends after the outlet has settled, at the sample `stop` at the latest.
-    """
-    lasts = max(2.0 * row.get("settling_time", 0.0), 3.0 * row.get("response_time", 0.0)) or math.inf
-    before = 0.1 * min(lasts, record.time[stop - 1] - jump.time)
-    start = max(0, int(np.searchsorted(record.time, jump.time - before)))
-    end = min(stop, int(np.searchsorted(record.time, jump.time + lasts)) + 1)
-    indices = np.unique(np.linspace(start, end - 1, POINTS).astype(int))
-    part = 100.0 * (y[indices] - row["outlet_from"]) / (row["outlet_to"] - row["outlet_from"])
-    volume = f", {1e3 * record.volume:.4g} l" if math.isfinite(record.volume) else ""
-    case = f"{row['to'] - row['from']:+.3g} % FS{volume}"
-    evaluation.add_curve("outlet", case, record.time[indices] - jump.time, part)
 
 
 _FIGURES = {

@@ -15,13 +15,13 @@ from poppet.bench.iso10094.plausibility import suspicion_notes, without_spikes
 from poppet.bench.iso10094.scale import FloatArray, Mask, Record, Scale, read_pressure_range, setpoint_scale
 from poppet.bench.iso10094.shapes import constant_sections
 from poppet.core.codes import Note
-from poppet.core.errors import ErrorCollector, InputError, NameSuggestion, collect
+from poppet.core.errors import ErrorCollector, InputError, NameSuggestion, raise_errors
 from poppet.core.message_format import sentence
 from poppet.core.tables import Field, missing_field, read_fields
 from poppet.core.units import quantity
 from poppet.timeseries.measurements import read_measurement
 from poppet.timeseries.measurements.measurement import Measurement, noise_of, quantum_of
-from poppet.timeseries.measurements.verdicts import cuts_a_peak, stays_in_noise
+from poppet.timeseries.measurements.verdicts import cuts_a_peak, is_stuck_at
 
 TOP_LEVEL = {
     "title": Field(type="text"),
@@ -102,7 +102,7 @@ def read_valve_recordings(
             continue
         records[record.test].append(record)
         notes += found_notes
-    collect(problems)
+    raise_errors(problems)
     conditions: dict[str, Any] = {
         "ambient_pressure": ambient,
         "recordings": {test: [record.name for record in group] for test, group in records.items() if group},
@@ -144,7 +144,7 @@ def _read_recording(name: str, table: Any, folder: Path, ambient: float, scale: 
         for series in ("outlet", *(() if "setpoint" in raw else ("setpoint",)), *((needs,) if needs else ())):
             if (channel := SERIES[series]) not in table:
                 example = f'"{channel}" = {{ column = "...", unit = "..." }}'
-                field = Field(meaning=CHANNELS[channel].removeprefix("the "), example=example)
+                field = Field(meaning=CHANNELS[channel].removeprefix("The ").removesuffix("."), example=example)
                 errors.extend([missing_field(f"{address}.{channel}", field)])
     own_names = tuple(OF_RECORDING)
     other_fields = {key: value for key, value in table.items() if key not in own_names}
@@ -247,7 +247,7 @@ def find_clipped_samples(series: Mapping[str, FloatArray]) -> dict[str, Mask]:
             if not runs or (name == "outlet" and sign < 0.0 and level <= FLOOR):
                 continue
             # A digital setpoint has no noise to test.
-            is_cut = name != "setpoint" and stays_in_noise(values, level, quantum_of(values))
+            is_cut = name != "setpoint" and is_stuck_at(values, level, quantum_of(values))
             if not is_cut and name in ("setpoint", "flow"):
                 is_cut = any(_outlet_moves_in_section(sign * values, series["outlet"], run) for run in runs)
             elif not is_cut and name == "outlet":

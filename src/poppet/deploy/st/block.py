@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
-from poppet.core.errors import InputError, collect
+from poppet.core.errors import InputError, raise_errors
 from poppet.core.version import __version__
 from poppet.deploy.controller import (
     SIGNATURES,
@@ -123,7 +123,7 @@ def block_of(circuit: BaseCircuit, parts: Sequence[str] = ()) -> str:
     """
     program = controller_program(circuit, parts)
     sampled = [i.address for i in program.inputs if isinstance(circuit.signals.get(i.address), SampledSignal)]
-    collect([InputError("deploy.file_in_block", address) for address in sampled])
+    raise_errors([InputError("deploy.file_in_block", address) for address in sampled])
     return function_block(program)
 
 

@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from poppet.core.message_format import sentence
+from poppet.core.note_groups import explain_command
 from poppet.core.number_format import readable_unit, scaled
 from poppet.identify import Design, Prediction
 from poppet.identify.design.identify_design import TWO_SIDED
@@ -55,11 +56,12 @@ def design_text(design: Design, max_findings: int | None = None) -> str:
     lines += [_joint_table(design).text(), "", _ranking_caption(design)]
     lines += [_candidate_table(design, MAX_CANDIDATES).text()]
     lines += [f"  ({n_omitted} more: the page and the result file)"] if n_omitted > 0 else []
-    return "\n".join([*lines, *(f"- {remark}" for remark in design.remarks)])
+    command = explain_command(remark.code for remark in design.remarks)
+    return "\n".join([*lines, *(f"- {remark}" for remark in design.remarks), *[f"more: {command}"] * bool(command)])
 
 
 def _joint_table(design: Design) -> ReportTable:
-    """Return the expected confidence intervals after all recommended tests, as a table."""
+    """Return a table of the expected confidence intervals after all recommended tests."""
     rows = []
     for name, p in design.together.items():
         unit = readable_unit(p.unit, p.value)
@@ -83,11 +85,11 @@ def _joint_table(design: Design) -> ReportTable:
 
 
 def _candidate_table(design: Design, n_max: int) -> ReportTable:
-    """Return the expected errors of the parameters after each single test, as a table.
+    """Return a table of the expected errors of the parameters after each single test.
 
-    The relative error of a parameter is half its 95 % interval divided by its value. The table contains the geometric
-    mean of this error over all assumed values and samples of the priors. The criterion of the design is computed from
-    these errors. `n_max` limits the number of tests.
+    The relative error of a parameter is half its 95 % interval divided by its value. The table contains its geometric
+    mean over all assumed values and samples of the priors, and the criterion that is computed from these means. `n_max`
+    is the maximum number of tests.
     """
     names, ranked_by = next(iter(design.tests.values())).keys(), design.ranked_by()
     rows = [
@@ -107,7 +109,7 @@ def _ranking_caption(design: Design) -> str:
 
 
 def error_figure(design: Design) -> Figure:
-    """Draw the relative 95 % intervals after each of the best tests.
+    """Draw the relative 95 % confidence intervals after each of the best tests.
 
     Each parameter has one panel.
     """
