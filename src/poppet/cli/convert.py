@@ -171,7 +171,8 @@ class _Context(NamedTuple):
 def _convert_capacity(number: float, source: tuple[str, str], target: tuple[str, str], context: _Context) -> list[str]:
     """Convert a value between two kinds of flow capacity, and return the lines to print.
 
-    `source` and `target` contain the kind, such as `Kv`, and the unit. The value is first converted to C and b.
+    `source` and `target` contain the kind, such as `Kv`, and the unit. The value is first converted to sonic
+    conductance and critical pressure ratio.
     """
     from poppet.core.units import ANR, convert
     from poppet.laws import iso6358
@@ -210,9 +211,10 @@ def _convert_capacity(number: float, source: tuple[str, str], target: tuple[str,
 
 
 def _convert_to_conductance(capacity: str, value: float, context: _Context) -> Conductance:
-    """Convert a flow capacity in SI units to C and b for the selected gas, with a note.
+    """Convert a flow capacity in SI units to sonic conductance and critical pressure ratio, with a note.
 
-    `capacity` is the kind of flow capacity, such as `Kv`. The note describes the conversion.
+    They are valid for the selected gas. `capacity` is the kind of flow capacity, such as `Kv`. The note describes the
+    conversion.
     """
     from poppet.laws import iso6358
 

@@ -275,7 +275,7 @@ class MeasuredLoop(Plant):
 
     @property
     def vent_factor(self) -> float:
-        """Opening of the vent valve per negative command during the measurement."""
+        """Opening of the vent valve per unit of negative command during the measurement."""
         return self.loop.numbers.get("vent_factor", 1.0)
 
     def sampled(  # type: ignore[override]  # no state space
@@ -300,10 +300,10 @@ class MeasuredLoop(Plant):
     def verify(
         self, circuit: BaseCircuit, value: float, gains: Gains, margins: Mapping[str, Margins]
     ) -> Iterator[Verification]:
-        """Simulate a setpoint step with the tuned gains for each amplitude of the sines.
+        """Yield a simulated setpoint step with the tuned gains for each amplitude of the sines.
 
-        The runs start at the operating point `value`. `margins` maps labels of operating points to the margins of the
-        tuned loop. Each run yields its verification.
+        The runs start at the operating point `value`, SI. `margins` maps labels of operating points to the margins of
+        the tuned loop.
         """
         for size in self.amplitudes:
             label = point_label(self, value, self.sine_label(size))

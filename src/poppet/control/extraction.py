@@ -71,7 +71,10 @@ def plant_of(circuit: BaseCircuit, controller: str | None = None) -> Plant:
 
 
 class Loop(NamedTuple):
-    """Controller and its circuit, without the outer loops of the controller."""
+    """Controller with its circuit, from which outer loops are removed.
+
+    An outer loop commands only this controller, for example its setpoint.
+    """
 
     circuit: BaseCircuit
     controller: str

@@ -61,21 +61,21 @@ class TunedPoint:
     gains : Gains
         Gains of the controller.
     vent_factor : float
-        Opening of the vent valve per negative command.
+        Opening of the vent valve per unit of negative command.
     setpoint_weight : float
         Factor on the setpoint in the proportional term: the largest of 1, 0.8, ..., 0 with an overshoot of at most 5 %.
     overshoot : float
         Maximum overshoot of all plants, as a fraction of the step.
     margins : dict
-        Mapping from the label of an operating point and a side, such as `2 bar, fill`, to the margins.
+        Margins by the label of an operating point and a side, such as `2 bar, fill`.
     values : tuple of float
-        Operating points, SI.
+        Values of the measurement at the operating points, SI.
     commands : tuple of float
         Commands at these operating points, SI; positive openings fill.
     plants : dict
-        Mapping from the label of an operating point and a side to the plant.
+        Plants by the label of an operating point and a side.
     verified : tuple of Verification
-        Verifications of a tuning by sines.
+        Simulated setpoint steps that verify a tuning by sines; empty for other tunings.
     """
 
     gains: Gains
@@ -92,7 +92,7 @@ class TunedPoint:
     def sides(self) -> tuple[str, ...]:
         """Names of the sides (signs) of the command at which the margins keep the bound.
 
-        If the plant was measured with sines, they are labels of the sines instead.
+        For a plant that was measured with sines, the names are labels of the sines instead.
         """
         return tuple(dict.fromkeys(name.partition(", ")[2] for name in self.margins))
 
@@ -113,7 +113,7 @@ class Tuning:
     points : tuple of TunedPoint
         One point for fixed gains, several for a schedule.
     sensitivity : float
-        Bound of Ms and Mt.
+        Bound of Ms and Mt, the maxima of the sensitivity functions.
     form : str
         `pi`, `pid` or `p`.
     quantity, command_quantity : str
@@ -121,8 +121,8 @@ class Tuning:
     notes : tuple of Note
         Notes on the plant, and on the runs that verify the gains.
     working_step : Verification or None
-        Run with the largest setpoint step from an operating point to a level of the setpoint's signal. It is None
-        without such a signal, or if the run failed.
+        Run with the largest setpoint step from an operating point to a level of the setpoint signal in the circuit. It
+        is None if the circuit has no such signal, or if the run failed.
     """
 
     controller: str
@@ -335,7 +335,7 @@ def schedule(
 
 
 def _add_working_step(plant: Plant, circuit: BaseCircuit, tuning: Tuning) -> Tuning:
-    """Return the tuning with a simulated setpoint step of usual size and its notes.
+    """Return the tuning with a simulated large setpoint step and its notes.
 
     The step is the largest one from an operating point to a level of the setpoint signal.
     """
@@ -498,7 +498,8 @@ class _GainSearch:
     def peaks(self, unit: Gains, gains: NDArray[np.float64]) -> NDArray[np.float64]:
         """Return the maximum of Ms and Mt over all plants for each of several gains.
 
-        `unit` is the controller with a gain of 1, and `gains` contains the factors on this gain.
+        Ms and Mt are the maxima of the sensitivity functions. `unit` is the controller with a gain of 1, and `gains`
+        contains the factors on this gain.
         """
         unit_response, k = unit.response(self.z, self.time), gains[:, None]
         worst = np.zeros(len(gains))

@@ -155,9 +155,9 @@ def compare_runs(
 ) -> RunComparison:
     """Compare a run with the reference run of the kernel at each output time.
 
-    The permitted difference of an output is the larger of the limit and `MARGIN` times the effect of small changes of
-    the problem. If this effect becomes too large, the output is not compared at later times. If the output is a state
-    of a gas, no output is compared at later times.
+    The kernel is poppet's own integrator. The permitted difference of an output is the larger of the limit and ten
+    times the effect of small changes of the problem. If this effect becomes too large, the output is not compared at
+    later times. If the output is a state of a gas, no output is compared at later times.
 
     Parameters
     ----------

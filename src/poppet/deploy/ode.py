@@ -116,8 +116,8 @@ class Ode:
     units : dict
         SI unit of each state and output by address.
     scale : (n,) array
-        Absolute tolerance of each state per relative tolerance, SI. Pressures and masses differ by ten decades: no
-        single absolute tolerance suits both.
+        Ratio of the absolute tolerance of each state to the relative tolerance, SI. Pressures and masses differ by ten
+        decades: no single absolute tolerance suits both.
     breakpoints : (n_breakpoints,) array
         Times at which a signal jumps or has a kink, including 0 [s].
     end : float

@@ -411,7 +411,7 @@ class Mass(_MovingBody):
 
     With the friction laws `lugre` and `elasto_plastic`, the body can stick. With `lugre`, a stuck body drifts under an
     oscillating load below the break-away force. With `elasto_plastic`, it does not drift while the deflection of the
-    bristles is below the break-away displacement; at larger loads it creeps. A note reports drift and creep. With
+    bristles is below the break-away displacement; at larger deflections it creeps. A note reports drift and creep. With
     `stribeck`, the friction is zero at zero velocity: a body under a load below the break-away force creeps at a speed
     of the order of the transition velocity, which therefore has no default.
 

@@ -45,7 +45,7 @@ class Chamber(Store):
 
     References
     ----------
-    Varga & Keski-Honkola 2012, section 3 (the isentropic tank) and section 5 (the wish for a polytropic one).
+    Varga & Keski-Honkola 2012, section 3, for the isentropic tank; section 5 suggests a polytropic tank.
     """
 
     kind: ClassVar[str] = "chamber"

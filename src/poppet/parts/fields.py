@@ -111,7 +111,7 @@ class MemberSpec(Declaration):
     """Declaration of a member, which is a part within a compound part.
 
     `inherited` contains the names of the fields of the member that the compound sets. If `optional` is True, a compound
-    can have no such member.
+    can lack this member.
     """
 
     part: Any  # class of the part

@@ -84,7 +84,7 @@ class FlowPath(Passage):
     nominal_flow: NumberLike = number(
         "m^3/s ANR", optional=True, kind="volume_flow_anr", doc="nominal flow qNn (6 to 5 bar g)", low=0.0
     )
-    characteristic: Any = reference(doc="C and b over the stroke: library name, .toml file or table")
+    characteristic: Any = reference(doc="C and b as functions of a stroke; library name, .toml file or table")
     subsonic_index: NumberLike = subsonic_index_m()
     laminar_ratio: NumberLike = laminar_limit()
 
@@ -162,9 +162,10 @@ class FlowPath(Passage):
 
 
 def characteristic_at(curve: Characteristic, scope: Scope, prefix: str, stroke: Any) -> tuple[Any, Any]:
-    """Return C [m^3/(s Pa)] and b [1] of the flow characteristic `curve` at a stroke [m].
+    """Return sonic conductance [m^3/(s Pa)] and critical pressure ratio [1] of a characteristic at a stroke [m].
 
-    The parameters of the characteristic are the parameters of the part in `scope` whose names begin with `prefix`.
+    `curve` is the characteristic. Its parameters are the parameters of the part in `scope` whose names begin with
+    `prefix`.
     """
     values = _PrefixedParameters(scope, prefix)
     return curve.sonic_conductance_at(stroke, values), curve.critical_ratio_at(stroke, values)
@@ -230,8 +231,8 @@ def named_flow(
 ) -> tuple[Flow, Quantities]:
     """Return one of several flows of a part, and its outputs.
 
-    `gas` contains the gas states at all ports, `ends` the two ports of the flow, and `size` C and b. The names of the
-    outputs begin with `name`.
+    `gas` contains the gas states at all ports, `ends` the two ports of the flow, and `size` sonic conductance and
+    critical pressure ratio. The names of the outputs begin with `name`.
     """
     first, second = ends
     return iso_flow(scope, f"{name}_mass_flow_rate", ends, (gas[first], gas[second]), size, regime=f"{name}_regime")

@@ -300,7 +300,7 @@ class Tube(Compound):
 
     @property
     def _size(self) -> tuple[float, float]:
-        """C [m^3/(s Pa)] and b [1] of the whole tube.
+        """Sonic conductance C [m^3/(s Pa)] and critical pressure ratio b [1] of the whole tube.
 
         Values that are not specified follow from `poppet.iso6358.tube`.
         """

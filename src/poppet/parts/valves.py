@@ -92,8 +92,8 @@ class DirectionalValve(FlowPath):
     -----
     The conductance of a 2/2 valve is proportional to the spool position. In a 3/2 valve, the exhaust closes over the
     first half of the stroke, and the supply opens over the second half: they are never open at the same time. By
-    default, `closing_time` equals `switching_time`, the exhaust has C and b of the supply, and the initial position of
-    the spool is that for the value of `command`.
+    default, `closing_time` equals `switching_time`, the exhaust has the flow capacity of the supply, and the initial
+    position of the spool is that for the value of `command`.
     """
 
     kind: ClassVar[str] = "directional_valve"

@@ -43,7 +43,8 @@ def electronics(**fields: object) -> Electronics:
 
 def scope(part: Electronics, inputs: dict[str, float], memory: dict[str, float] | None = None) -> Scope:
     numbers = part.parameters(AIR)
-    given = {"setpoint": numbers["setpoint"], "power": 1.0, "outlet_pressure": 1e5, "pilot_pressure": 1e5} | inputs
+    given = {"setpoint": numbers["setpoint"], "power": 1.0, "outlet_pressure": 1e5, "pilot_pressure": 1e5}
+    given |= {"input_fault": 0.0} | inputs
     start = part.start(Scope(numbers, {}, given, AIR))
     states = {name: start[name] for name in ("outlet_sensor_pressure", "pilot_sensor_pressure")}
     held = {name: value for name, value in start.items() if name not in states}
@@ -116,7 +117,7 @@ def test_an_unknown_set_is_one_error():
 
 def test_outputs_are_seen_under_the_name_of_the_whole():
     names = [name for name, _ in circuit().model.outputs]
-    wanted = ["setpoint", "power", "pilot_pressure", "stroke", "actual_value", "fill_duty", "vent_duty"]
+    wanted = ["setpoint", "power", "input_fault", "pilot_pressure", "stroke", "actual_value", "fill_duty", "vent_duty"]
     wanted += [f"{way}_mass_flow_rate" for way in ("supply", "exhaust", "fill", "vent")]
     assert {f"valve.{name}" for name in wanted} <= set(names)
     assert not [name for name in names if name.count(".") > 1]
@@ -466,13 +467,11 @@ def test_a_signal_of_the_setpoint_may_act_later():
 
 def test_a_target_above_the_supply_has_a_note():
     whole = circuit({"valve.setpoint": Steps([0.0, 1.0], [3e5, 6e5])}).with_values({"supply.pressure": "5 bar"})
-    notes = whole.simulate(4.0, 0.01).notes
-    assert (
-        "valve: the target of 6 bar at t = 1 s cannot be reached, because the supply pressure is only 5 bar." in notes
-    )
-    assert any(
-        note.startswith("valve: the outlet pressure did not reach its target of 6 bar by t = 4 s") for note in notes
-    )
+    notes = {note.code: note for note in whole.simulate(4.0, 0.01).remarks}
+    above, missed = notes["valve.out_of_reach"], notes["valve.not_reached"]
+    assert above.address == missed.address == "valve"
+    assert above.facts == {"target_bar": pytest.approx(6.0), "time": 1.0, "supply_bar": pytest.approx(5.0)}
+    assert (missed.facts["target_bar"], missed.facts["time"]) == (pytest.approx(6.0), 4.0)
 
 
 def test_a_target_that_is_reached_is_not_mentioned():

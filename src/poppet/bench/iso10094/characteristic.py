@@ -62,8 +62,8 @@ STOPPING = 70.0  # setpoint above which clipped samples exclude a sweep from the
 def characteristic_trial(scale: Scale, volume: float, sweep: float, hold: float) -> Trial:
     """Return a trial with slow sweeps over the setpoint range.
 
-    Each of the `CYCLES` cycles is a sweep up and a sweep down, with a hold at each end. `sweep` and `hold` are their
-    durations [s], and `volume` is the outlet volume [m^3].
+    Each of the three cycles is a sweep up and a sweep down, with a hold after each sweep. `sweep` and `hold` are the
+    durations of one sweep and of one hold [s], and `volume` is the outlet volume [m^3].
     """
     hold = max(hold, 0.05 * sweep)
     times, values = [0.0, 2.0 * hold], [0.0, 0.0]
@@ -192,8 +192,9 @@ def _noise_correlation(groups: Sequence[FloatArray], error: float) -> float:
     """Return the number of neighbouring grid values that have the same noise.
 
     Correlated noise changes slowly along a branch, so the differences between repeated branches contain larger
-    low-order polynomials than independent values. The result is the ratio of the powers of these polynomials. Each
-    group contains repeated branches, one per row. `error` is the standard deviation of one value [% FS].
+    low-order polynomials than independent values. The result is the power of these polynomials relative to that of
+    independent values. Each group contains repeated branches, one per row. `error` is the standard deviation of one
+    value [% FS].
     """
     basis = np.linalg.qr(np.vander(np.linspace(-1.0, 1.0, np.count_nonzero(INSIDE)), SLOW))[0]
     power, freedom = 0.0, 0

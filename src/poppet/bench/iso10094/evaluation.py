@@ -181,7 +181,10 @@ class Definition:
 
     @property
     def standard(self) -> str:
-        """Part of ISO 10094 that defines the value, with the advice to verify the definition."""
+        """Part of ISO 10094 that defines the value, as text.
+
+        The text advises the reader to verify the definition against the standard.
+        """
         return f"{self.of.part}; {VERIFY}"
 
 
@@ -240,7 +243,10 @@ class Evaluation:
         self.uncertainties[id(row), key] = uncertainty
 
     def values_of(self, rows: Sequence[Row], key: str) -> tuple[list[float], list[Uncertainty]]:
-        """Return the values of some rows in the column `key`, and their uncertainties."""
+        """Return one column of some rows of the results table, and its uncertainties.
+
+        `key` is the name of the column.
+        """
         return [row[key] for row in rows], [self.uncertainties[id(row), key] for row in rows]
 
     def add_curve(self, name: str, case: str, x: FloatArray, y: FloatArray) -> None:
@@ -251,7 +257,7 @@ class Evaluation:
     def note(self, code: str, address: str = "", /, **facts: Any) -> None:
         """Add a note, unless an equal note exists.
 
-        `code` is its code without the prefix `bench.`, and `facts` are the values in its text.
+        `code` is the note code without the prefix `bench.`, and `facts` are the values in the text of the note.
         """
         note = Note(f"bench.{code}", address, **facts)
         if note not in self.notes:
@@ -268,8 +274,9 @@ class Evaluation:
     def limit_to_bounds(self, *names: str) -> None:
         """Replace characteristic values by bounds, because clipped cases were omitted.
 
-        `names` are the names of these values. The maximum of the remaining cases becomes a lower bound, and a minimum
-        an upper bound. Values for which this gives no bound are removed, with a note.
+        `names` are the names of these values. A value that is the maximum of all cases becomes a lower bound, because
+        an omitted case could be larger. A value that is the minimum becomes an upper bound. Other values are removed,
+        with a note.
         """
         for name in names:
             bound = AT_MOST if name in self.test.smallest else AT_LEAST

@@ -33,8 +33,9 @@ LEAST_FLOW = 1e-9  # flow below which there is no flow [kg/s]
 def flow_trial(scale: Scale, volume: float, setpoint: float, sweep: float, hold: float, load: float) -> Trial:
     """Return a trial at constant setpoint, in which the flow rises and returns to zero.
 
-    `load` is the flow at the end of the rise, relative to the largest flow: 1 for forward flow, -1 for relief flow.
-    `sweep` and `hold` are the durations of each sweep and of each hold between them [s].
+    `load` is the flow at the end of the rise, relative to the largest flow: 1 for forward flow, -1 for relief flow. The
+    trial has a hold of `hold` seconds before, between and after the two sweeps of `sweep` seconds. `setpoint` is in %
+    FS, and `volume` is the outlet volume [m^3].
     """
     times = np.cumsum([0.0, 2.0 * hold, sweep, hold, sweep, hold])
     signal = Points(times, np.array([0.0, 0.0, load, load, 0.0, 0.0]))

@@ -42,8 +42,8 @@ def frequency_trial(
 ) -> Trial:
     """Return a trial with a sinusoidal setpoint about a mean value.
 
-    `mean` and `amplitude` are in % FS, `hold` is the settling time of the valve [s], and `frequency` is in Hz. Six
-    periods are recorded after the transient.
+    `mean` and `amplitude` are in % FS, `frequency` is in Hz, `hold` is the settling time of the valve [s], and `volume`
+    the outlet volume [m^3]. Six periods are recorded after the transient.
     """
     settling = max(2.0, math.ceil(hold * frequency)) / frequency
     unit = (scale.setpoint_high - scale.setpoint_low) / 100.0

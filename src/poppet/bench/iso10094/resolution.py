@@ -28,7 +28,7 @@ def resolution_trial(scale: Scale, volume: float, stair: float, hold: float, mid
     """Return a trial in which the setpoint is a staircase with small steps.
 
     The staircase goes up, down, and up again. `stair` is the height of one step, and `middle` the first setpoint [%
-    FS]. `hold` is the duration of each step [s].
+    FS]. `hold` is the duration of each step [s], and `volume` the outlet volume [m^3].
     """
     settling = 20.0 * hold
     directions = np.concatenate([np.ones(STAIRS), -np.ones(STAIRS), np.ones(STAIRS)])

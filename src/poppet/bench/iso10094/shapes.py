@@ -283,7 +283,7 @@ def lag_of(time: FloatArray, x: FloatArray, y: FloatArray, branch: Branch, follo
 
 @dataclass(frozen=True)
 class SweepEnd:
-    """Rate of the outlet at the end of a sweep, and its later change.
+    """Outlet pressure at the end of a sweep: its rate, and its later change.
 
     Both are extrapolated from a section before the end.
     """
@@ -301,8 +301,8 @@ def _end_of_sweep(
     """Return the rate of the outlet at the end of a sweep, and its change.
 
     Both come from a polynomial of degree `degree` that is fitted to the samples `is_coming` before the time `stop` [s].
-    The change is that after the end, to the level `held` in the hold. `noise` is the noise of the outlet. The result is
-    None if there are too few samples or the outlet is constant.
+    The change is that from the end of the sweep to the level `held` in the hold. `noise` is the noise of the outlet.
+    The result is None if there are too few samples or the outlet is constant.
     """
     if is_coming.sum() < (FEWEST if degree == SECTIONS[0][1] else 2 * FEWEST):
         return None

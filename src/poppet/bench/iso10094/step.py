@@ -36,8 +36,8 @@ CASE = ("from", "to", "volume", "sampling")  # conditions of a step for its char
 def step_trial(scale: Scale, volume: float, amplitude: float, hold: float) -> Trial:
     """Return a trial with a step up and a step down.
 
-    The steps are symmetric about the middle of the range. `amplitude` is the height of each step [% FS], and `hold` the
-    time at each level [s].
+    The steps are symmetric about the middle of the range. `amplitude` is the height of each step [% FS], `hold` the
+    time at each level [s], and `volume` the outlet volume [m^3].
     """
     low, high = (float(scale.setpoint(50.0 + side * amplitude / 2.0)) for side in (-1.0, 1.0))
     # The steps coincide with rows: both are multiples of a quarter of the hold.

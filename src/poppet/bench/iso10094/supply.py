@@ -47,8 +47,9 @@ def supply_trial(
 ) -> Trial:
     """Return a trial that sweeps the supply pressure at a constant setpoint.
 
-    The sweep goes from the lowest pressure to the highest and back. `ends` are these pressures [Pa]. The trial begins
-    with one more sweep up and down, which is not recorded.
+    The sweep goes from the lowest pressure to the highest and back. `ends` are these pressures [Pa], `setpoint` is in %
+    FS, and `sweep` and `hold` are durations [s]. The trial begins with one more sweep up and down, which is not
+    recorded.
     """
     low, high = ends
     # The first cycle is not evaluated: it removes the effect of previous motions of the valve.

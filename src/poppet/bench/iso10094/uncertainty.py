@@ -138,9 +138,9 @@ class Noise:
 
 
 def estimate_noise(parts: Sequence[FloatArray], degree: int = 1) -> Noise:
-    """Estimate the noise of series from their residuals about fitted polynomials.
+    """Estimate the common noise of several series from residuals about fitted polynomials.
 
-    `parts` are the series, and `degree` is the degree of the polynomials. All series have the same noise.
+    `parts` are the series, and `degree` is the degree of the polynomials.
 
     Examples
     --------
@@ -297,9 +297,10 @@ def correct_noise_bias(
 def mean_of(values: Sequence[float], uncertainties: Sequence[Uncertainty]) -> tuple[float, Uncertainty]:
     """Return the mean of repeated values and its uncertainty.
 
-    The uncertainty includes the scatter of the values. The field `common` of the uncertainties is the half width of an
-    error range that all repetitions share. Values that scatter more than their noise cannot share one error, so the
-    range becomes narrower.
+    The uncertainty includes the scatter of the values. The field `common` of the uncertainties is the half width of a
+    range that contains the error of each value. The errors within this range are assumed to be equal in all
+    repetitions. If the values differ by more than their noise, this cannot be true; the result is then the overlap of
+    the ranges of all values.
 
     Examples
     --------

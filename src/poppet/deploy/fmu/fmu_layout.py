@@ -119,7 +119,7 @@ class FmuLayout:
         """Return the dependencies of an expression on the elements of x, u or p.
 
         `expression` and `symbol` are names. The result is a Boolean matrix with one row per element of the expression
-        and one column per element of the symbol. Columns of quadratures and discrete states are omitted.
+        and one column per element of the symbol. Quadratures (integrals of flows) and discrete states have no columns.
         """
         model = self.export_model.model
         width = {"x": len(model.states), "u": len(model.inputs), "p": len(model.parameters)}[symbol]

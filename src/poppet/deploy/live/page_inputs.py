@@ -102,8 +102,8 @@ def select_sliders(export_model: ExportModel, circuit: BaseCircuit, texts: Seque
 def _is_guided(export_model: ExportModel, address: str) -> bool:
     """Return True if an input prescribes the motion of a body.
 
-    The rate of change of such an input is another input. A slider cannot set it, because a constant value would not
-    move the body.
+    The rate of change of such an input is a further input. A slider cannot set an input that prescribes a motion,
+    because a constant value would not move the body.
     """
     inputs = export_model.inputs
     return any(item.slope_of >= 0 and inputs[item.slope_of].address == address for item in inputs)
@@ -157,7 +157,7 @@ def _slider(export_model: ExportModel, circuit: BaseCircuit, address: str) -> Sl
 def _signal_and_delay(export_model: ExportModel, circuit: BaseCircuit, index: int) -> dict[str, Any]:
     """Return the signal and the delay of the input with the given index.
 
-    They are the fields `course` and `delay` of a slider.
+    The keys of the result are `course` and `delay`, as in the fields of a slider.
     """
     item, signal = export_model.model.inputs[index], circuit.signals.get(export_model.inputs[index].address)
     course: dict[str, Any] = {"kind": "steps", "times": [], "values": []}

@@ -40,8 +40,8 @@ EXCHANGE = (1e-5, "gas", "sharp", "method")
 def _run_solver(reference: KernelReference, folder: Path, solver: str) -> TargetResult:
     """Run a circuit with one solver, for comparison with the reference run.
 
-    `solver` is a reference solver, or `rosenbrock` for poppet's own integrator with a slightly changed start state. If
-    it is empty, the result is the run of `simulate`. `folder` is unused.
+    `solver` is the name of a reference solver, or `rosenbrock` for poppet's own integrator with a slightly changed
+    start state. If the name is empty, the existing run by poppet's own integrator is returned. `folder` is unused.
     """
     if not solver:
         return TargetResult(reference.run.values, reference.seconds)
@@ -219,7 +219,7 @@ def _run_controllers(reference: KernelReference, folder: Path) -> TargetResult:
         columns.append(recording[address][:-1] + offset)
     inputs = np.array(columns).T
     start_time = time.perf_counter()
-    outputs = program.run([*inputs])
+    outputs = program.run(inputs).outputs
     seconds = time.perf_counter() - start_time
     differences = {}
     for k, output in enumerate(program.outputs):

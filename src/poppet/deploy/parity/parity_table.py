@@ -110,6 +110,8 @@ class ParityRow:
 class Parity:
     """Results of all parity checks of one circuit.
 
+    A parity check compares an export target with the kernel, poppet's own integrator.
+
     Parameters
     ----------
     title : str
@@ -117,7 +119,7 @@ class Parity:
     duration : float
         Duration of the run [s].
     seconds : float
-        Computing time of the kernel.
+        Computing time of the kernel [s].
     steps : int
         Accepted steps of the kernel.
     sizes : dict

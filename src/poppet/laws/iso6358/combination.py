@@ -279,8 +279,9 @@ def _divide_into_pieces(drops: Sequence[float], first: float, last: float) -> li
 def _excess_capacity(pieces: Sequence[tuple[float, float]]) -> float:
     """Return the choked flow of the last piece minus the flow through all pieces.
 
-    `pieces` contains C and b of each piece. Both C and flow are relative to the complete flow path, so the flow is 1.
-    The result is -1 if this flow is above the choked flow of another piece.
+    `pieces` contains sonic conductance and critical pressure ratio of each piece. Conductances and flows are relative
+    to the complete flow path, so the flow is 1. The result is -1 if this flow is above the choked flow of another
+    piece.
     """
     pressure = _outlet_pressure(pieces[:-1], 1.0)
     return -1.0 if pressure is None else pieces[-1][0] * pressure - 1.0
@@ -289,7 +290,8 @@ def _excess_capacity(pieces: Sequence[tuple[float, float]]) -> float:
 def _outlet_pressure(pieces: Iterable[tuple[float, float]], flow: float) -> float | None:
     """Return the outlet pressure of pieces in series, for an upstream pressure of 1.
 
-    `pieces` contains C and b of each piece. The result is None if `flow` is above the choked flow of any piece.
+    `pieces` contains sonic conductance and critical pressure ratio of each piece. The result is None if `flow` is above
+    the choked flow of any piece.
     """
     pressure = 1.0
     for size, ratio in pieces:

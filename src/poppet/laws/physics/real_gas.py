@@ -161,10 +161,9 @@ def _reduced_density(pressure: float, temperature: float, gas: RealGas, virial: 
 
 
 def _virial_coefficients(temperature: float, gas: RealGas) -> _Virial:
-    """Return the virial coefficients B and C with their first and second derivatives.
+    """Return the virial coefficients B and C with their derivatives with respect to the temperature.
 
-    The first derivatives are multiplied by T and the second by T^2. B is in units of R Tc/pc, and C in units of (R
-    Tc/pc)^2.
+    The result contains B, T dB/dT and T^2 d2B/dT2 in units of R Tc/pc, and the same for C in units of (R Tc/pc)^2.
     """
     reduced = temperature / gas.critical_temperature
 

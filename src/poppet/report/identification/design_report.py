@@ -49,7 +49,7 @@ def design_page(design: Design) -> str:
 def design_text(design: Design, max_findings: int | None = None) -> str:
     """Return an experiment design as text for a terminal.
 
-    All findings are included; `max_findings` has no effect.
+    All findings are included. `max_findings` has no effect; the summaries of other methods use it.
     """
     n_omitted = len(design.tests) - MAX_CANDIDATES
     lines = [design.title, "Make:", *(f"  {k}. {name}" for k, name in enumerate(design.chosen, start=1)), ""]

@@ -43,7 +43,8 @@ NEXT = {
 def headline(result: Result, *, is_plain: bool = False) -> str:
     """Return the main parameters with their errors, and the verdicts, as one line of text.
 
-    The main parameters are C and b if they were identified. With `is_plain`, the text is ASCII.
+    The main parameters are the sonic conductance C and the critical ratio b if they were identified. With `is_plain`,
+    the text is ASCII.
 
     Examples
     --------
@@ -113,8 +114,8 @@ def verdict_counts(result: Result) -> str:
 def next_step(result: Result) -> str:
     """Return the next step that the most urgent finding suggests, as a sentence.
 
-    Without such a finding, the next step is a validation; the text is empty if the method is not a fit or there was
-    one.
+    If no finding suggests a step, the sentence suggests a validation. It is empty if the method is not a fit, or if the
+    result includes a validation.
     """
     for key, codes in NEXT.items():
         for remark in result.remarks:

@@ -130,8 +130,8 @@ def channel_figure(
 ) -> Figure:
     """Draw measurement, model and residuals of one channel.
 
-    `curve` contains abscissas and ordinates of a fitted curve, and `critical_ratio` is the estimate of b. Rings mark
-    the outliers, whose abscissas are `outliers`.
+    `curve` contains abscissas and ordinates of a fitted curve, and `critical_ratio` is the estimate of the critical
+    ratio, which the figure marks. Rings mark the outliers, whose abscissas are `outliers`.
     """
     has_residuals, has_side = trace.residual.size > 1, trace.residual.size >= MIN_SAMPLES
     figure = new_figure(_WIDTH, _TOP + _UPPER + _FOOT + has_residuals * (_BETWEEN + _LOWER))

@@ -176,9 +176,9 @@ def _residual_text(value: float, si_unit: str, rms: float, unit: str = "") -> st
 
 
 def comparison_table(result: Result) -> ReportTable:
-    """Return a table that compares two models by AICc and residuals.
+    """Return a table that compares the model of the result with another model.
 
-    They are the model of the result and the model with which the user compared it.
+    The table contains AICc, the number of free parameters, and residuals.
     """
     c = result.comparison
     rows = [
