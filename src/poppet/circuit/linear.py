@@ -57,8 +57,20 @@ def steady_state(instance: Instance, inputs: Mapping[str, Any] | None = None) ->
             break
     method = Note("rest.settled", duration=duration)
     if run.outcome is Outcome.TOO_MANY and not np.all(point.positive):
+        from scipy.integrate import Radau
+
         # The circuit hunts: the fast mechanics do not settle, although a steady state exists.
-        x, method = _run_slow_gas(point), Note("rest.slowed", duration=duration)
+        # Slower gas dynamics do not change the steady states, and do not excite the mechanics.
+        rate = np.where(point.positive, SLOW_GAS, 1.0)
+        transient = Radau(
+            lambda _, z: rate * point.scaled(z * point.size)[0], 0.0, point.start / point.size, TRANSIENTS[-1],
+            jac=lambda _, z: rate[:, None] * point.scaled(z * point.size)[1], rtol=1e-6, atol=1e-9,
+        )  # fmt: skip
+        # Not `solve_ivp`, which stores all steps and has no limit of steps.
+        for _ in range(SLOW_GAS_STEPS):
+            if transient.status == "running":
+                transient.step()
+        x, method = np.asarray(transient.y) * point.size, Note("rest.slowed", duration=duration)
     x = refine_steady_state(point.scaled, x, point.size, point.positive, conserves=True)
     # Newton's method can stop early: the residual decides.
     residual, limit = scaled_residual(point.scaled, x, point.size)
@@ -135,22 +147,3 @@ class _LinearisationPoint:
         f, y, a, b, c, d = self.linear(x)
         names = tuple(s.name for s in self.model.states), tuple(i.name for i in self.model.inputs)
         return LinearModel(a, b, c, d, *names, self.model.columns[0], x, self.u, y, f)
-
-
-def _run_slow_gas(point: _LinearisationPoint) -> Array:
-    """Return the final state of a transient in which the gas dynamics are slower.
-
-    The steady states are unchanged. With slow gas, fast mechanical parts do not cause oscillations.
-    """
-    from scipy.integrate import Radau
-
-    rate = np.where(point.positive, SLOW_GAS, 1.0)
-    method = Radau(
-        lambda _, z: rate * point.scaled(z * point.size)[0], 0.0, point.start / point.size, TRANSIENTS[-1],
-        jac=lambda _, z: rate[:, None] * point.scaled(z * point.size)[1], rtol=1e-6, atol=1e-9,
-    )  # fmt: skip
-    # Not `solve_ivp`, which stores all steps and has no limit of steps.
-    for _ in range(SLOW_GAS_STEPS):
-        if method.status == "running":
-            method.step()
-    return np.asarray(method.y) * point.size

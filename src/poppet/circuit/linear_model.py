@@ -22,10 +22,7 @@ Array = NDArray[np.float64]
 
 
 class ControlSystem(Protocol):
-    """Interface of an input-output system of python-control.
-
-    It replaces the type hints that python-control does not have.
-    """
+    """Interface of an input-output system of python-control, which has no type hints of its own."""
 
     name: str
     dt: float | bool | None  # sample time [s]; 0 in continuous time

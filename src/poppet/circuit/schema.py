@@ -52,7 +52,6 @@ def circuit_schema() -> Schema:
     definitions = {
         "value": {"type": ["number", "string"], "description": 'SI number, or text with unit: "6 bar g"'},
         "part": by_kind("part", {name: name for name in KINDS}),
-        **{name: _part(name) for name in KINDS},
         "signal": by_kind("signal", {kind: f"signal_{kind}" for kind in signal_tables.KINDS}),
         "connected": {"type": "object", "additionalProperties": {"type": "string"}},
         "input": {
@@ -68,12 +67,22 @@ def circuit_schema() -> Schema:
             "else": {"$ref": "#/$defs/value"},
         },
     }
+    for name, part in KINDS.items():
+        declared = specs(part)
+        required = ["kind"]
+        for field, spec in declared.items():
+            is_connection = isinstance(spec, PortSpec | BodySpec) and not spec.optional
+            # A library set (`data`) can supply omitted values.
+            is_value = isinstance(spec, NumberSpec) and not spec.optional and spec.default is None
+            if is_connection or (is_value and "data" not in declared):
+                required.append(field)
+        fields = {"kind": {"const": name, "description": part.summary}}
+        fields |= {field: _field(field, spec, part) for field, spec in declared.items()}
+        definitions[name] = closed(fields, required, part.summary)
     for kind in signal_tables.KINDS:
-        required, optional = signal_tables.fields_of(kind)
-        fields = {field: _SIGNAL_FIELDS.get(field, {"$ref": "#/$defs/value"}) for field in (*required, *optional)}
-        definitions[f"signal_{kind}"] = closed(
-            {"kind": {"const": kind}} | fields, ["kind", *required], f"{kind} signal"
-        )
+        needed, optional = signal_tables.fields_of(kind)
+        fields = {field: _SIGNAL_FIELDS.get(field, {"$ref": "#/$defs/value"}) for field in (*needed, *optional)}
+        definitions[f"signal_{kind}"] = closed({"kind": {"const": kind}} | fields, ["kind", *needed], f"{kind} signal")
     return {
         "$schema": DRAFT,
         "title": "poppet circuit file",
@@ -110,25 +119,6 @@ def by_kind(noun: str, definitions: dict[str, str], field: str = "kind") -> Sche
     ]
     kind = {"enum": list(definitions), "description": f"what {noun} this is"}
     return {"type": "object", "properties": {field: kind}, "required": [field], "allOf": branches}
-
-
-def _part(name: str) -> Schema:
-    kind = KINDS[name]
-    declared = specs(kind)
-    required = [
-        "kind",
-        *(field for field, spec in declared.items() if isinstance(spec, PortSpec | BodySpec) and not spec.optional),
-    ]
-    if "data" not in declared:  # a library set can supply omitted values
-        required += [
-            field
-            for field, spec in declared.items()
-            if isinstance(spec, NumberSpec) and not spec.optional and spec.default is None
-        ]
-    fields = {"kind": {"const": name, "description": kind.summary}}
-    return closed(
-        fields | {field: _field(field, spec, kind) for field, spec in declared.items()}, required, kind.summary
-    )
 
 
 def _section(kind: type, description: str) -> Schema:

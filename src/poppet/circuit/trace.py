@@ -55,9 +55,28 @@ def trace(
     return _Tracer(parts, connections or {}, parameters).model()
 
 
+def trace_program(
+    parts: Mapping[str, Part], parameters: tuple[str, ...], connections: Mapping[str, str]
+) -> tuple[Model, dict[str, tuple[Any, str]]]:
+    """Return the model of sampled controllers with relative time, and the labels of intermediate values.
+
+    A timer contains the time that remains until its instant. A label maps the address of a value at a sample instant to
+    its expression and meaning (`Scope.label`).
+    """
+    tracer = _Tracer(parts, connections, parameters, has_relative_time=True)
+    model = tracer.model()
+    return model, tracer.labels
+
+
 class _Tracer:
-    def __init__(self, parts: Mapping[str, Part], connections: Mapping[str, str], parameters: tuple[str, ...]) -> None:
+    def __init__(
+        self, parts: Mapping[str, Part], connections: Mapping[str, str], parameters: tuple[str, ...],
+        has_relative_time: bool = False,
+    ) -> None:  # fmt: skip
         import casadi as ca
+
+        self.has_relative_time = has_relative_time
+        self.labels: dict[str, tuple[Any, str]] = {}
 
         self.ca, self.circuit_parts, self.names = ca, parts, parameters
         self.parts, self.connections, self.shown = expand_compounds(parts, connections)
@@ -108,7 +127,9 @@ class _Tracer:
             body, body_scope = self.parts[body_name], self.scope(body_name, at_start=at_start)
             assert isinstance(body, Body)
             motion = body.motion(replace(body_scope, states=body.start(body_scope)) if at_start else body_scope)
-        return Scope(select(self.number), states, inputs, self.surroundings, memory, self.t, motion)
+        time = 0.0 if self.has_relative_time else self.t
+        numbers = select(self.number)
+        return Scope(numbers, states, inputs, self.surroundings, memory, time, motion, self.has_relative_time)
 
     def _ports(self, name: str) -> dict[str, str]:
         """Return a mapping from the ports of a part to addresses of gas nodes.
@@ -205,9 +226,9 @@ class _Tracer:
         )
 
     def _shown(self, address: str) -> str:
-        """Return the address under which users see an element of the circuit.
+        """Return the public address of an element of the circuit.
 
-        In the equations, elements inside a compound part can have other addresses.
+        For elements inside compound parts, the equations use other addresses.
         """
         return self.shown.get(address, address)
 
@@ -344,8 +365,12 @@ class _Tracer:
         for k, (name, timer) in enumerate(self.timers):
             new = self.parts[name].update(timer.name, scopes[name])
             assert timer.name in new, f"{name}.{timer.name} does not set itself"
-            values = self._substitute(ca.vertcat(*new.values()), connected)
+            labels = scopes[name].labels if self.has_relative_time else {}
+            values = self._substitute(ca.vertcat(*new.values(), *(value for value, _ in labels.values())), connected)
             values = ca.substitute([values], [self.z], [now])[0]
+            for i, (label, (_, meaning)) in enumerate(labels.items(), len(new)):
+                self.labels[f"{name}.{label}"] = values[i], meaning
+            labels.clear()
             elements = [now[i] for i in range(now.shape[0])]
             for i, local in enumerate(new):
                 j = index[f"{name}.{local}"]

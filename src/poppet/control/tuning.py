@@ -92,7 +92,7 @@ class TunedPoint:
     def sides(self) -> tuple[str, ...]:
         """Names of the sides (signs) of the command at which the margins keep the bound.
 
-        If the plant was measured with sines, they are labels of the sines instead.
+        For a plant that was measured with sines, the names are labels of the sines instead.
         """
         return tuple(dict.fromkeys(name.partition(", ")[2] for name in self.margins))
 
@@ -113,7 +113,7 @@ class Tuning:
     points : tuple of TunedPoint
         One point for fixed gains, several for a schedule.
     sensitivity : float
-        Bound of Ms and Mt.
+        Bound of Ms and Mt, the maxima of the sensitivity functions.
     form : str
         `pi`, `pid` or `p`.
     quantity, command_quantity : str
@@ -121,8 +121,8 @@ class Tuning:
     notes : tuple of Note
         Notes on the plant, and on the runs that verify the gains.
     working_step : Verification or None
-        Run with the largest setpoint step from an operating point to a level of the setpoint's signal. It is None
-        without such a signal, or if the run failed.
+        Run with the largest setpoint step from an operating point to a level of the setpoint signal in the circuit. It
+        is None if the circuit has no such signal, or if the run failed.
     """
 
     controller: str
@@ -335,7 +335,7 @@ def schedule(
 
 
 def _add_working_step(plant: Plant, circuit: BaseCircuit, tuning: Tuning) -> Tuning:
-    """Return the tuning with a simulated setpoint step of usual size and its notes.
+    """Return the tuning with a simulated large setpoint step and its notes.
 
     The step is the largest one from an operating point to a level of the setpoint signal.
     """

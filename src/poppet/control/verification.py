@@ -108,9 +108,10 @@ def verify_step(
     metrics = step_metrics(time, setpoint, measured, run[f"{controller}.command"][rows])
 
     def swing(quarter: int) -> float:
-        """Return half the range of the response, without drift, in one quarter of a step.
+        """Return the amplitude of the oscillation in one quarter of a step.
 
-        The result is the larger value of both steps.
+        It is half the range of the response after subtraction of a straight line. The result is the larger value of
+        both steps.
         """
         starts = (begin + quarter * _ROWS // 4 for begin in (0, _ROWS))
         quarters = [measured[k : k + _ROWS // 4] for k in starts]

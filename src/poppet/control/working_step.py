@@ -37,7 +37,7 @@ def largest_step(circuit: BaseCircuit, controller: str, values: Sequence[float])
 def verify_working_step(
     plant: Plant, circuit: BaseCircuit, step: tuple[float, float], gains: Gains, crossover: float
 ) -> tuple[Verification | None, tuple[Note, ...]]:
-    """Simulate a tuned loop with a setpoint step of usual size.
+    """Simulate a tuned loop with a setpoint step of the size that occurs in operation.
 
     `step` contains the operating point and the size of the step, SI. The result contains the verification, or None if
     the run fails, and its notes. A loop with a linear plant starts at the initial state of the circuit.

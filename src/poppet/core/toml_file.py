@@ -53,9 +53,9 @@ class TomlFile:
 
     @property
     def content(self) -> dict[str, Any]:
-        """Tables of the file, in which no key and no text contains a control character.
+        """Tables of the file, after a check for control characters.
 
-        A control character raises an error.
+        A control character in a key or text raises an error.
         """
         tables = self.tables
         for address, text in _texts(tables):

@@ -47,6 +47,8 @@ class ExportParameter(NamedTuple):
     value: float
     low: float
     high: float
+    above: float | None  # the value must be greater than this limit; None if `low` is permitted
+    below: float | None  # the value must be less than this limit; None if `high` is permitted
     meaning: str
     # Reason for which the value must not change at run time: `tied` (other parameters depend on it), `delay` (it moves
     # the breakpoints of a signal), `derived` (it depends on other parameters), `driven` (a signal sets it), or empty.
@@ -164,8 +166,11 @@ def build_export_model(circuit: BaseCircuit, name: str = "") -> ExportModel:
         else:
             fixed = "tied" if address in tied else ""
         low, high = max(spec.ends[0], _next_float(spec.above, 1.0)), min(spec.ends[1], _next_float(spec.below, -1.0))
+        above = spec.above if low > spec.ends[0] else None
+        below = spec.below if high < spec.ends[1] else None
         unit = number.unit if number else spec.unit
-        parameters.append(ExportParameter(address, parameter_name, unit, float(value), low, high, spec.meaning, fixed))
+        limits = low, high, above, below
+        parameters.append(ExportParameter(address, parameter_name, unit, float(value), *limits, spec.meaning, fixed))
     discrete_start = problem.p[len(model.parameters) :]
     states = zip(model.states, problem.x0[: len(model.states)], strict=True)
     return ExportModel(

@@ -97,7 +97,8 @@ def _read(path: Path) -> bytes:
 def _check_permissions(status: os.stat_result) -> None:
     """Raise PermissionError if another user could change a file or folder.
 
-    `status` is its status (`os.stat_result`). The check passes on Windows, which protects the folder of the user.
+    `status` is the `os.stat_result` of the file or folder. On Windows, which protects the folder of the user, the check
+    always passes.
     """
     if os.name == "posix" and (status.st_uid != os.geteuid() or status.st_mode & (stat.S_IWGRP | stat.S_IWOTH)):
         raise PermissionError("other users have write permission")

@@ -134,7 +134,7 @@ class InverseMuscle(_InverseMuscleLaw):
         return [f"force to pressure, {self.data or self.law}"]
 
     def inputs(self) -> tuple[Input, ...]:
-        return Input("force", "N", "force", is_command=True), Input("contraction", "1", 0.0)
+        return Input("force", "N", "force", is_command=True), Input("contraction", "1", 0.0, low=-1.0, high=1.0)
 
     def compute_outputs(self, scope: Scope) -> Quantities:
         slope, passive = self.line_at(scope, scope.inputs["contraction"])
@@ -186,7 +186,7 @@ class Antagonist(_InverseMuscleLaw):
         return (
             Input("torque", "N m", "torque", is_command=True),
             mean_pressure,
-            *(Input(name, "1", 0.0) for name in self.measured),
+            *(Input(name, "1", 0.0, low=-1.0, high=1.0) for name in self.measured),
         )
 
     def compute_outputs(self, scope: Scope) -> Quantities:

@@ -22,6 +22,7 @@ from poppet.parts.part import (
     advance_clock,
 )
 from poppet.parts.quantities import difference_properties
+from poppet.parts.safe_state import FAULT_INPUT, FAULT_MEMORY, NEVER_VALID, fault_state, recovers
 
 MIN_LAG = 1e-6
 """Lower bound of the lag of a sensor [s], which avoids a division by zero."""
@@ -131,10 +132,11 @@ class Electronics(Controller):
 
     Notes
     -----
-    Inputs are `setpoint`, `outlet_pressure`, `pilot_pressure` [Pa] and `power` (1 is on; at 0, both solenoids are
-    closed and the pressure remains). `setpoint_delay` delays a signal, but not an output that is connected to the
-    setpoint. The parameter set `data` has a variant for each `preset`. If both loops sample at one instant, the inner
-    loop uses the new result of the outer loop.
+    Inputs are `setpoint`, `outlet_pressure`, `pilot_pressure` [Pa], `power` (1 is on; at 0, both solenoids are closed
+    and the pressure remains) and `input_fault` (1: an input is not valid). After `fault_time` with an input fault, the
+    duty is `safe_command`, positive to fill, and the integral is constant. `setpoint_delay` delays a signal, but not an
+    output that is connected to the setpoint. The parameter set `data` has a variant for each `preset`. If both loops
+    sample at one instant, the inner loop uses the new result of the outer loop.
 
     For anti-windup, the integral decreases with the time constant `integral_time` by the amount that c and the limits
     of the pilot pressure remove. The integral is constant while the error exceeds `integral_band`. A run that continues
@@ -149,7 +151,7 @@ class Electronics(Controller):
     summary: ClassVar[str] = "sampled pressure control: outer PI(D), inner pilot loop, sensors, converter"
     internal_outputs: ClassVar[tuple[str, ...]] = (
         "actual_value", "pilot_setpoint", "integral", "fill_duty", "vent_duty", "outlet_sensor_pressure",
-        "pilot_sensor_pressure",
+        "pilot_sensor_pressure", "input_fault",
     )  # fmt: skip
 
     data: Any = reference(doc="name of a parameter set of the library")
@@ -171,8 +173,13 @@ class Electronics(Controller):
     outer: Any = group(OuterLoop, doc="outer loop")
     inner: Any = group(InnerLoop, doc="inner loop")
     initial_integral: NumberLike = number("Pa", 0.0, doc="integral at the start", note="none")
+    fault_time: NumberLike = number("s", "0.1 s", doc="time from an invalid input to the safe command", low=0.0)
+    safe_command: NumberLike = number(
+        "1", 0.0, doc="duty of the solenoids after an invalid input", low=-1.0, high=1.0, note="valves closed"
+    )
 
     resume: ClassVar[dict[str, str]] = {"integral": "initial_integral"}
+    ascending: ClassVar[tuple[tuple[str, str], ...]] = (("scaling.low", "scaling.high"),)
     measured: ClassVar[tuple[str, ...]] = ("outlet_pressure", "pilot_pressure")
 
     def caption(self, numbers: CaptionNumbers) -> list[str]:
@@ -202,8 +209,9 @@ class Electronics(Controller):
 
     def memory(self) -> tuple[DiscreteState, ...]:
         pressures = ("integral", "pilot_setpoint", "last_pressure", "derivative", "actual_pressure")
-        flags = ("fill_duty", "vent_duty", "vent_wanted", "vent_ready", "outer_count", "inner_count")
-        return *(DiscreteState(name, "Pa") for name in pressures), *(DiscreteState(name, "1") for name in flags)
+        flags = ("fill_duty", "vent_duty", "vent_wanted", "vent_ready", "outer_count", "inner_count", "is_limited")
+        fractions = (DiscreteState(name, "1") for name in flags)
+        return *(DiscreteState(name, "Pa") for name in pressures), *fractions, *FAULT_MEMORY
 
     def timers(self) -> tuple[Timer, ...]:
         return Timer("outer", 0), Timer("inner", 1), Timer("vent", 2)
@@ -215,7 +223,7 @@ class Electronics(Controller):
             limits = {"low": "scaling.low", "high": "scaling.high", "kind": "pressure"}
         setpoint = Input("setpoint", unit, "setpoint", delay="setpoint_delay", is_command=True, **limits)
         pressures = [Input(name, "Pa", name, kind="pressure", low=0.0) for name in self.measured]
-        return setpoint, Input("power", "1", 1.0, low=0.0, high=1.0), *pressures
+        return setpoint, Input("power", "1", 1.0, low=0.0, high=1.0, is_flag=True), *pressures, FAULT_INPUT
 
     def sensors(self) -> dict[str, tuple[str, str]]:
         return {f"{name}_sensor_pressure": (f"{name}_pressure", f"{name}_sensor") for name in _SENSORS}
@@ -225,7 +233,7 @@ class Electronics(Controller):
         values = {f"{name}_sensor_pressure": scope.inputs[f"{name}_pressure"] for name in _SENSORS}
         values |= {state.name: 0.0 for state in self.memory()}
         values |= {"pilot_setpoint": ambient, "last_pressure": ambient, "integral": scope["initial_integral"]}
-        values |= {"outer": 0.0, "inner": 0.0, "vent": NEVER}
+        values |= {"outer": 0.0, "inner": 0.0, "vent": NEVER, "faulty_samples": NEVER_VALID}
         return values | {"actual_pressure": scope.inputs["outlet_pressure"]}
 
     def list_internal_outputs(self) -> tuple[str, ...]:
@@ -293,8 +301,10 @@ class Electronics(Controller):
         error = target - pressure
         error = maximum(error - band, 0.0) - maximum(-error - band, 0.0)
         filter_time, derivative_time = scope["outer.derivative_filter"], scope["outer.derivative_time"]
-        # The first sample has no previous pressure.
-        last = where(memory["outer_count"] > 0.0, memory["last_pressure"], pressure)
+        is_safe = memory["is_safe"] * scope.inputs["input_fault"]
+        # Neither the first sample nor the first one after a safe state has a previous pressure.
+        has_last = where(recovers(scope, is_safe) > 0.5, 0.0, memory["outer_count"])
+        last = where(has_last > 0.0, memory["last_pressure"], pressure)
         # Of the pressure, not of the error: a setpoint step causes no kick. The backward difference is always stable.
         change = gain * derivative_time * (last - pressure)
         derivative = (filter_time * memory["derivative"] + change) / (filter_time + time)
@@ -303,14 +313,16 @@ class Electronics(Controller):
         # relay.
         crossing = scope["outer.dead_zone"] * clip(error / maximum(band, MIN_DEAD_BAND), -1.0, 1.0)
         crossing = where(band > 0.0, crossing, 0.0)
+        scope.label("error", error, "error of the outlet pressure beyond the dead band [Pa]")
         correction = gain * error + crossing + memory["integral"]
+        scope.label("correction", correction, "correction of the pilot pressure [Pa]")
         limit = where(scope["outer.correction_limit"] > 0.0, scope["outer.correction_limit"], _UNLIMITED)
         # The derivative is outside this limit: it acts on a small volume early and on a large one little.
         limited = forward + clip(correction, -limit, limit) + derivative
         pilot = clip(limited, ambient, scope["outer.pilot_limit"])
         excess = pilot - forward - derivative - correction
         is_idle = self._is_suppressed(scope)
-        is_on = scope.inputs["power"] > 0.5
+        is_on = scope.inputs["power"] * (1.0 - is_safe) > 0.5
         integral = where(is_idle, 0.0, self._integral(scope, error, excess))
         return {
             "integral": where(is_on, integral, memory["integral"]),
@@ -318,7 +330,8 @@ class Electronics(Controller):
             "last_pressure": pressure,
             "pilot_setpoint": where(is_idle, ambient, pilot),
             "actual_pressure": pressure,
-        }  # fmt: skip
+            "is_limited": where(limited > scope["outer.pilot_limit"], 1.0, 0.0),
+        }
 
     def _integral(self, scope: Scope, error: Any, excess: Any) -> Any:
         """Return the integral part of the outer loop after a sample, limited and with anti-windup [Pa].
@@ -347,13 +360,20 @@ class Electronics(Controller):
         fill = where(error > band, clip(proportional + minimum, 0.0, 1.0), 0.0)
         vent = where(error < -band, clip(minimum - proportional, 0.0, 1.0), 0.0)
         is_idle, is_on = self._is_suppressed(scope), scope.inputs["power"] > 0.5
+        is_cut = where(fill + vent > 0.0, where(proportional * proportional > (1.0 - minimum) ** 2, 1.0, 0.0), 0.0)
+        is_cut = maximum(is_cut, scope.memory["is_limited"])
+        is_safe, fault = fault_state(scope, scope["inner.sample_time"])
+        fill = where(is_safe > 0.5, maximum(scope["safe_command"], 0.0), where(is_idle, 0.0, fill))
+        vent = where(is_safe > 0.5, maximum(-scope["safe_command"], 0.0), where(is_idle, 1.0, vent))
         # The vent solenoid opens after its delay. A request that continues keeps the end of its delay.
-        memory, delay, duty = scope.memory, scope["inner.vent_delay"], where(is_on, where(is_idle, 1.0, vent), 0.0)
+        memory, delay, duty = scope.memory, scope["inner.vent_delay"], where(is_on, vent, 0.0)
         continues = memory["vent_wanted"] > 0.0
         opening_time = where(delay > 0.0, scope.time + delay, NEVER)
         ready = where(continues, memory["vent_ready"], where(delay > 0.0, 0.0, 1.0))
         return {
-            "fill_duty": where(is_on, where(is_idle, 0.0, fill), 0.0),
+            **fault,
+            "is_saturated": where(is_on, where(is_safe > 0.5, 0.0, is_cut), 0.0),
+            "fill_duty": where(is_on, fill, 0.0),
             "vent_wanted": duty,
             "vent": where(duty > 0.0, where(continues, memory["vent"], opening_time), NEVER),
             "vent_ready": where(duty > 0.0, ready, 0.0),

@@ -78,6 +78,7 @@ class Input:
     slope_of: str = ""  # input whose time derivative it is; it cannot be driven on its own
     by_signal: bool = False  # only a signal can drive it
     is_command: bool = False  # setpoint or command that a user changes to move a body
+    is_flag: bool = False  # 0 or 1, a Boolean in exported programs
 
 
 @dataclass(frozen=True)
@@ -247,6 +248,8 @@ class Scope:
     memory: Mapping[str, Any] = field(default_factory=dict)
     time: Any = 0.0
     motion: BodyMotion | None = None  # of the body of the part
+    has_relative_time: bool = False  # timers contain the time that remains until their instants
+    labels: dict[str, tuple[Any, str]] = field(default_factory=dict)  # see `label`
 
     @property
     def body(self) -> BodyMotion:
@@ -256,6 +259,13 @@ class Scope:
         """
         assert self.motion is not None
         return self.motion
+
+    def label(self, name: str, value: Any, meaning: str) -> None:
+        """Name an intermediate value of the equations in exported code.
+
+        `meaning` is its description with unit, which becomes a comment.
+        """
+        self.labels[name] = value, meaning
 
     def __getitem__(self, name: str) -> Any:
         return self.numbers[name]
@@ -530,6 +540,8 @@ class Controller(Part):
 
     measured: ClassVar[tuple[str, ...]] = ()
     """Inputs that the controller needs; a run notes each of them that is not connected."""
+    ascending: ClassVar[tuple[tuple[str, str], ...]] = ()
+    """Pairs of parameters of which the first must be below the second; checked in exported programs."""
 
     def sensors(self) -> dict[str, tuple[str, str]]:
         """Return the measured input and the parameter group of each sensor, by the name of its state.
@@ -554,7 +566,9 @@ def is_port(end: str) -> bool:
 def advance_clock(scope: Scope, timer: str, period: Any, phase: Any = 0.0) -> dict[str, Any]:
     """Return the next sample instant of a periodic timer, and its incremented counter, by name.
 
-    The instant [s] is computed from the counter, so rounding errors do not accumulate.
+    The instant [s] is computed from the counter, so rounding errors do not accumulate. A program with relative time
+    adds the period to the time that remains, because a clock of single precision would become coarse.
     """
     count = scope.memory[f"{timer}_count"] + 1.0
-    return {timer: phase + count * period, f"{timer}_count": count}
+    instant = scope.memory[timer] + period if scope.has_relative_time else phase + count * period
+    return {timer: instant, f"{timer}_count": count}

@@ -23,6 +23,7 @@ from poppet.parts.quantities import (
     limit_properties,
 )  # fmt: skip
 from poppet.parts.rows import GainSchedule
+from poppet.parts.safe_state import recovers
 from poppet.parts.sampled_loop import SampledLoop, is_first
 
 _SCHEDULED = ("gain", "integral_time", "derivative_time", "vent_factor")
@@ -56,6 +57,10 @@ class PID(SampledLoop):
     Its value f is added to the command before its limits. In manual mode the integral follows the command, so the
     change to automatic is bumpless. A change of scheduled gains is bumpless too: gains act on changes of the error
     (velocity form).
+
+    The input `input_fault` is 1 if an input is not valid. After `fault_time` with an input fault, the command is
+    `safe_command`; if this is outside the limits of the command, it is the lower limit. The first sample with valid
+    inputs continues from the safe command.
 
     The derivative acts on the measurement alone. An integral or derivative time of 0 disables the integral or the
     derivative; a tracking time of 0 selects the integral time. A schedule is a mapping with one list per column: the
@@ -102,6 +107,7 @@ class PID(SampledLoop):
     schedule_by: str = option("measurement", "setpoint", doc="quantity of the operating point")
 
     resume: ClassVar[dict[str, str]] = {"integral": "initial_integral"}
+    ascending: ClassVar[tuple[tuple[str, str], ...]] = (_LIMITS,)
 
     def check(self) -> None:
         invalid = _LIMITS if self.is_of_openings else _OF_OPENINGS
@@ -143,6 +149,14 @@ class PID(SampledLoop):
         if not self.is_of_openings and values["lower_limit"] >= values["upper_limit"]:
             low, high = (values[name] for name in _LIMITS)
             raise OutOfRangeError("pid.limits_exchanged", "lower_limit", value=low, upper=high, unit=self.command_unit)
+        safe = values["safe_command"]
+        is_given = self.safe_command.source.kind == "given"  # type: ignore[union-attr]
+        if not self.is_of_openings and is_given and not values["lower_limit"] <= safe <= values["upper_limit"]:
+            raise OutOfRangeError(
+                "fields.out_of_range", "safe_command", shown=f"{safe:g} {self.command_unit}", meaning="safe command",
+                limits=[f"at least {values['lower_limit']:g}", f"at most {values['upper_limit']:g}"],
+                unit=self.command_unit,
+            )  # fmt: skip
         if self.schedule is not None:
             return values | {f"schedule.{k}": v for k, v in self.schedule.parameters(ambient.pressure).items()}
         values.setdefault("integral_time", 0.0)
@@ -160,7 +174,8 @@ class PID(SampledLoop):
         if self.is_of_openings:
             manual = Input("manual_command", unit, 0.0, low=-1.0, high=1.0, is_command=True)
         feedforward = (Input("feedforward", unit, 0.0),) if self.feedforward == "true" else ()
-        return *super().inputs(), Input("automatic", "1", 1.0, low=0.0, high=1.0), manual, *feedforward
+        automatic = Input("automatic", "1", 1.0, low=0.0, high=1.0, is_flag=True)
+        return *super().inputs(), automatic, manual, *feedforward
 
     def start(self, scope: Scope) -> dict[str, Any]:
         values = super().start(scope) | {"integral": scope["initial_integral"]}
@@ -201,16 +216,19 @@ class PID(SampledLoop):
         gains: dict[str, Any] = self.schedule.at(measured if self.schedule_by == "measurement" else setpoint, table)
         return gains
 
-    def compute_command(self, scope: Scope, measured: Any) -> tuple[Any, Any, dict[str, Any]]:
+    def compute_command(self, scope: Scope, measured: Any, is_safe: Any) -> tuple[Any, Any, dict[str, Any]]:
         memory, setpoint, time = scope.memory, scope.inputs["setpoint"], scope["sample_time"]
         gains = self.gains_at(scope, measured, setpoint)
-        gain, first = gains["gain"], is_first(scope)
+        gain, first, recovering = gains["gain"], is_first(scope), recovers(scope, is_safe)
         # The setpoint weight refers to the initial measurement, not to zero.
         origin = where(first, measured, memory["origin"])
-        last = where(first, measured, memory["last_measurement"])
+        # Neither the first sample nor the first one after a safe state has a previous measurement.
+        last = where(first, measured, where(recovering > 0.5, measured, memory["last_measurement"]))
         error = setpoint - measured
         error = maximum(error - scope["dead_band"], 0.0) - maximum(-error - scope["dead_band"], 0.0)
+        scope.label("error", error, f"error beyond the dead band [{self.unit}]")
         weighted = error - (1.0 - scope["setpoint_weight"]) * (setpoint - origin)
+        scope.label("weighted", weighted, f"error with the setpoint weight [{self.unit}]")
         integral = memory["integral"]
         if self.schedule is not None:
             # Compensates the effect of the new gain on the previous error: gains act on changes alone.
@@ -219,24 +237,45 @@ class PID(SampledLoop):
         filter_time = scope["derivative_filter"]
         change = gains["derivative_time"] * (measured - last)
         derivative = (filter_time * memory["derivative"] - gain * change) / (filter_time + time)
+        scope.label("new_derivative", derivative, f"derivative part [{self.command_unit}]")
         without_integral = scope["bias"] + gain * weighted + derivative
         if self.feedforward == "true":
             without_integral = without_integral + scope.inputs["feedforward"]
+        scope.label("without_integral", without_integral, f"all parts except the integral [{self.command_unit}]")
         low = -scope["vent_limit"] / gains["vent_factor"] if self.is_of_openings else scope["lower_limit"]
         high = scope["fill_limit" if self.is_of_openings else "upper_limit"]
+        scope.label("lowest_command", low, f"lower limit of the command [{self.command_unit}]")
+        safe = where(
+            scope["safe_command"] >= low, where(scope["safe_command"] <= high, scope["safe_command"], low), low
+        )
+        scope.label("safe_value", safe, f"safe command within the limits [{self.command_unit}]")
+        # In the first sample after a safe state, the integral continues from the safe command.
+        has_integral = gains["integral_time"] > 0.0
+        integral = where(recovering > 0.5, where(has_integral, safe - without_integral, integral), integral)
         unlimited = without_integral + integral
-        limited = clip(unlimited, low, high)
-        manual = clip(scope.inputs["manual_command"], low, high)
+        scope.label("unlimited", unlimited, f"command before its limits [{self.command_unit}]")
         is_automatic = scope.inputs["automatic"] > 0.5
-        command = where(is_automatic, limited, manual)
+        requested = where(is_automatic, unlimited, scope.inputs["manual_command"])
+        scope.label("requested", requested, f"automatic or manual command before the limits [{self.command_unit}]")
+        command = where(is_safe > 0.5, safe, clip(requested, low, high))
+        scope.label("new_command", command, f"command [{self.command_unit}]")
         increment = self._integral_increment(scope, gains, error, unlimited, (low, high))
-        # In manual mode the integral follows the command: the change to automatic is bumpless.
+        scope.label("increment", increment, f"increment of the integral [{self.command_unit}]")
+        # In manual mode and in the safe state, the integral follows the command: the return is bumpless.
+        following = where(has_integral, command - without_integral, integral)
+        scope.label("following", following, f"integral that gives the present command [{self.command_unit}]")
+        is_active = where(is_automatic, where(is_safe > 0.5, 0.0, 1.0), 0.0)
+        is_cut = where(requested > high, 1.0, where(requested < low, 1.0, 0.0))
+        if self.is_of_openings:
+            # A closed valve is not saturated.
+            is_cut = where(command * command > 0.0, is_cut, 0.0)
         discrete = {
-            "integral": where(is_automatic, integral + increment, manual - without_integral),
+            "integral": where(is_active > 0.5, integral + increment, following),
             "derivative": derivative,
             "origin": origin,
             "last_measurement": measured,
             "last_error": weighted,
+            "is_saturated": where(is_safe > 0.5, 0.0, is_cut),
         } | ({"last_gain": gain} if self.schedule is not None else {})
         return command, clip(-gains["vent_factor"] * command, 0.0, 1.0) if self.is_of_openings else None, discrete
 

@@ -68,7 +68,7 @@ class ProportionalValve(Compound):
         "electronics.outlet_pressure": "main_stage.outlet_pressure",
         "electronics.pilot_pressure": "pilot.pressure",
     }
-    inlets: ClassVar[Mapping[str, str]] = {"setpoint": "electronics.setpoint", "power": "electronics.power"}
+    inlets: ClassVar[Mapping[str, str]] = {name: f"electronics.{name}" for name in ("setpoint", "power", "input_fault")}
     # By member. Only the outputs of the pilot state have other names outside.
     outlets: ClassVar[Mapping[str, str]] = {
         **{name: f"electronics.{name}" for name in (

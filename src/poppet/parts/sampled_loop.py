@@ -26,10 +26,12 @@ from poppet.parts.quantities import (
     OPENING,
     QUANTITIES,
     command_of,
+    command_properties,
     opening_properties,
     quantity_of,
     setpoint_properties,
 )  # fmt: skip
+from poppet.parts.safe_state import FAULT_INPUT, FAULT_MEMORY, NEVER_VALID, fault_state
 
 AT_ONCE, NEXT_SAMPLE = "at_once", "next_sample"
 
@@ -44,7 +46,7 @@ class SampledLoop(Controller):
 
     measured: ClassVar[tuple[str, ...]] = ("measurement",)
     internal_outputs: ClassVar[tuple[str, ...]] = (
-        "fill_command", "vent_command", *(f"sensor_{name}" for name in QUANTITIES)
+        "fill_command", "vent_command", "input_fault", *(f"sensor_{name}" for name in QUANTITIES)
     )  # fmt: skip
 
     setpoint: NumberLike = number(
@@ -59,6 +61,16 @@ class SampledLoop(Controller):
     )
     vent_limit: NumberLike = number(
         "1", 1.0, doc="limit of the vent command", low=0.0, high=1.0, note="fully open", varies=opening_properties
+    )
+    fault_time: NumberLike = number("s", "0.1 s", doc="time from an invalid input to the safe command", low=0.0)
+    safe_command: NumberLike = number(
+        "1",
+        0.0,
+        doc="command after an invalid input",
+        low=-1.0,
+        high=1.0,
+        note="valves closed",
+        varies=command_properties,
     )
 
     @property
@@ -98,11 +110,12 @@ class SampledLoop(Controller):
         return super().parameters(ambient) | {"measurement": defaults.get(self.controls, 0.0)}
 
     @abstractmethod
-    def compute_command(self, scope: Scope, measured: Any) -> tuple[Any, Any, dict[str, Any]]:
+    def compute_command(self, scope: Scope, measured: Any, is_safe: Any) -> tuple[Any, Any, dict[str, Any]]:
         """Return the command, the opening of the vent valve, and the new discrete states.
 
         `measured` is the sensor reading at this sample instant in SI units. If the command opens valves, a positive
-        command is the opening of the fill valve, from 0 to 1. Otherwise the opening of the vent valve is None.
+        command is the opening of the fill valve, from 0 to 1. Otherwise the opening of the vent valve is None. If
+        `is_safe` is 1, the command is the safe command.
         """
 
     @abstractmethod
@@ -127,7 +140,7 @@ class SampledLoop(Controller):
         names = ("command", "vent_command") if self.is_of_openings else ("command",)
         delayed = [f"next_{name}" for name in names] if self.acts == NEXT_SAMPLE else []
         commands = (DiscreteState(name, self.command_unit) for name in (*names, *delayed))
-        return *commands, DiscreteState("sample_count", "1"), *self.law_memory()
+        return *commands, DiscreteState("sample_count", "1"), *FAULT_MEMORY, *self.law_memory()
 
     def timers(self) -> tuple[Timer, ...]:
         return (Timer("sample"),)
@@ -136,13 +149,13 @@ class SampledLoop(Controller):
         measured = QUANTITIES[self.controls]
         options: dict[str, Any] = {"kind": measured.kind, "low": measured.low}
         setpoint = Input("setpoint", measured.unit, "setpoint", is_command=True, **options)
-        return setpoint, Input("measurement", measured.unit, "measurement", **options)
+        return setpoint, Input("measurement", measured.unit, "measurement", **options), FAULT_INPUT
 
     def sensors(self) -> dict[str, tuple[str, str]]:
         return {self._sensor_state: ("measurement", "sensor")}
 
     def start(self, scope: Scope) -> dict[str, Any]:
-        discrete = {state.name: 0.0 for state in self.memory()}
+        discrete = {state.name: 0.0 for state in self.memory()} | {"faulty_samples": NEVER_VALID}
         return discrete | {self._sensor_state: scope.inputs["measurement"], "sample": 0.0}
 
     def control(self, scope: Scope) -> ControlOutputs:
@@ -167,12 +180,15 @@ class SampledLoop(Controller):
 
     def update(self, timer: str, scope: Scope) -> dict[str, Any]:
         # The offset is an error of the sensor: it acts on the controller and is not in the output of the sensor.
-        command, vent, discrete = self.compute_command(scope, self._sensed(scope) + scope["sensor.offset"])
+        is_safe, fault = fault_state(scope, scope["sample_time"])
+        measured = self._sensed(scope) + scope["sensor.offset"]
+        command, vent, discrete = self.compute_command(scope, measured, is_safe)
         commands = {"command": command} | ({"vent_command": vent} if self.is_of_openings else {})
         if self.acts == NEXT_SAMPLE:
             discrete |= {f"next_{name}": value for name, value in commands.items()}
-            commands = {name: scope.memory[f"next_{name}"] for name in commands}
-        return discrete | commands | advance_clock(scope, timer, scope["sample_time"])
+            # The safe command does not wait.
+            commands = {k: where(is_safe > 0.5, value, scope.memory[f"next_{k}"]) for k, value in commands.items()}
+        return discrete | fault | commands | advance_clock(scope, timer, scope["sample_time"])
 
 
 def is_first(scope: Scope) -> Any:

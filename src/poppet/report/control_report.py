@@ -154,7 +154,8 @@ def comparison_page(comparison: Comparison, title: str) -> str:
 def loop_figure(tuning: Tuning) -> Figure:
     """Draw the sensitivity and the step response of each tuned control loop.
 
-    There is one loop for each plant: for each operating point, and each side or sine amplitude of the command.
+    The curves belong to operating points, and at each of them to the sides (signs) or the sine amplitudes of the
+    command.
     """
     figure = new_figure(10.0, 3.9)
     left, right = (axes_in(figure, edge, 0.75, 4.0, 2.5) for edge in (0.75, 5.75))

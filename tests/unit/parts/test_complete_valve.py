@@ -43,7 +43,8 @@ def electronics(**fields: object) -> Electronics:
 
 def scope(part: Electronics, inputs: dict[str, float], memory: dict[str, float] | None = None) -> Scope:
     numbers = part.parameters(AIR)
-    given = {"setpoint": numbers["setpoint"], "power": 1.0, "outlet_pressure": 1e5, "pilot_pressure": 1e5} | inputs
+    given = {"setpoint": numbers["setpoint"], "power": 1.0, "outlet_pressure": 1e5, "pilot_pressure": 1e5}
+    given |= {"input_fault": 0.0} | inputs
     start = part.start(Scope(numbers, {}, given, AIR))
     states = {name: start[name] for name in ("outlet_sensor_pressure", "pilot_sensor_pressure")}
     held = {name: value for name, value in start.items() if name not in states}
@@ -116,7 +117,7 @@ def test_an_unknown_set_is_one_error():
 
 def test_outputs_are_seen_under_the_name_of_the_whole():
     names = [name for name, _ in circuit().model.outputs]
-    wanted = ["setpoint", "power", "pilot_pressure", "stroke", "actual_value", "fill_duty", "vent_duty"]
+    wanted = ["setpoint", "power", "input_fault", "pilot_pressure", "stroke", "actual_value", "fill_duty", "vent_duty"]
     wanted += [f"{way}_mass_flow_rate" for way in ("supply", "exhaust", "fill", "vent")]
     assert {f"valve.{name}" for name in wanted} <= set(names)
     assert not [name for name in names if name.count(".") > 1]

@@ -62,8 +62,8 @@ STOPPING = 70.0  # setpoint above which clipped samples exclude a sweep from the
 def characteristic_trial(scale: Scale, volume: float, sweep: float, hold: float) -> Trial:
     """Return a trial with slow sweeps over the setpoint range.
 
-    Each of the three cycles is a sweep up and a sweep down, with a hold at each end. `sweep` and `hold` are their
-    durations [s], and `volume` is the outlet volume [m^3].
+    Each of the three cycles is a sweep up and a sweep down, with a hold after each sweep. `sweep` and `hold` are the
+    durations of one sweep and of one hold [s], and `volume` is the outlet volume [m^3].
     """
     hold = max(hold, 0.05 * sweep)
     times, values = [0.0, 2.0 * hold], [0.0, 0.0]

@@ -257,7 +257,7 @@ class Evaluation:
     def note(self, code: str, address: str = "", /, **facts: Any) -> None:
         """Add a note, unless an equal note exists.
 
-        `code` is its code without the prefix `bench.`, and `facts` are the values in its text.
+        `code` is the note code without the prefix `bench.`, and `facts` are the values in the text of the note.
         """
         note = Note(f"bench.{code}", address, **facts)
         if note not in self.notes:
@@ -274,8 +274,9 @@ class Evaluation:
     def limit_to_bounds(self, *names: str) -> None:
         """Replace characteristic values by bounds, because clipped cases were omitted.
 
-        `names` are the names of these values. The maximum of the remaining cases becomes a lower bound, and a minimum
-        an upper bound. Values for which this gives no bound are removed, with a note.
+        `names` are the names of these values. A value that is the maximum of all cases becomes a lower bound, because
+        an omitted case could be larger. A value that is the minimum becomes an upper bound. Other values are removed,
+        with a note.
         """
         for name in names:
             bound = AT_MOST if name in self.test.smallest else AT_LEAST

@@ -37,7 +37,7 @@ Say = Callable[[str], object]
 
 
 class EvaluatedRecord(NamedTuple):
-    """Record of a trial with steps or a sine, and its rows in the results."""
+    """Record of a trial with steps or a sine, and the results for each."""
 
     record: Record
     rows: list[Row]

@@ -297,9 +297,10 @@ def correct_noise_bias(
 def mean_of(values: Sequence[float], uncertainties: Sequence[Uncertainty]) -> tuple[float, Uncertainty]:
     """Return the mean of repeated values and its uncertainty.
 
-    The uncertainty includes the scatter of the values. The field `common` of the uncertainties is the half width of an
-    error range that is equal in all repetitions. If the values differ by more than their noise, their errors within
-    this range differ as well: the true value is then in the overlap of the ranges, which is narrower.
+    The uncertainty includes the scatter of the values. The field `common` of the uncertainties is the half width of a
+    range that contains the error of each value. The errors within this range are assumed to be equal in all
+    repetitions. If the values differ by more than their noise, this cannot be true; the result is then the overlap of
+    the ranges of all values.
 
     Examples
     --------

@@ -269,13 +269,13 @@ def _is_stuck(series: Mapping[str, FloatArray], sign: float, run: slice) -> bool
     half = slice((run.start + run.stop) // 2, run.stop)
     is_held = _is_ramp(x, run) and float(np.ptp(x[half])) < max(BELOW, CLEAR * noise_of(x))
     is_peak = not is_held and cuts_a_peak(y, (run.start, run.stop), _step(y))
-    is_loaded = bool(flow.size) and _changes_meanwhile(-sign * flow, run, LOADED * float(np.ptp(flow)))
+    is_loaded = bool(flow.size) and _rises_in_section(-sign * flow, run, LOADED * float(np.ptp(flow)))
     # A sudden stop while the outlet is still below the setpoint.
     is_abrupt = False
     if run.start >= 4 and float(np.max(x[run])) - y[run.start] >= BELOW and not _is_ramp(x, run):
         earlier, last = np.diff(y[run.start - 3 : run.start])
         is_abrupt = bool(min(earlier, last) > STEEP * _step(y) and last > SLOWER * earlier)
-    return is_peak or is_loaded or is_abrupt or _changes_meanwhile(x, run, ONWARD)
+    return is_peak or is_loaded or is_abrupt or _rises_in_section(x, run, ONWARD)
 
 
 def _runs(mask: Mask) -> list[slice]:
@@ -297,7 +297,7 @@ def _is_ramp(x: FloatArray, run: slice) -> bool:
     return bool(change > max(RAMP * _step(x), CLEAR * noise_of(x)) and np.max(np.diff(approach)) < 0.5 * change)
 
 
-def _changes_meanwhile(x: FloatArray, run: slice, threshold: float) -> bool:
+def _rises_in_section(x: FloatArray, run: slice, threshold: float) -> bool:
     """Return True if the series `x` rises while the outlet is constant.
 
     `x` is the setpoint or the flow, and `run` the slice in which the outlet is constant. The rise must exceed

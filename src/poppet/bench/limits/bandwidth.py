@@ -146,7 +146,7 @@ def _bandwidth(plan: LimitsPlan, sweep: FrequencyResponse, guess: float) -> floa
 def _settled_frequency_response(
     plan: LimitsPlan, volume: float, amplitude: float, changes: Changes | None = None
 ) -> FrequencyResponse | None:
-    """Return the frequency response of a circuit, starting from its settled state.
+    """Return the frequency response of a circuit after it has settled.
 
     `changes` maps addresses of parameters to new values. The result is None if the circuit does not settle.
     """

@@ -34,7 +34,7 @@ OSCILLATES, DECAYS, MARGINAL = "oscillates", "decays", "marginal"
 
 @dataclass(frozen=True)
 class Stability:
-    """Stability of a valve for one spring factor, one damping factor and one volume."""
+    """Stability of a valve for one spring rate, one damping and one volume."""
 
     # Dominant pole of the linear model: the rightmost complex pole, or the rightmost pole if it is unstable [1/s].
     pole: complex

@@ -84,8 +84,8 @@ class SampledModel(LinearModel):
 
         Notes
         -----
-        The response is exact for the linear circuit: the input changes between instants, and the output is averaged
-        over the sample. In the frame that rotates with the input, all variables are periodic over a sample.
+        The response is exact for the linear circuit: the input also changes between instants, and the output is
+        averaged over the sample. Variables that are multiplied by exp(-i omega t) are periodic over a sample.
         """
         column, row = index_of(self.inputs, input, "input"), index_of(self.outputs, output, "output")
         by_v, by_u = self.output_slopes[0][row] * self.sizes, self.output_slopes[1][row, column]

@@ -100,8 +100,8 @@ def run_in_fmpy(path: Path, kind: str, grid: Array, names: Sequence[str]) -> Imp
 def run_in_libcosim(path: Path, grid: Array, names: Sequence[str]) -> ImporterRun:
     """Simulate an FMU in libcosim, and return the values of some variables.
 
-    `grid` contains the output times [s], and `names` the variables. The values at the first time are NaN, because the
-    first values are those at the end of the first step.
+    `grid` contains the output times [s], and `names` the variables. The values at the first time are NaN, because
+    libcosim returns values at the ends of steps only.
     """
     with needed("libcosimpy", "running an FMU in a second host", "check"):
         from libcosimpy.CosimExecution import CosimExecution

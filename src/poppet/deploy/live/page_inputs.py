@@ -157,7 +157,7 @@ def _slider(export_model: ExportModel, circuit: BaseCircuit, address: str) -> Sl
 def _signal_and_delay(export_model: ExportModel, circuit: BaseCircuit, index: int) -> dict[str, Any]:
     """Return the signal and the delay of the input with the given index.
 
-    They are the fields `course` and `delay` of a slider.
+    The keys of the result are `course` and `delay`, as in the fields of a slider.
     """
     item, signal = export_model.model.inputs[index], circuit.signals.get(export_model.inputs[index].address)
     course: dict[str, Any] = {"kind": "steps", "times": [], "values": []}

@@ -126,7 +126,7 @@ def run_in_node(problem: Problem, folder: Path, *numbers: Any) -> tuple[dict[str
     """Run the WebAssembly model in Node.js, and return the outcome and the outputs.
 
     The outcome includes the computing time [s], and the outputs have shape (n_outputs, n_times). `numbers` contains
-    pairs of an index in p and a new value.
+    pairs of the index of a parameter and its new value.
     """
     script, table = folder / "run.js", folder / "table.bin"
     kernel = (files("poppet.deploy.live") / "kernel.js").read_text(encoding="utf-8")

@@ -219,7 +219,7 @@ def _run_controllers(reference: KernelReference, folder: Path) -> TargetResult:
         columns.append(recording[address][:-1] + offset)
     inputs = np.array(columns).T
     start_time = time.perf_counter()
-    outputs = program.run([*inputs])
+    outputs = program.run(inputs).outputs
     seconds = time.perf_counter() - start_time
     differences = {}
     for k, output in enumerate(program.outputs):

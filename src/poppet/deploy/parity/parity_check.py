@@ -49,7 +49,10 @@ class TargetResult(NamedTuple):
 
 
 class ParityCheck(NamedTuple):
-    """Comparison of one export target with the simulation: one row of the parity table."""
+    """Comparison of one export target with the simulation.
+
+    It gives one row of the table that `poppet export check` prints.
+    """
 
     name: str
     description: str

@@ -13,6 +13,7 @@ from collections.abc import Collection, Mapping, Sequence
 from typing import Any, NamedTuple
 
 from poppet.engine.printers.instructions import SIGNATURES, Block, Instruction, blocks, instructions
+from poppet.engine.printers.statements import Language
 from poppet.engine.rosenbrock import ARGUMENT, COUPLING, DENSE, GAMMA, INPUT_TIMES, STAGE_DRIFT, STAGE_TIME
 
 BLOCK_SIZE = 1500
@@ -91,6 +92,17 @@ static {real} with_sign({real} x, {real} s) {{
 """
 
 
+def statement_helpers(text: str, precision: Precision) -> str:
+    """Return the C text of the helper functions that readable statements call."""
+    real = precision.real
+    helpers = [
+        f"static {real} {name}({real} a, {real} b) {{\n  return (a {sign} b) ? a : b;\n}}"
+        for name, sign in (("smaller", "<"), ("larger", ">"))
+        if f"{name}(" in text
+    ]
+    return "\n\n".join([*helpers, *filter(None, [used_prelude(text, precision)])])
+
+
 def used_prelude(text: str, precision: Precision = DOUBLE) -> str:
     """Return the C text of those helper functions that a text calls.
 
@@ -100,6 +112,34 @@ def used_prelude(text: str, precision: Precision = DOUBLE) -> str:
     return "\n\n".join(
         f for f, name in ((first, "power("), (second.rstrip(), "with_sign(")) if name in text
     )  # fmt: skip
+
+
+def statement_language(precision: Precision) -> Language:
+    """Return the syntax of C for readable statements, which call `smaller`, `larger` and `power`."""
+    real, e = precision
+    one, zero = precision.literal(1.0), precision.literal(0.0)
+    operations = {
+        **{name: _FORMS[name] for name in ("add", "sub", "mul", "div", "neg", "sq", "twice", "copysign", "pow")},
+        "inv": f"{one} / {{0}}",
+        "fmin": "smaller({0}, {1})",
+        "fmax": "larger({0}, {1})",
+        "sign": f"(({{0}} > {zero}) ? {one} : (({{0}} < {zero}) ? -{one} : {zero}))",
+        **{name: f"{name}{e}({{0}})" for name in _OF_LIBRARY if name != "atan2"},
+        "atan2": f"atan2{e}({{0}}, {{1}})",
+    }
+    return Language(
+        operations=operations,
+        comparisons={"lt": "{0} < {1}", "le": "{0} <= {1}", "eq": "{0} == {1}", "ne": "{0} != {1}"},
+        logic={"and": "{0} && {1}", "or": "{0} || {1}", "not": "!{0}", "true": "true", "false": "false"},
+        literal=precision.literal,
+        choice="{0} ? {1} : {2}",
+        non_zero=f"{{0}} != {zero}",
+        types=(real, "bool"),
+        declaration="  const {type} {name} = {text};",
+        assignment="  {name} = {text};",
+        comment="  /* {text} */",
+        longest=60,
+    )
 
 
 def print_function(

@@ -123,11 +123,14 @@ class _Searches:
 
 
 def find_optima(plan: FitPlan, *, progress: Callable[[int, float], Any] | None = None) -> Optimum:
-    """Return the optimum with the lowest cost, with all equivalent optima."""
+    """Search from several start points, and return the optimum with the lowest cost.
+
+    The result contains all other optima that fit equally well.
+    """
     experiments, free, settings = plan.experiments, plan.free, plan.settings
     searches = _Searches(plan, initial_sigmas(experiments), progress)
     start = np.array([f.start for f in free])
-    if wall_units := thermal_units(experiments, free):
+    if wall_units := typical_wall_conductances(experiments, free):
         _search_thermal_limits(searches, start, wall_units)
     searches.add("given", start)
     generator = np.random.default_rng(settings.seed)
@@ -162,7 +165,7 @@ def find_optima(plan: FitPlan, *, progress: Callable[[int, float], Any] | None =
 # Start points -----------------------------------------------------------------------------------------------------
 
 
-def thermal_units(experiments: Sequence[Experiment], free: Sequence[FreeParameter]) -> dict[int, float]:
+def typical_wall_conductances(experiments: Sequence[Experiment], free: Sequence[FreeParameter]) -> dict[int, float]:
     """Return a typical wall conductance for each tank whose temperature was not recorded [W/K].
 
     The keys are the indices of the free wall conductances. A typical value is the heat capacity of the gas, divided by
@@ -184,12 +187,12 @@ def thermal_units(experiments: Sequence[Experiment], free: Sequence[FreeParamete
                 index = max(1, int(np.argmax(change >= 0.63 * change.max())))
                 tau = float(channel.time[index] - channel.time[0])
                 content = float(channel.values.max()) * e.instance.parameters[f"{chamber}.volume"]
-                unit = content / ((kappa_of(e) - 1.0) * e.instance.surroundings.temperature * tau)
+                unit = content / ((isentropic_exponent_of(e) - 1.0) * e.instance.surroundings.temperature * tau)
                 units[k] = max(units.get(k, 0.0), unit)
     return {k: unit for k, unit in units.items() if unit > 0.0}
 
 
-def kappa_of(experiment: Experiment) -> float:
+def isentropic_exponent_of(experiment: Experiment) -> float:
     """Return the isentropic exponent of the gas in the circuit of a recording."""
     return float(experiment.instance.parameters["gas.isentropic_exponent"])
 
@@ -212,7 +215,7 @@ def _search_thermal_limits(searches: _Searches, start: FloatArray, walls: Mappin
     def fixed(x: FloatArray) -> dict[str, float]:
         return {free[k].name: float(x[k]) for k in walls}
 
-    kappa = kappa_of(searches.plan.experiments[0])
+    kappa = isentropic_exponent_of(searches.plan.experiments[0])
     # The start value of C is that of an isothermal tank.
     point = at(start, 0.0, 1.0 / kappa)
     adiabatic = searches.add("adiabatic", point, fixed(point))

@@ -20,6 +20,7 @@ from poppet.identify.free_parameter import FreeParameter, with_starts
 from poppet.identify.result import Estimate, Result, mark_interrupted
 from poppet.identify.tank.tank_plan import TankRun, is_free, plan_tank_fit, plausible_wall
 from poppet.identify.tank.test import TankTest
+from poppet.parts.fields import NumberLike
 from poppet.timeseries.checks import FloatArray
 
 HELD = (
@@ -194,7 +195,7 @@ def _alternative_plan(test: TankTest, runs: Sequence[TankRun], name: str) -> Fit
     return plan_tank_fit(replace(test, **changed), runs)
 
 
-def _free_table(argument: Any) -> Any:
+def _free_table(argument: Any) -> NumberLike:
     return argument if argument is None or is_free(argument) else {"start": argument}
 
 
@@ -246,9 +247,9 @@ def _fit_plan(
 ) -> Optimum:
     """Return the optimum of an alternative model of a tank test.
 
-    The search starts from the values of the fit `result`. Parameters that this fit does not contain start from `times`
-    their usual start value. `conducts` is the least start value of the wall conductance, as a multiple of its usual
-    start value.
+    The search starts from the values of the original fit, `result`. Additional parameters start from their usual start
+    value times the factor `times`. The wall conductance starts from at least its usual start value times the factor
+    `conducts`.
     """
     is_walled = any(f.address == "tank.wall_heat_capacity" for f in plan.free)
 

@@ -15,7 +15,7 @@ import numpy as np
 from poppet.core.codes import Note
 from poppet.identify.fit.fit_findings import error_model_of
 from poppet.identify.fit.fit_plan import FitPlan
-from poppet.identify.fit.optima import ISOTHERMAL, NEARLY_ADIABATIC, NEARLY_ISOTHERMAL, thermal_units
+from poppet.identify.fit.optima import ISOTHERMAL, NEARLY_ADIABATIC, NEARLY_ISOTHERMAL, typical_wall_conductances
 from poppet.identify.fit.search import Optimum, SearchSettings, optimise
 from poppet.identify.fit.statistics import estimates
 from poppet.identify.free_parameter import FreeParameter, NormalPrior, by_name
@@ -76,7 +76,7 @@ def fit_thermal_limits(
     is also None if leak and supply pressure are exact or free in the fit. `number` is the address of the sonic
     conductance.
     """
-    units = thermal_units(plan.experiments, plan.free)
+    units = typical_wall_conductances(plan.experiments, plan.free)
     if not units or len(units) > 1 or any(run.direction != "charge" for run in runs):
         return None
     conductances = [float(optimum["values"][number]) for optimum in result.optima]

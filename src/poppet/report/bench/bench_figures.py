@@ -125,10 +125,11 @@ def resolution_figure(result: BenchResult, reference: BenchResult | None = None)
 
 
 def _draw_both_directions(axes: Any, curves: CurveValues, reference: CurveValues, thick: tuple[str, ...]) -> None:
-    """Draw curves of increasing and of decreasing flow or supply pressure.
+    """Draw the outlet pressure at increasing and at decreasing flow or supply pressure.
 
-    All curves of one test condition (case) have the same colour. Curves with a name in `thick`, those of the increase,
-    are thick; the others are thin. For the reference valve, only the former are drawn, as dashed lines.
+    All curves of one test condition (case) have the same colour. Curves at increasing flow or pressure are thick, and
+    the others are thin; `thick` contains the names of the former. For the reference valve, only curves at increasing
+    flow or pressure are drawn, as dashed lines.
     """
     cases = _cases(curve for curve, _, _ in curves)
     for group, is_other in ((curves, False), (reference, True)):
