@@ -75,6 +75,15 @@ def test_leak_is_fraction_of_conductance_of_each_limit() -> None:
     assert estimate.low <= tank.conductance <= estimate.high
 
 
+@pytest.mark.parametrize("seed", range(4))
+def test_budget_covers_leak_of_tank_that_empties(seed: int) -> None:
+    """After closing at ambient pressure, warming drives gas through the leak; wall heat imitates this effect."""
+    tank = draw(5552)
+    parameters = identify_repeat(tank, seed).parameters
+    for name, truth in ((C, tank.conductance), (B, tank.ratio), (HA, tank.wall)):
+        assert abs(parameters[name].value - truth) < 3.0 * parameters[name].standard_error
+
+
 def test_exact_leak_and_supply_leave_one_limit() -> None:
     result = identify_repeat(LEAKY_ISOTHERMAL, 0, uncertainties={"leak": 0, "supply_pressure": 0})
     assert "finding.optima.leak" not in {note.code for note in result.remarks}
