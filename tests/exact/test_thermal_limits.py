@@ -113,7 +113,7 @@ def random_coverage(count: int) -> dict[str, list[bool]]:
     Half of the tanks leak up to 3 % of C, and half of the charges have a supply that is off by up to 0.5 %.
     """
     covered: dict[str, list[bool]] = {C: [], B: [], HA: []}
-    for seed in range(2000, 2000 + count):
+    for seed in range(6000, 6000 + count):
         tank = draw(seed)
         parameters = identify(tank, *record(tank, seed)).parameters
         for name, truth in ((C, tank.conductance), (B, tank.ratio), (HA, tank.wall)):
