@@ -160,6 +160,14 @@ TRUTH = {
 }
 
 
+def test_findings_name_the_explain_command(poppet, bench):
+    done = poppet("identify", "flow", str(bench / "flow.toml"), "-o", "result.toml")
+    (line,) = [line for line in done.out.splitlines() if line.startswith("more: poppet explain ")]
+    codes = line.split()[3:]
+    assert 1 <= len(codes) <= 3
+    assert set(codes) <= {remark.code for remark in read_result("result.toml").remarks}
+
+
 @pytest.mark.parametrize("way", TRUTH)
 def test_true_parameters_of_the_examples_are_identified(poppet, bench, way):
     code, out, err = poppet("identify", way, str(bench / f"{way}.toml"), "-o", "result.toml")
@@ -195,7 +203,7 @@ def test_a_spline_reports_that_the_data_reject_its_constraint(poppet, bench):
     path.write_text(path.read_text().replace('"polynomial"', '"spline"'))
     code, out, _ = poppet("identify", "characteristic", str(path))
     assert code == 0
-    assert "- The data contradict a conductance C(x) that never falls" in out
+    assert "but the data contradict this constraint" in out
 
 
 # Results and options ----------------------------------------------------------------------------------------------
@@ -308,7 +316,7 @@ def test_misspelt_keys_have_a_suggestion(bench, way, old, wrong, meant):
     with pytest.raises(InputError) as error:
         READERS[way](path)
     assert error.value.code == "fields.unknown"
-    assert meant in error.value.facts["near"].names
+    assert meant in error.value.facts["suggestion"].names
 
 
 @pytest.mark.parametrize("way", READERS)

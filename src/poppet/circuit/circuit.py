@@ -68,7 +68,7 @@ class BaseCircuit(HtmlMixin):
     Parameters
     ----------
     parts, signals, run, ambient, gas, title, connections, origin, like : optional
-        See `poppet.Circuit`, which adds the methods of the packages above.
+        See `poppet.Circuit`, a subclass with methods of other packages, for example for identification.
 
     Raises
     ------
@@ -182,10 +182,10 @@ class BaseCircuit(HtmlMixin):
 
     @cached_property
     def domains(self) -> dict[str, tuple[Any, tuple[float, float]]]:
-        """Mapping from the address of a stroke to its characteristic and end stops.
+        """Characteristic and end stops of each stroke with a limited domain, by address.
 
-        It contains only strokes whose characteristic is limited to a range of strokes (the domain). The end stops are
-        the lowest and the highest position.
+        The domain is the range of strokes for which a characteristic is valid. The end stops are the lowest and the
+        highest position of the stroke.
         """
         return {address: curve for part in self._placed.values() for address, curve in part.domains.items()}
 
@@ -194,9 +194,10 @@ class BaseCircuit(HtmlMixin):
         return {name: part.wired for name, part in self._placed.items()}
 
     def drives(self) -> dict[str, dict[str, bool]]:
-        """Return a mapping from each body to the inputs with signals that can move it.
+        """Return the inputs that can move each body, by body.
 
-        The value of an input is True if it is a command.
+        The inner mapping contains the addresses of inputs with a signal. A value is True if the input is a command, and
+        False otherwise, for example for a load.
         """
         driven = {address: item for address, item in self.inputs.items() if address in self.signals}
         found = find_drives(self._wiring, self.connections, driven)
@@ -253,7 +254,7 @@ class BaseCircuit(HtmlMixin):
     def _real_gas_notes(self, series: Series) -> Iterator[Note]:
         """Yield notes on volumes in which the gas deviates considerably from an ideal gas.
 
-        `series` is a function that returns the values of an output over time for its address.
+        The function `series` returns the values of an output over time for its address.
         """
         gas = self.gas.of_library()
         for name, part in self.parts.items():
@@ -306,7 +307,8 @@ class BaseCircuit(HtmlMixin):
         Returns
         -------
         Circuit
-            Signals and clocks restart at t = 0. Integrals of the discrete state continue.
+            Copy whose signals and clocks restart at t = 0. Its other discrete states, such as the integral of a
+            controller, continue.
 
         Raises
         ------
@@ -531,7 +533,7 @@ class BaseCircuit(HtmlMixin):
         Returns
         -------
         LinearModel
-            With names and units; a `SampledModel` if the circuit is sampled.
+            Matrices with names and units. If the circuit is sampled, it is a `SampledModel`.
 
         Examples
         --------

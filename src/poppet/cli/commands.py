@@ -358,7 +358,7 @@ _COMMANDS = {
 
 
 def target_command(target: Target) -> Command:
-    """Return the declaration of the command that exports to one target."""
+    """Return the declaration of the command `export TARGET` for one export target."""
     output = (
         Option("-o, --output FILE", "output file", target.suffixes, keywords={"required": not target.is_printable})
         if target.suffixes
@@ -413,7 +413,7 @@ def _with_plugins(targets: Iterable[Target], methods: Iterable[Method]) -> dict[
 def all_commands() -> dict[str, Command]:
     """Return the declarations of all commands by name.
 
-    They include the commands of installed plugins.
+    They include commands for the export targets and identification methods of installed plugins.
     """
     return _with_plugins(TARGETS.values(), METHODS.values())
 

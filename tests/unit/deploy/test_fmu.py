@@ -18,7 +18,7 @@ from circuits_of_exports import check_and_relief
 from poppet import loads
 from poppet.cli.main import run as run_command
 from poppet.deploy.fmu.importers import read_circuit
-from poppet.deploy.fmu.package import build_fmu, pack
+from poppet.deploy.fmu.package import build_fmu, zip_bytes
 from poppet.engine.call import Call
 from refusals import refused
 from unit.deploy.fmus import COMPILER, EXAMPLES, Host, build, built, example, fmpy_run, held
@@ -432,7 +432,7 @@ def test_an_fmu_is_compared_with_the_circuit_that_it_contains(
 def test_the_same_circuit_gives_the_same_bytes(fmi: int, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("poppet.deploy.fmu.binaries.has_zig", lambda: False)
     built("two_tanks", fmi)
-    first, second = (pack(build_fmu(example("two_tanks"), fmi=fmi).content) for _ in range(2))
+    first, second = (zip_bytes(build_fmu(example("two_tanks"), fmi=fmi).content) for _ in range(2))
     assert first == second == built("two_tanks", fmi).read_bytes()
 
 
@@ -498,7 +498,7 @@ def test_compiled_sources_give_the_same_results(fmi: int, standard: str, tmp_pat
     subprocess.run(command, cwd=tmp_path, check=True)
     (binary,) = (name for name in content if name.startswith("binaries/"))
     compiled = tmp_path / "own.fmu"
-    compiled.write_bytes(pack({**content, binary: (tmp_path / "own.so").read_bytes()}))
+    compiled.write_bytes(zip_bytes({**content, binary: (tmp_path / "own.so").read_bytes()}))
     row = held(compiled, example("fill_staircase", 3.0), "fmu cs", fmi)
     assert row.overall == 0.0
 
