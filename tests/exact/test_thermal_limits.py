@@ -98,6 +98,15 @@ def test_clean_charge_remains_determined(seed: int) -> None:
     assert estimate.low <= tank.conductance <= estimate.high
 
 
+def test_shared_ratio_has_no_wider_interval() -> None:
+    """The choice between the thermal limits changes C, but not b."""
+    tank = replace(draw(75, 2401), step=0.0, leak=0.0, stated_supply=None)
+    result = identify(tank, *record(tank, 75), uncertainties=0)
+    assert len(result.optima) > 1
+    (first, *_), both = result.optima, result.parameters[B]
+    assert both.high - both.low < 1.1 * (first["high"][B] - first["low"][B])
+
+
 @pytest.mark.slow
 @pytest.mark.parametrize(("tank", "limit"), [(COARSE_CHARGE, 2), (LEAKY_ISOTHERMAL, 0)])
 def test_wrong_verdicts_of_repeated_charges(tank: EdgeTank, limit: int) -> None:

@@ -221,7 +221,7 @@ def _largest_step(plan: FitPlan, result: Result) -> float:
     x = np.array([result.parameters[f.name].value if f not in added else _fixed_value(f) for f in plan.free])
     objective = FitObjective(plan.experiments, plan.free, _sigmas(plan, result))
     residual = objective.residual(x)
-    # The derivatives by a leak need a leak.
+    # Without a leak, the derivatives by it are inaccurate.
     leaks = [NEARLY_TIGHT / LEAK * f.start if f in added and f.address == LEAK_ADDRESS else 0.0 for f in plan.free]
     jacobian = objective.residual_and_jacobian(x + leaks)[1]
     norms = np.linalg.norm(jacobian, axis=0)
