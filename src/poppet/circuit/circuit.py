@@ -253,8 +253,7 @@ class BaseCircuit(HtmlMixin):
         # Connected outputs whose range exceeds the limits of the input.
         for target, source, low, high in self._limited_connections():
             name, _, local = source.rpartition(".")
-            part = self.parts.get(name)
-            ends = part.output_ranges().get(local) if part is not None else None
+            ends = self.parts[name].output_ranges().get(local) if name in self.parts else None
             if ends is not None:
                 lowest, highest = (
                     (-1.0 if end[0] == "-" else 1.0) * self.parameters[f"{name}.{end.lstrip('-')}"]

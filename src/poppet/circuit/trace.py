@@ -326,7 +326,7 @@ class _Tracer:
             slopes[address] = self._substitute(self.ca.jtimes(expressions[base], x, rates), connected)
         return [*connected, *self._resolve(slopes)]
 
-    def _limited(self, target: str, value: Any) -> casadi.SX:
+    def _limited(self, target: str, output: Any) -> casadi.SX:
         """Return the value of a connected input, clipped to the limits of the input.
 
         A limit that the source cannot exceed is omitted.
@@ -334,7 +334,7 @@ class _Tracer:
         (name, _, local), (owner, _, own) = (end.rpartition(".") for end in (self.connections[target], target))
         lowest, highest = self.parts[name].output_ranges().get(local, (-math.inf, math.inf))
         item = next(item for item in self.parts[owner].inputs() if item.name == own)
-        value = self.ca.SX(value)
+        value: casadi.SX = self.ca.SX(output)
         if isinstance(item.low, str):
             value = self.ca.fmax(value, self.number[f"{owner}.{item.low}"])
         elif item.low > (lowest if isinstance(lowest, float) else -math.inf):
