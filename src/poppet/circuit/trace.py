@@ -59,10 +59,10 @@ def trace(
 def trace_program(
     parts: Mapping[str, Part], parameters: tuple[str, ...], connections: Mapping[str, str]
 ) -> tuple[Model, dict[str, tuple[Any, str]]]:
-    """Return the model of sampled controllers with relative time, and the labels of intermediate values.
+    """Return the model of sampled controllers, and the labels of their intermediate values.
 
-    A timer contains the time that remains until its instant. A label maps the address of a value at a sample instant to
-    its expression and meaning (`Scope.label`).
+    The model has relative time: the state of a timer is the time until it is due. A label maps the address of a value
+    at a sample instant to its expression and meaning (`Scope.label`).
     """
     tracer = _Tracer(parts, connections, parameters, has_relative_time=True)
     model = tracer.model()

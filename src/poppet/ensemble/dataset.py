@@ -97,7 +97,7 @@ class Dataset:
     hashes: Mapping[str, str] = field(default_factory=dict)  # of the files of a complete dataset
 
     @staticmethod
-    def opened(folder: Path, plan: EnsemblePlan) -> Dataset:
+    def open(folder: Path, plan: EnsemblePlan) -> Dataset:
         """Open the folder in which the results of an ensemble are stored.
 
         The folder is created if necessary. An existing folder must be empty or contain results of the same ensemble.
@@ -136,7 +136,7 @@ class Dataset:
         if not path.exists() or path.read_text(encoding="utf-8") != text:
             write_whole(path, lambda stream: stream.write(text.encode("utf-8")))
 
-    def sealed(self) -> Dataset:
+    def seal(self) -> Dataset:
         """Write the hashes of all result files to the manifest, and return the complete dataset.
 
         The manifest is the file that describes the content of the folder.

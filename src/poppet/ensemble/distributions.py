@@ -25,7 +25,7 @@ DIFFERENCE: dict[Kind, Kind] = {"pressure": "pressure_difference", "temperature"
 """Mapping from the kind of a quantity to the kind of a difference of two such quantities."""
 
 
-class Form(NamedTuple):
+class DistributionKind(NamedTuple):
     """Kind of distribution, such as `normal`: names of its fields, and its functions."""
 
     fields: tuple[str, ...]
@@ -62,22 +62,22 @@ def _below_triangular(x: float, n: Mapping[str, float]) -> float:
 
 
 FORMS = {
-    "normal": Form(
+    "normal": DistributionKind(
         ("mean", "sigma"), ("sigma",), (), "relative_sigma",
         lambda u, n: np.asarray(n["mean"] + n["sigma"] * _special().ndtri(u)),
         lambda x, n: float(_special().ndtr((x - n["mean"]) / n["sigma"])),
     ),
-    "lognormal": Form(
+    "lognormal": DistributionKind(
         ("median", "log_sigma"), (), ("log_sigma",), "",
         lambda u, n: np.asarray(n["median"] * np.exp(n["log_sigma"] * _special().ndtri(u))),
         lambda x, n: 0.0 if x <= 0.0 else float(_special().ndtr(math.log(x / n["median"]) / n["log_sigma"])),
     ),
-    "uniform": Form(
+    "uniform": DistributionKind(
         ("low", "high"), (), (), "relative_range",
         lambda u, n: np.asarray(n["low"] + u * (n["high"] - n["low"])),
         lambda x, n: float(np.clip((x - n["low"]) / (n["high"] - n["low"]), 0.0, 1.0)),
     ),
-    "triangular": Form(("low", "mode", "high"), (), (), "", _triangular, _below_triangular),
+    "triangular": DistributionKind(("low", "mode", "high"), (), (), "", _triangular, _below_triangular),
 }  # fmt: skip
 """Distributions by the name in a file."""
 MIDDLES = "mean", "median", "mode"

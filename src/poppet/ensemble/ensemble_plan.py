@@ -116,10 +116,10 @@ class EnsemblePlan:
         return factors | ({"from_fit": tuple(range(n, n + len(self.joint)))} if self.joint else {})
 
     def values(self, u: Array) -> Array:
-        """Convert points of the unit cube to parameter values, (m, n).
+        """Convert probabilities to parameter values, (m, n).
 
-        Each coordinate of a point in `u` is a probability between 0 and 1. The quantile function of the parameter
-        converts the probability to a value.
+        `u`, (m, n), contains a probability between 0 and 1 for each run and parameter. The quantile function of the
+        parameter converts it to a value. Jointly distributed parameters are also correlated.
         """
         values = np.empty_like(u)
         n = len(self.alone)

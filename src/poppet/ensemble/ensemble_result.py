@@ -99,7 +99,10 @@ class Ensemble(HtmlMixin):
         return self._counted("outcome")
 
     def noted(self) -> dict[str, int]:
-        """Return the number of runs in which the solver stalled, by the codes of the notes on these runs."""
+        """Return the number of runs with a note that the solver stalled.
+
+        The keys are the codes of these notes, separated by commas.
+        """
         return {codes: count for codes, count in self._counted("notes").items() if codes}
 
     def remarks(self) -> tuple[Note, ...]:
@@ -381,6 +384,6 @@ def run_plan(
     progress: Callable[[int, int, str], Any] | None = None,
 ) -> Ensemble:
     """Run all runs of an ensemble that are not yet stored in a folder, and store them."""
-    dataset = Dataset.opened(folder, plan)
+    dataset = Dataset.open(folder, plan)
     is_whole = run_missing(plan, dataset, executor, workers, progress)
-    return Ensemble(plan, dataset.sealed() if is_whole else dataset, is_whole)
+    return Ensemble(plan, dataset.seal() if is_whole else dataset, is_whole)

@@ -19,7 +19,7 @@ _OTHERS: dict[str, Schema] = {"file": _TEXT, "unit": _TEXT, "curves": _TEXTS, "o
 
 
 def file_schema() -> Schema:
-    """Return the JSON schema of circuit files for editors.
+    """Return the JSON schema of circuit files, with which editors check them.
 
     Examples
     --------

@@ -76,7 +76,7 @@ class PreparedPlan:
         return units | {metric.name: metric.unit for metric in self.plan.metrics}
 
     @cached_property
-    def is_tied(self) -> bool:
+    def has_dependent_parameters(self) -> bool:
         """True if other parameters of the circuit are computed from the uncertain parameters."""
         plan = self.plan
         if plan.table is not None:
@@ -114,7 +114,7 @@ class PreparedPlan:
             *arrays, curves = zip(*runs, strict=True)
             all_curves = None if curves[0] is None else np.concatenate(curves)
             return ShardResults._make([*(np.concatenate(parts) for parts in arrays), all_curves])
-        if not self.is_tied:
+        if not self.has_dependent_parameters:
             indices = np.array([self.instance.place(address) for address in self.plan.addresses], dtype=np.int64)
             return self._run(self.problem, indices, values, values)
         # All parameters of each run, including the dependent ones. A rejected run uses those of the circuit, and its

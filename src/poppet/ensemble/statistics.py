@@ -53,9 +53,9 @@ class Summary:
 
 @dataclass(frozen=True)
 class TornadoRange:
-    """Values of a metric while one parameter varies and all others have their medians.
+    """Values of a metric at a low quantile, the median and a high quantile of one parameter.
 
-    The parameter has a low quantile, its median and a high quantile.
+    All other parameters have their medians.
     """
 
     address: str
@@ -167,7 +167,7 @@ def sobol_indices(values: Array, factors: Sequence[str]) -> list[SobolIndex]:
     Parameters
     ----------
     values : (n_factors + 2, n) array
-        Metric of the runs of A, of B, and of A with the columns of each factor from B.
+        Metric of the runs of two independent samples A and B, then of A with the columns of each factor from B.
     factors : sequence of str
         Names of the factors.
 

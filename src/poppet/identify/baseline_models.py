@@ -37,16 +37,17 @@ class Response:
     first: float  # smoothed value of the channel at time 0
 
     def commanded(self, time: FloatArray) -> FloatArray:
-        """Return the recorded command at given times [s].
+        """Return the recorded command at the times `time`.
 
-        Before the first recorded command, the result is the first recorded command.
+        The command is constant between its changes. Before the first recorded command, the result is the first recorded
+        command.
         """
         # At the sample instant of a new command, use the new one, in spite of rounding errors of both clocks.
         index = np.searchsorted(self.command_time, time + 1e-9, side="right") - 1
         command: FloatArray = self.command[np.maximum(index, 0)]
         return command
 
-    def even(self, step: float) -> tuple[FloatArray, FloatArray, FloatArray]:
+    def resample(self, step: float) -> tuple[FloatArray, FloatArray, FloatArray]:
         """Resample the recorded command and response with a constant time step [s].
 
         The result contains the times, the command (constant between its changes) and the linearly interpolated
@@ -64,8 +65,9 @@ class FirstOrder:
 
     Notes
     -----
-    Until the first recorded command takes effect, the channel stays at its first value, because earlier commands are
-    not available.
+    u is the command, y the output, tau the time constant, K the gain, theta the dead time and c the offset. Until
+    the first recorded command takes effect, the output stays at its first value, because earlier commands are not
+    available.
     """
 
     dead_time: float  # theta [s]
@@ -84,8 +86,9 @@ class FirstOrder:
 
 @dataclass(frozen=True, eq=False)
 class SecondOrderArx:
-    r"""Linear difference equation of second order, with dead time and a constant.
+    """Linear difference equation of second order, with dead time and a constant.
 
+    y_k is the output at step k, u the command, d the dead time in steps, and c the constant.
 
     .. math:: y_k = a_1 y_{k-1} + a_2 y_{k-2} + b_1 u_{k-d} + b_2 u_{k-d-1} + c
     """
@@ -104,7 +107,7 @@ class SecondOrderArx:
         from scipy.signal import lfilter, lfiltic
 
         time = np.arange(0.0, response.time[-1] + self.step, self.step)
-        push = self._push(response, time)
+        push = self._input_terms(response, time)
         denominator = np.concatenate([[1.0], -self.a])
         state = lfiltic([1.0], denominator, [response.first, response.first])
         # An unstable model overflows; its error is then not-a-number, and another dead time is selected.
@@ -118,11 +121,11 @@ class SecondOrderArx:
 
         Each prediction uses the two previous measured values. The times have the constant step of the model.
         """
-        time, _, measured = response.even(self.step)
-        predicted = self._push(response, time)[2:] + self.a[0] * measured[1:-1] + self.a[1] * measured[:-2]
+        time, _, measured = response.resample(self.step)
+        predicted = self._input_terms(response, time)[2:] + self.a[0] * measured[1:-1] + self.a[1] * measured[:-2]
         return predicted, measured[2:]
 
-    def _push(self, response: Response, time: FloatArray) -> FloatArray:
+    def _input_terms(self, response: Response, time: FloatArray) -> FloatArray:
         """Return the contribution of command and constant to each step of the difference equation.
 
         `time` contains the times of the steps. Until the first recorded command takes effect, the command is assumed to
@@ -154,7 +157,7 @@ class Score:
     held_out : bool
         True if the recording was withheld from the fit for validation.
     rms : float
-        Root mean square of model - measured.
+        Root mean square of model - measured, in the SI unit of the channel.
     nrmse : float
         Ratio of `rms` to the range (max - min) of the measurement.
     fit : float
@@ -257,7 +260,7 @@ def fit_arx(responses: Sequence[Response]) -> SecondOrderArx:
     for dead_steps in range(int(_longest_dead_time(responses) / step) + 1):
         rows, target = [], []
         for r in responses:
-            _, command, measured = r.even(step)
+            _, command, measured = r.resample(step)
             k = np.arange(max(2, dead_steps + 1), measured.size)
             driven = command[k - dead_steps], command[k - dead_steps - 1]
             rows.append(np.column_stack((measured[k - 1], measured[k - 2], *driven, np.ones(k.size))))
@@ -315,7 +318,7 @@ def baselines(plan: FitPlan, commands: Mapping[str, str], result: Result | None 
     -------
     list of Score
         Scores of the circuit, of the first-order lag, and of the ARX model (simulation and one-step prediction), for
-        each channel and window.
+        each channel of each recording.
 
     Examples
     --------

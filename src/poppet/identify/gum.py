@@ -58,7 +58,7 @@ def coverage_factor(degrees_of_freedom: float, confidence: float = CONFIDENCE) -
     return float(ndtri(upper) if math.isinf(degrees_of_freedom) else stdtrit(degrees_of_freedom, upper))
 
 
-def widened(estimate: Estimate, share: float) -> Estimate:
+def add_relative_uncertainty(estimate: Estimate, share: float) -> Estimate:
     """Return an estimate whose standard error and interval include a further uncertainty.
 
     `share` is this standard uncertainty as a fraction of the value.
@@ -215,7 +215,9 @@ class ClusterCovariance(NamedTuple):
     freedom: FloatArray  # degrees of freedom of each parameter, (n,)
 
 
-def clustered(jacobian: FloatArray, residuals: FloatArray, group: NDArray[np.int_], numbers: int) -> ClusterCovariance:
+def cluster_covariance(
+    jacobian: FloatArray, residuals: FloatArray, group: NDArray[np.int_], numbers: int
+) -> ClusterCovariance:
     r"""Return the covariance of the first `numbers` parameters of a fit with residuals correlated within groups.
 
     `group` is the group of each residual. In the formula, J_g is the Jacobian of the residuals e_g of group g.
@@ -242,7 +244,7 @@ def clustered(jacobian: FloatArray, residuals: FloatArray, group: NDArray[np.int
 
     >>> group = np.repeat([0, 1, 2, 3], 5)
     >>> level = np.repeat([1.0, 2.0, 3.0, 4.0], 5)
-    >>> spread = clustered(np.ones((20, 1)), level.mean() - level, group, 1)
+    >>> spread = cluster_covariance(np.ones((20, 1)), level.mean() - level, group, 1)
     >>> bool(np.isclose(spread.covariance[0, 0], np.var(level[::5], ddof=1) / 4)), float(spread.freedom[0].round(6))
     (True, 3.0)
     """

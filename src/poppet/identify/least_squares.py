@@ -67,7 +67,7 @@ class SearchResult(NamedTuple):
     reason: Literal["cost", "numbers", "evaluations"]
 
 
-def condense(columns: FloatArray) -> FloatArray:
+def triangular_factor(columns: FloatArray) -> FloatArray:
     """Return the triangular factor R of the QR decomposition of a matrix, (k, k).
 
     `columns` is the matrix, (m, k). The inner products of the columns of R equal those of the columns of the matrix.

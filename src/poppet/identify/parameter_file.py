@@ -18,9 +18,7 @@ UNTRUSTED = ("not determined", "at bound")
 
 
 def with_numbers(circuit: BaseCircuit, path: str | Path) -> tuple[BaseCircuit, list[str]]:
-    """Return a circuit with the parameter values from a result file.
-
-    The second item is a list of parameters whose estimates are not reliable.
+    """Return a circuit with the parameter values from a result file, and a list of unreliable estimates.
 
     Parameters
     ----------
@@ -41,7 +39,7 @@ def with_numbers(circuit: BaseCircuit, path: str | Path) -> tuple[BaseCircuit, l
     Raises
     ------
     InputError
-        If the file is neither of them, or if it does not match the parts of the circuit.
+        If the file has another format, or if it does not match the parts of the circuit.
     """
     file = TomlFile.read(path)
     if Path(path).suffix.lower() != ".toml" or "parts" not in file.tables:

@@ -210,10 +210,10 @@ class Result(ResultFileMixin, HtmlMixin):
         headings = f"  {'parameter':<{width}}  value +/- standard uncertainty  [95 % interval]  verdict"
         lines = [headings] if self.parameters else []
         for name, e in self.parameters.items():
-            error, interval = f"{e.standard_error:.2g}{behind(e.unit)}", f"[{e.low:.5g} ... {e.high:.5g}]"
+            error, interval = f"{e.standard_error:.2g}{unit_suffix(e.unit)}", f"[{e.low:.5g} ... {e.high:.5g}]"
             lines.append(f"  {name:<{width}}  {e.value:.6g} +/- {error}  {interval}  {e.verdict}")
         for name, r in self.residuals.items():
-            unit = behind(r.unit)
+            unit = unit_suffix(r.unit)
             nrmse = f"NRMSE {100.0 * r.nrmse:.2f} %, " if math.isfinite(r.nrmse) else ""
             lines.append(f"  {name}: rms {r.rms:.4g}{unit}, {nrmse}bias {r.bias:.3g}{unit}")
         return lines
@@ -312,24 +312,24 @@ def fitted_number(estimate: Estimate, title: str) -> Number:
     return Number(estimate.value, estimate.unit, Source("fitted", title, note))
 
 
-def judged(half: float, size: float, limits: tuple[float, float] = (DETERMINED, WEAK)) -> Verdict:
-    """Return the verdict on an estimate, such as `determined`, from the width of its interval.
+def verdict_on_interval(half: float, size: float, limits: tuple[float, float] = (DETERMINED, WEAK)) -> Verdict:
+    """Return the verdict on an estimate from the width of its interval: `determined`, `weak` or `not determined`.
 
-    The verdict depends on the ratio of the half width `half` to the reference `size`. `limits` contains the largest
-    ratios for the verdicts `determined` and `weak`.
+    `half` is half the width, and `size` the value with which it is compared. `limits` contains the largest ratios of
+    both for the verdicts `determined` and `weak`.
     """
     # In this order not-a-number and infinity are "not determined".
     return "determined" if half <= limits[0] * size else "weak" if half <= limits[1] * size else "not determined"
 
 
-def behind(unit: str) -> str:
+def unit_suffix(unit: str) -> str:
     """Return a unit with a leading space, as text that follows a value.
 
     The result is empty for a dimensionless quantity.
 
     Examples
     --------
-    >>> f"0.3{behind('1')}, 5{behind('Pa')}"
+    >>> f"0.3{unit_suffix('1')}, 5{unit_suffix('Pa')}"
     '0.3, 5 Pa'
     """
     return "" if unit == "1" else f" {unit}"

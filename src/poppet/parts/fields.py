@@ -336,7 +336,7 @@ def read_number(name: str, spec: NumberSpec, argument: NumberLike) -> Number:
 
 
 def forget_library(part: Any, sets: Sequence[Mapping[str, Number]], path: str = "") -> None:
-    """Set all numbers of a copied part that come from the parameter library to None.
+    """Reset to None all numbers of a copied part that come from the parameter library.
 
     `sets` contains the numbers of all parameter sets for this kind of part. The selected parameter set then supplies
     new numbers. `path` is the prefix of the names in the sets.

@@ -19,7 +19,7 @@ from poppet.identify.fit.experiment import Experiment
 from poppet.identify.fit.fit_plan import FitPlan, recording_parameters
 from poppet.identify.fit.fit_series import apply_lag, first_value, shift_series
 from poppet.identify.fit.intervals import add_bootstrap
-from poppet.identify.fit.search import SearchSettings, kick_rounds, optimise
+from poppet.identify.fit.search import SearchSettings, count_restart_rounds, optimise
 from poppet.identify.free_parameter import FreeParameter, read_free
 from poppet.identify.result import Result
 from poppet.signals import SampledSignal, Steps
@@ -203,7 +203,7 @@ def test_bootstrap_fits_use_the_loss_of_the_fit_without_restarts(monkeypatch):
     result, settings_of_fits = Result("fit", "", {}, {}), []
 
     def optimise_and_store(bootstrapped, free, settings, **arguments):
-        settings_of_fits.append((settings.loss, kick_rounds(settings, bootstrapped)))
+        settings_of_fits.append((settings.loss, count_restart_rounds(settings, bootstrapped)))
         return optimise(bootstrapped, free, settings, **arguments)
 
     optimum = optimise(plan.experiments, FREE, plan.settings)

@@ -24,7 +24,7 @@ from poppet.identify.characteristic.stroke_tests import (
     StrokePoint,
     StrokeRecording,
     common_of_result,
-    evidence_of,
+    evaluate_test,
     point_of_result,
 )
 from poppet.identify.free_parameter import read_free
@@ -140,14 +140,14 @@ def test_pchip_interpolates_its_points():
 @given(st.floats(-0.95, 0.95))
 def test_evidence_has_covariance_of_point(correlation):
     point = StrokePoint(1e-3, 1e-8, 0.4, 1e-10, 0.02, correlation)
-    scaled = evidence_of(point, "").root * np.array([1e-10, 0.02])
+    scaled = evaluate_test(point, "").root * np.array([1e-10, 0.02])
     expected = np.array([[1.0, correlation], [correlation, 1.0]])
     assert np.max(np.abs(np.linalg.inv(scaled.T @ scaled) - expected)) < 1e-9
-    assert evidence_of(point, "").uncertainty == pytest.approx([1e-10, 0.02])
+    assert evaluate_test(point, "").uncertainty == pytest.approx([1e-10, 0.02])
 
 
 def test_evidence_without_b_determines_c_only():
-    blind = evidence_of(StrokePoint(1e-3, 1e-8, float("nan"), 1e-10, float("inf")), "")
+    blind = evaluate_test(StrokePoint(1e-3, 1e-8, float("nan"), 1e-10, float("inf")), "")
     assert blind.uncertainty.tolist() == [pytest.approx(1e-10), float("inf")]
 
 
@@ -279,7 +279,7 @@ def test_joint_fit_shares_bench_parameters():
     shared = result.parameters["tank.wall_conductance"]
     assert shared.low < 8.0 < shared.high
     smallest_error = min(float(np.sqrt(np.diag(np.linalg.inv(o.jacobian.T @ o.jacobian)))[2])
-                for o in (evidence_of(t, "").optimum for t in tests))  # fmt: skip
+                for o in (evaluate_test(t, "").optimum for t in tests))  # fmt: skip
     assert shared.standard_error < smallest_error
     assert result.parameters["sonic_conductance.k1"].value == pytest.approx(1e-8, rel=0.02)
     assert result.comparison["degrees_of_freedom"] == 8 - 3 + 3
@@ -287,7 +287,7 @@ def test_joint_fit_shares_bench_parameters():
 
 def test_evidence_of_recording_equals_its_fit():
     wall = (read_free("tank.wall_conductance", {}, BENCH),)
-    evidence = evidence_of(simulate_recording(0.5e-3, 7, wall), "r")
+    evidence = evaluate_test(simulate_recording(0.5e-3, 7, wall), "r")
     inverse = np.linalg.inv(evidence.optimum.jacobian.T @ evidence.optimum.jacobian)
     assert evidence.uncertainty == pytest.approx(np.sqrt(np.diag(inverse)[:2] * evidence.widening), rel=1e-6)
     assert np.max(np.abs(evidence.centre - [1e-8, 0.4]) / evidence.uncertainty) < 4.0

@@ -192,9 +192,9 @@ def read_characteristic_file(path: str | Path) -> tuple[list[StrokeTest], dict[s
 
 
 class _Bench(NamedTuple):
-    """Settings that all tests in a file share.
+    """Settings that all tests in a file have in common.
 
-    They include the errors of sonic conductance and critical ratio that are common to all tests.
+    They include the standard uncertainties of errors of sonic conductance and critical ratio that all tests share.
     """
 
     folder: Path

@@ -32,7 +32,7 @@ FLAT = 1e-6
 
 @dataclass(frozen=True)
 class MonotoneVerdict:
-    """Result of the statistical test whether the sonic conductance C may never fall with the stroke."""
+    """Result of a statistical test of the constraint that the sonic conductance never falls with the stroke."""
 
     rejected: bool  # True if the data reject the constraint
     probability: float  # probability of this gain or a larger one if C does not fall
@@ -153,7 +153,24 @@ def characteristic_findings(
     counts = {"of": len(evidence)}
     if blind := [e.name for e in evidence if not np.isfinite(e.uncertainty[1])]:
         notes.append(Note("characteristic.blind", "critical_ratio", count=len(blind), **counts, tests=blind))
-    notes += _stroke_notes(evidence, domain)
+    for stroke, group in groupby(sorted(evidence, key=lambda e: e.stroke), key=lambda e: e.stroke):
+        tests = list(group)
+        for curve_index, name in enumerate(NUMBERS):
+            centres = np.array([e.centre[curve_index] for e in tests])
+            errors = np.array([e.uncertainty[curve_index] for e in tests])
+            low, high = int(np.argmin(centres)), int(np.argmax(centres))
+            apart = (centres[high] - centres[low]) / np.hypot(errors[low], errors[high])
+            if apart > FAR:
+                numbers = {"stroke_mm": 1e3 * stroke, "apart": apart}
+                repeated = [tests[low].name, tests[high].name]
+                notes.append(Note("characteristic.not_repeated", name, **numbers, symbol=SYMBOLS[name], tests=repeated))
+    strokes = np.unique([e.stroke for e in evidence])
+    steps = np.diff(strokes)
+    gaps = np.flatnonzero(steps > GAP * np.median(steps))
+    notes += [Note("characteristic.gap", low_mm=1e3 * strokes[k], high_mm=1e3 * strokes[k + 1]) for k in gaps]
+    for end, edge in zip(domain, (strokes[0], strokes[-1]), strict=True):
+        if not np.isclose(end, edge, rtol=0.0, atol=1e-9):
+            notes.append(Note("characteristic.continued", "domain", end_mm=1e3 * end, edge_mm=1e3 * edge))
     if fit is not by_test:
         shape = fit.shapes[0]
         ends = shape.domain if isinstance(shape, PolynomialShape) else (shape.knots[0], shape.knots[-1])
@@ -165,31 +182,3 @@ def characteristic_findings(
     if 0 < len(points) < len(evidence):  # points among recordings
         notes.append(Note("characteristic.by_numbers", count=len(points), **counts, tests=points))
     return tuple(dict.fromkeys([*notes, *(note for e in evidence for note in e.findings)]))
-
-
-def _stroke_notes(evidence: Sequence[TestEvidence], domain: tuple[float, float]) -> list[Note]:
-    """Return findings on the strokes of the tests.
-
-    They report repeated tests at one stroke that differ, gaps between strokes, and parts of `domain` beyond all tests.
-    """
-    notes = []
-    for stroke, group in groupby(sorted(evidence, key=lambda e: e.stroke), key=lambda e: e.stroke):
-        tests = list(group)
-        for curve_index, name in enumerate(NUMBERS):
-            values = np.array([e.centre[curve_index] for e in tests])
-            errors = np.array([e.uncertainty[curve_index] for e in tests])
-            low, high = int(np.argmin(values)), int(np.argmax(values))
-            difference = (values[high] - values[low]) / np.hypot(errors[low], errors[high])
-            if difference > FAR:
-                facts = {"stroke_mm": 1e3 * stroke, "apart": difference, "symbol": SYMBOLS[name]}
-                notes.append(
-                    Note("characteristic.not_repeated", name, **facts, tests=[tests[low].name, tests[high].name])
-                )
-    strokes = np.unique([e.stroke for e in evidence])
-    steps = np.diff(strokes)
-    gaps = np.flatnonzero(steps > GAP * np.median(steps))
-    notes += [Note("characteristic.gap", low_mm=1e3 * strokes[k], high_mm=1e3 * strokes[k + 1]) for k in gaps]
-    for end, edge in zip(domain, (strokes[0], strokes[-1]), strict=True):
-        if not np.isclose(end, edge, rtol=0.0, atol=1e-9):
-            notes.append(Note("characteristic.continued", "domain", end_mm=1e3 * end, edge_mm=1e3 * edge))
-    return notes

@@ -13,7 +13,12 @@ from poppet.core.codes import Note
 from poppet.identify.characteristic.characteristic_shapes import LARGEST_RATIO, Shape, start_parameters
 from poppet.identify.characteristic.stroke_tests import StrokeRecording, StrokeTest, TestEvidence, free_parameters
 from poppet.identify.fit.experiment import FAILED, Experiment
-from poppet.identify.fit.optima import NEARLY_ADIABATIC, NEARLY_ISOTHERMAL, kappa_of, thermal_units
+from poppet.identify.fit.optima import (
+    NEARLY_ADIABATIC,
+    NEARLY_ISOTHERMAL,
+    isentropic_exponent_of,
+    typical_wall_conductances,
+)
 from poppet.identify.free_parameter import FreeParameter, by_name
 from poppet.identify.gum import SPREAD, chi_square_probability, coverage_factor
 from poppet.timeseries.checks import FloatArray as Array
@@ -33,8 +38,8 @@ APART = 0.01
 """Relative difference of C above which optima are distinct."""
 
 
-class HistoryTerm:
-    """Residuals of the samples of one recorded test, as a function of C, b and the bench.
+class RecordingTerm:
+    """Residuals of the samples of one recorded test, as a function of C, b and parameters of the test bench.
 
     They are divided by the noise that a fit to this test alone has estimated.
     """
@@ -87,8 +92,7 @@ class LackOfFit:
         """Ratio of the half width of a 95 % interval to the standard uncertainty.
 
         The ratio is that of the normal distribution. If the lack of fit enlarges the uncertainty, it is that of
-        Student's t. The degrees of freedom are then those of the lack of fit plus `STATED` for the stated
-        uncertainties.
+        Student's t. Its degrees of freedom are those of the lack of fit plus a constant for the stated uncertainties.
         """
         return coverage_factor(self.freedom + STATED if self.widening > 1.0 else math.inf)
 
@@ -111,7 +115,7 @@ class CurveFit:
     strokes: tuple[Array, Array] = (np.empty(0), np.empty(0))  # strokes of the tests that determine C and b, ascending
 
     def part(self, index: int) -> slice:
-        """Return the slice of `theta`, the vector of free parameters, that belongs to C, b or the bench.
+        """Return the slice of `theta`, the vector of free parameters, that belongs to C, b or the test bench.
 
         `index` is 0 for C, 1 for b and 2 for the bench.
         """
@@ -178,21 +182,21 @@ class CurveFit:
 
     @property
     def chi_square(self) -> float:
-        """Sum of the squared, normalised deviations of all tests from both curves."""
+        """Sum of the squared, normalised deviations of all tests from the curves of C and b."""
         return sum(m.chi_square for m in dict.fromkeys(self.misfits))
 
     @property
     def freedom(self) -> int:
-        """Degrees of freedom of `chi_square`, which measures the lack of fit of both curves."""
+        """Degrees of freedom of `chi_square`, which measures the lack of fit of the curves of C and b."""
         return sum(m.freedom for m in dict.fromkeys(self.misfits))
 
     @property
     def size(self) -> int:
-        """Number of free parameters of both curves."""
+        """Number of free parameters of the curves of C and b together."""
         return self.shapes[0].size + self.shapes[1].size
 
     def aicc(self) -> float:
-        """Return the information criterion AICc of both curves.
+        """Return the information criterion AICc of the curves of C and b.
 
         The correction of Akaike's criterion for small samples applies only if the variance is estimated. Here the
         variances are known, so the correction is zero.
@@ -207,7 +211,7 @@ class _CurveObjective:
     Its argument is the vector of the free parameters: those of the curves of C and b, then those of the bench.
     """
 
-    terms: Sequence[TestEvidence | HistoryTerm]
+    terms: Sequence[TestEvidence | RecordingTerm]
     strokes: Array
     shapes: Shapes
     nuisance: tuple[FreeParameter, ...]
@@ -258,7 +262,7 @@ def fit_evidence(
     return _fit_curves(objective, first, evidence, 0.0, common)
 
 
-def fit_histories(
+def fit_recordings(
     tests: Sequence[Any],
     evidence: Sequence[TestEvidence],
     first_fit: CurveFit,
@@ -269,7 +273,7 @@ def fit_histories(
     The search starts from `first_fit`, the fit to the values of C and b from the single tests (`evidence`).
     """
     pairs = list(zip(tests, evidence, strict=True))
-    terms = [HistoryTerm(t, e) if isinstance(t, StrokeRecording) else e for t, e in pairs]
+    terms = [RecordingTerm(t, e) if isinstance(t, StrokeRecording) else e for t, e in pairs]
     nuisance = tuple(dict.fromkeys(f for term in terms for f in term.nuisance))
     objective = _CurveObjective(terms, np.array([e.stroke for e in evidence]), first_fit.shapes, nuisance, progress)
     bench = []
@@ -285,10 +289,10 @@ def fit_histories(
     fits = [_fit_curves(objective, theta, evidence, single_cost, first_fit.common)]
     # If no recorded temperature determines a wall conductance, search at the opposite thermal limit of the tank too: an
     # adiabatic charge with conductance C has the pressure of an isothermal charge with kappa C.
-    experiments = [term.experiment for term in terms if isinstance(term, HistoryTerm)]
-    for index, unit in thermal_units(experiments, nuisance).items():
+    experiments = [term.experiment for term in terms if isinstance(term, RecordingTerm)]
+    for index, unit in typical_wall_conductances(experiments, nuisance).items():
         theta, wall = fits[0].theta.copy(), fits[0].part(2).start + index
-        kappa, scale = kappa_of(experiments[0]), nuisance[index].scale
+        kappa, scale = isentropic_exponent_of(experiments[0]), nuisance[index].scale
         is_adiabatic = theta[wall] * scale < unit
         theta[fits[0].part(0)] *= kappa if is_adiabatic else 1.0 / kappa
         theta[wall] = (NEARLY_ISOTHERMAL if is_adiabatic else NEARLY_ADIABATIC) * unit / scale
@@ -401,7 +405,10 @@ class AmbientUncertainty:
     shares: dict[str, float]  # relative standard uncertainty by free parameter
 
     def note(self, names: Sequence[str]) -> Note:
-        """Return a finding: the intervals of `names` include the uncertainty of assumed temperatures."""
+        """Return a finding that the uncertainty of assumed temperatures is included in intervals.
+
+        `names` contains the parameters with these intervals.
+        """
         facts = {"percent": 100.0 * self.conductance / SPREAD, "spread": SPREAD, "untold": self.unstated}
         return Note("characteristic.room", "sonic_conductance", **facts, names=tuple(names))
 
@@ -429,7 +436,7 @@ def ambient_uncertainty(tests: Sequence[StrokeTest], evidence: Sequence[TestEvid
         x = test_evidence.optimum.x
         warm = test.circuit.with_values({address: value + SPREAD for address, value in defaults.items()})
         (cold, slopes), (warmer, _) = (
-            HistoryTerm(t, test_evidence).evaluate(x[:2], x[2:]) for t in (test, replace(test, circuit=warm))
+            RecordingTerm(t, test_evidence).evaluate(x[:2], x[2:]) for t in (test, replace(test, circuit=warm))
         )
         shifts = np.linalg.lstsq(slopes * x, cold - warmer, rcond=None)[0]
         for f, shift in zip(free_parameters(test), shifts, strict=True):

@@ -81,7 +81,7 @@ class StrokeRecording:
         Recorded pressures, and temperatures if available.
     passage : str
         Name of the flow path in the circuit.
-    free : tuple of Free
+    free : tuple of FreeParameter
         Further free parameters of the bench, such as `tank.wall_conductance`. In a joint fit, all tests share them.
     name : str
         Name for messages; the default is the name of the measurement.
@@ -102,7 +102,7 @@ StrokeTest = StrokePoint | StrokeRecording
 class TestEvidence:
     r"""Values of C and b from one test, with their covariance in the form of two residuals.
 
-    The residuals r have unit variance and are a linear function of z = (C, b). z_0 is the estimate `centre`, R is
+    The residuals r are a linear function of z = (C, b), and have unit variance. z_0 is the estimate `centre`, R is
     `root`, and r_0 is `pull`.
 
 
@@ -122,13 +122,13 @@ class TestEvidence:
 
     @property
     def nuisance(self) -> tuple[FreeParameter, ...]:
-        """Free parameters of the bench: an empty tuple, because they have been eliminated."""
+        """Free parameters of the test bench: none, because the fit to the test has eliminated them."""
         return ()
 
     def evaluate(self, z: Array, nuisance: Array) -> tuple[Array, Array]:
-        """Return the two residuals at z = (C, b), and their derivatives by z, (2, 2).
+        """Return two residuals and their derivatives, which compare C and b with the values from one test.
 
-        `nuisance` is not used.
+        z contains C and b. The residuals have unit variance, and are not correlated. `nuisance` is not used.
         """
         return np.asarray(self.root @ (z - self.centre) + self.pull), self.root
 
@@ -146,7 +146,7 @@ class TestEvidence:
         return uncertainty
 
     def decoupled(self) -> TestEvidence:
-        """Return a copy of the values of C and b with uncorrelated errors."""
+        """Return a copy in which the errors of C and b are not correlated, with the same standard uncertainties."""
         root = np.diag(1.0 / self.uncertainty)
         return replace(self, root=root, pull=np.zeros(2))
 
@@ -192,9 +192,9 @@ def check_tests(tests: Sequence[StrokeTest], domain: tuple[float, float] | None)
 
 
 def determined_values(evidence: Sequence[TestEvidence], index: int) -> Array:
-    """Return all values of C or b that tests determine, with their strokes.
+    """Return the values of C or b from all tests that determine them, (3, n).
 
-    `index` is 0 for C and 1 for b. The result has the shape (3, n) and contains stroke, value and standard uncertainty.
+    The rows are stroke, value and standard uncertainty. `index` is 0 for C and 1 for b.
     """
     rows = [(e.stroke, e.centre[index], e.uncertainty[index]) for e in evidence]
     return np.array([row for row in rows if math.isfinite(row[2])], dtype=float).reshape(-1, 3).T
@@ -209,7 +209,7 @@ def test_name(test: StrokeTest, index: int) -> str:
     return name or f"test {index + 1}"
 
 
-def evidence_of(test: StrokeTest, name: str) -> TestEvidence:
+def evaluate_test(test: StrokeTest, name: str) -> TestEvidence:
     """Return the values of C and b from one test, with their covariance.
 
     If the test is a recording, a separate fit to it gives these values. `name` is the name of the test.
@@ -245,7 +245,7 @@ def evidence_of(test: StrokeTest, name: str) -> TestEvidence:
 def free_parameters(test: StrokeRecording) -> tuple[FreeParameter, ...]:
     """Return the free parameters of the fit to one recorded test.
 
-    C and b come first, then those of the bench.
+    C and b come first, then those of the test bench, such as a wall conductance.
     """
     return (*(read_free(f"{test.passage}.{number}", {}, test.circuit) for number in NUMBERS), *test.free)
 

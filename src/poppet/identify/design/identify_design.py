@@ -82,12 +82,12 @@ class Prediction:
         """Geometric mean of the half widths of the 95 % intervals at all samples of the priors."""
         return TWO_SIDED * self.typical
 
-    def __getattr__(self, name: str) -> Any:
+    def __getattr__(self, name: str) -> float:
         former_names = {"half_at_most": "largest_half_width", "half_typical": "typical_half_width"}
         if name not in former_names:
             raise AttributeError(name)
         warnings.warn(f"Prediction.{name} is now called {former_names[name]}.", DeprecationWarning, stacklevel=2)
-        return getattr(self, former_names[name])
+        return float(getattr(self, former_names[name]))
 
 
 @dataclass(frozen=True)

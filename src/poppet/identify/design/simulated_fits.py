@@ -54,8 +54,8 @@ class SimulatedEstimate:
 def count_fits(plan: DesignPlan, selected: Sequence[TestCandidate]) -> int:
     """Return the number of simulated fits of the selected tests.
 
-    If the plan does not state it, the default is 5 for fast fits. It is 0 for sampled circuits, for many samples, and
-    for designs with an earlier result, because a fit does not use this result.
+    If the plan does not state it, the default is 5. It is 0 if fits are slow (circuits with sampled controllers, many
+    samples), and for designs with an earlier result, because a fit does not use this result.
     """
     if plan.fits is not None:
         return plan.fits
@@ -110,19 +110,19 @@ def simulate_fits(
         if optimum.interrupted:
             raise KeyboardInterrupt
         tables.append(describe_optimum(fit_plan, optimum, with_trials=False).parameters)
-    return {f.name: _summary(f, [table[f.name] for table in tables]) for f in plan.free if tables}
-
-
-def _summary(f: FreeParameter, estimates: Sequence[Estimate]) -> SimulatedEstimate:
-    verdicts = sorted((e.verdict for e in estimates), key=VERDICTS.index)
-    return SimulatedEstimate(
-        f.unit,
-        float(np.median([e.standard_error for e in estimates])),
-        float(np.sqrt(np.mean([(e.value - f.start) ** 2 for e in estimates]))),
-        verdicts[len(verdicts) // 2],
-        verdicts.count("determined"),
-        len(estimates),
-    )
+    result = {}
+    for f in plan.free if tables else ():
+        estimates = [table[f.name] for table in tables]
+        verdicts = sorted((e.verdict for e in estimates), key=VERDICTS.index)
+        result[f.name] = SimulatedEstimate(
+            f.unit,
+            float(np.median([e.standard_error for e in estimates])),
+            float(np.sqrt(np.mean([(e.value - f.start) ** 2 for e in estimates]))),
+            verdicts[len(verdicts) // 2],
+            verdicts.count("determined"),
+            len(estimates),
+        )
+    return result
 
 
 def empty_measurement(name: str, candidate: TestCandidate) -> Measurement:

@@ -76,7 +76,17 @@ class Experiment:
     ) -> None:
         self.measurement = measurement
         parameters = [f for f in free if f.recording in ("", measurement.name)]
-        self.free, instance = _with_dead_times(parameters, measurement, instance)
+        # Replace free dead times of recorded inputs by shifts of the recordings, which can contain times before the
+        # start of the run.
+        recorded = {item.address for item in measurement.inputs}
+        inputs = {i.delay: i.name for i in instance.model.inputs if i.delay and i.name in recorded}
+        shifting = {f.address for f in parameters if f.role == "number"} & set(inputs)
+        self.free = tuple(
+            dataclasses.replace(f, role="dead_time", address=inputs[f.address]) if f.address in shifting else f
+            for f in parameters
+        )
+        if shifting:
+            instance = instance.with_values(dict.fromkeys(shifting, 0.0))
         outputs = [name for name, _ in instance.model.outputs]
         for channel in measurement.channels:
             if channel.address not in outputs:
@@ -121,9 +131,9 @@ class Experiment:
         self._last: tuple[tuple[float, ...], _LastRun] | None = None
 
     def with_samples(self, samples: Sequence[FloatArray], free: Sequence[FreeParameter]) -> Experiment:
-        """Return a copy of the experiment with other samples and other start values.
+        """Return a copy of the recording and its model with other recorded values and other start values.
 
-        `samples` contains the samples of each channel. `free` contains the free parameters with the new start values.
+        `samples` contains the values of each channel. `free` contains the free parameters with the new start values.
         """
         channels = zip(self.measurement.channels, samples, strict=True)
         resampled = tuple(dataclasses.replace(channel, values=values) for channel, values in channels)
@@ -240,7 +250,7 @@ class Experiment:
         """Return the derivatives of each simulated channel by the free parameters, (n_samples, n_free) each.
 
         `values` maps the names of the free parameters to their values. `width` is the relative step of the finite
-        differences, which only sampled circuits use.
+        differences, which are used only for circuits with sampled controllers.
         """
         repeated, tables, steps = self._run_at(values)
         # Column order, because each column is written as a whole.
@@ -345,24 +355,6 @@ def channels_of(experiments: Sequence[Experiment]) -> list[FittedChannel]:
     return channels
 
 
-def _with_dead_times(
-    free: Sequence[FreeParameter], measurement: Measurement, instance: Instance
-) -> tuple[tuple[FreeParameter, ...], Instance]:
-    """Replace free dead times of recorded inputs by shifts of the recorded inputs.
-
-    The result contains the free parameters and the compiled circuit, whose dead times are then zero. A shifted
-    recording can contain times before the start of the run.
-    """
-    recorded = {item.address for item in measurement.inputs}
-    inputs_by_delay = {item.delay: item.name for item in instance.model.inputs if item.delay and item.name in recorded}
-    shifting = {f.address for f in free if f.role == "number"} & set(inputs_by_delay)
-    parameters = tuple(
-        dataclasses.replace(f, role="dead_time", address=inputs_by_delay[f.address]) if f.address in shifting else f
-        for f in free
-    )
-    return parameters, instance.with_values(dict.fromkeys(shifting, 0.0)) if shifting else instance
-
-
 def start_values(measurement: Measurement, instance: Instance) -> dict[str, Any]:
     """Return the initial values that a recording states or measures, by address.
 
@@ -372,7 +364,7 @@ def start_values(measurement: Measurement, instance: Instance) -> dict[str, Any]
     Raises
     ------
     InputError
-        If a start value is `first` and no channel measures it.
+        If a start value is stated as `first`, the first sample of a channel, and no channel measures it.
     """
     values: dict[str, Any] = {}
     for address, start in measurement.start.items():
@@ -388,7 +380,7 @@ def start_values(measurement: Measurement, instance: Instance) -> dict[str, Any]
 
 
 def starting_channel(address: str, instance: Instance, measurement: Measurement) -> tuple[str, Channel | None]:
-    """Return the output that begins with the initial value `address`, and its recorded channel.
+    """Return the output that has the initial value at `address`, and the recorded channel of this output.
 
     The channel is None if the output was not measured.
     """

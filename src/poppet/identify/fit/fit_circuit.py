@@ -43,7 +43,7 @@ class DataFrame(Protocol):
     def index(self) -> Iterable[Any]:
         """Labels of the rows."""
 
-    def __getitem__(self, key: Any, /) -> Any: ...
+    def __getitem__(self, key: Any, /) -> object: ...
 
 
 Data: TypeAlias = Recording | DataFrame
@@ -148,7 +148,18 @@ def fit_circuit(
     limits: dict[str, dict[str, Any]] = {address: {} for address in free_starts} | tables
     parameters: list[FreeParameter] = []
     with ErrorCollector() as errors:
-        _add_limits(errors, limits, bounds or {}, priors or {})
+        for argument, keys, pairs in (("bounds", ("min", "max"), bounds), ("priors", ("mean", "sd"), priors)):
+            for address, pair in (pairs or {}).items():
+                location = f"{argument}.{address}"
+                if address not in limits:
+                    near = NameSuggestion(address, limits)
+                    errors.add("names.unknown", location, meaning="a free parameter", suggestion=near)
+                elif not isinstance(pair, Mapping) and (isinstance(pair, str) or not isinstance(pair, Sequence)):
+                    errors.add("fit.no_pair", location, value=pair, first=keys[0], second=keys[1])
+                else:
+                    table = pair if isinstance(pair, Mapping) else dict(zip(keys, pair, strict=False))
+                    fields = {key: value for key, value in table.items() if value is not None}
+                    limits[address].update(fields if argument == "bounds" else {"prior": fields})
         for address in (address for address in tables if address not in free_starts):
             with errors.collecting():
                 parameters.append(read_free(address, limits[address], circuit, where=address))
@@ -163,27 +174,6 @@ def fit_circuit(
     )
     result = identify_fit(plan, profile=profile, repeats=bootstrap, contour=contour, progress=progress, stages=stages)
     return FitResult.of(result, circuit, plan)
-
-
-def _add_limits(
-    errors: ErrorCollector,
-    tables: Mapping[str, dict[str, Any]],
-    bounds: Mapping[str, Sequence[Any]],
-    priors: Mapping[str, Any],
-) -> None:
-    """Add bounds and priors to the tables that declare the free parameters."""
-    for argument, keys, pairs in (("bounds", ("min", "max"), bounds), ("priors", ("mean", "sd"), priors)):
-        for address, pair in pairs.items():
-            if address not in tables:
-                near = NameSuggestion(address, tables)
-                errors.add("names.unknown", f"{argument}.{address}", meaning="a free parameter", suggestion=near)
-                continue
-            if not isinstance(pair, Mapping) and (isinstance(pair, str) or not isinstance(pair, Sequence)):
-                errors.add("fit.no_pair", f"{argument}.{address}", value=pair, first=keys[0], second=keys[1])
-                continue
-            table = pair if isinstance(pair, Mapping) else dict(zip(keys, pair, strict=False))
-            fields = {key: value for key, value in table.items() if value is not None}
-            tables[address].update(fields if argument == "bounds" else {"prior": fields})
 
 
 class _RecordingReader:
@@ -374,7 +364,7 @@ def _frame_table(frame: DataFrame, location: str) -> Table:
     )
 
 
-def _column_as_floats(column: Any) -> FloatArray:
+def _column_as_floats(column: object) -> FloatArray:
     """Return a column of a data frame as floats.
 
     Dates become seconds since the first date, and text becomes NaN.

@@ -142,7 +142,7 @@ def local_misfit_notes(fit: CompletedFit) -> Iterator[Note]:
 
 
 def widening_of(residual: FloatArray) -> float:
-    """Return the factor by which a lack of fit increases variances.
+    """Return the factor by which a lack of fit increases variances, from the residuals of a channel.
 
     It follows from the mean square and the correlation time of the residuals. `residual` contains the residuals divided
     by the noise.

@@ -172,8 +172,8 @@ def plan_fit(
     Raises
     ------
     InputErrors
-        If two recordings are equal, if no recording is fitted, or if a recording that is only compared has a free
-        start value, lag or delay.
+        If two recordings are equal, if no recording is fitted, or if a validation recording has a free start value, lag
+        or delay.
     """
     with ErrorCollector() as errors:
         for first, second in itertools.combinations(measurements, 2):
@@ -311,9 +311,10 @@ def offset_parameter(recording: str, channel: Channel, prior: NormalPrior | None
 
 
 def check_effects(plan: FitPlan) -> None:
-    """Raise an error for each free parameter without effect on the compared outputs.
+    """Raise an error for each free parameter that changes no simulated channel of the recordings.
 
-    The check is omitted for sampled circuits: their outputs are piecewise constant in the parameters.
+    Circuits with sampled controllers are not checked, because their outputs are piecewise constant functions of the
+    parameters.
 
     Raises
     ------
@@ -340,9 +341,9 @@ def check_effects(plan: FitPlan) -> None:
 
 
 def _effective_parameters(experiment: Experiment, values: Mapping[str, float]) -> set[str]:
-    """Return the names of the parameters that affect a compared output.
+    """Return the names of the free parameters that change a simulated channel of a recording.
 
-    `values` are their present values.
+    `values` maps the names of the free parameters to their present values.
     """
     # Not-a-number, from a run that failed at a bound, gives no information.
     slopes = [np.nan_to_num(slope) for slope in experiment.slopes(values)]

@@ -29,7 +29,7 @@ from poppet.identify.fit.optima import (
     search_tables,
     unite_estimates,
 )
-from poppet.identify.fit.search import Optimum, kick_rounds
+from poppet.identify.fit.search import Optimum, count_restart_rounds
 from poppet.identify.fit.statistics import ChannelFit, ConfidenceBand, aicc, channel_fits, confidence_bands, correlation
 from poppet.identify.free_parameter import by_name
 from poppet.identify.result import Result
@@ -165,7 +165,7 @@ def _conditions(plan: FitPlan, optimum: Optimum) -> dict[str, Any]:
         "loss": plan.settings.loss,
         "starts": plan.settings.starts,
         "seed": plan.settings.seed,
-        "kicks": kick_rounds(plan.settings, plan.experiments),
+        "kicks": count_restart_rounds(plan.settings, plan.experiments),
         "fixed": {
             address: f"{number.display()} ({number.source.kind})"
             for address, number in first.instance.sources.items()

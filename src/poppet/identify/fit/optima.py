@@ -123,11 +123,14 @@ class _Searches:
 
 
 def find_optima(plan: FitPlan, *, progress: Callable[[int, float], Any] | None = None) -> Optimum:
-    """Return the optimum with the lowest cost, with all equivalent optima."""
+    """Search from several start points, and return the optimum with the lowest cost.
+
+    The result contains all other optima that fit equally well.
+    """
     experiments, free, settings = plan.experiments, plan.free, plan.settings
     searches = _Searches(plan, initial_sigmas(experiments), progress)
     start = np.array([f.start for f in free])
-    if wall_units := thermal_units(experiments, free):
+    if wall_units := typical_wall_conductances(experiments, free):
         _search_thermal_limits(searches, start, wall_units)
     searches.add("given", start)
     generator = np.random.default_rng(settings.seed)
@@ -162,7 +165,7 @@ def find_optima(plan: FitPlan, *, progress: Callable[[int, float], Any] | None =
 # Start points -----------------------------------------------------------------------------------------------------
 
 
-def thermal_units(experiments: Sequence[Experiment], free: Sequence[FreeParameter]) -> dict[int, float]:
+def typical_wall_conductances(experiments: Sequence[Experiment], free: Sequence[FreeParameter]) -> dict[int, float]:
     """Return a typical wall conductance for each tank whose temperature was not recorded [W/K].
 
     The keys are the indices of the free wall conductances. A typical value is the heat capacity of the gas, divided by
@@ -184,12 +187,12 @@ def thermal_units(experiments: Sequence[Experiment], free: Sequence[FreeParamete
                 index = max(1, int(np.argmax(change >= 0.63 * change.max())))
                 tau = float(channel.time[index] - channel.time[0])
                 content = float(channel.values.max()) * e.instance.parameters[f"{chamber}.volume"]
-                unit = content / ((kappa_of(e) - 1.0) * e.instance.surroundings.temperature * tau)
+                unit = content / ((isentropic_exponent_of(e) - 1.0) * e.instance.surroundings.temperature * tau)
                 units[k] = max(units.get(k, 0.0), unit)
     return {k: unit for k, unit in units.items() if unit > 0.0}
 
 
-def kappa_of(experiment: Experiment) -> float:
+def isentropic_exponent_of(experiment: Experiment) -> float:
     """Return the isentropic exponent of the gas in the circuit of a recording."""
     return float(experiment.instance.parameters["gas.isentropic_exponent"])
 
@@ -212,7 +215,7 @@ def _search_thermal_limits(searches: _Searches, start: FloatArray, walls: Mappin
     def fixed(x: FloatArray) -> dict[str, float]:
         return {free[k].name: float(x[k]) for k in walls}
 
-    kappa = kappa_of(searches.plan.experiments[0])
+    kappa = isentropic_exponent_of(searches.plan.experiments[0])
     # The start value of C is that of an isothermal tank.
     point = at(start, 0.0, 1.0 / kappa)
     adiabatic = searches.add("adiabatic", point, fixed(point))
@@ -374,15 +377,32 @@ def _evidence_against(plan: FitPlan, best: Optimum, rival: Optimum, offset_chann
 def local_estimates(plan: FitPlan, optimum: Optimum) -> list[dict[str, Estimate]]:
     """Return the estimates by name at each equivalent optimum, as if it were the only one.
 
-    An optimum whose cost exceeds the lowest cost has narrower intervals, because its values are less likely.
+    An optimum whose cost exceeds the lowest cost has narrower intervals, because its values are less likely. The limit
+    of nearby optima applies to a parameter that has the same value at the best optimum.
     """
     optima = (optimum, *optimum.others)
-    optimum_tables = [estimates(plan.free, o, error_model_of(plan, o)) for o in optima]
-    for table, o in zip(optimum_tables, optima, strict=True):
-        left = float(np.sqrt(1.0 - o.excess / o.limit))
+    best, *rivals = [estimates(plan.free, o, error_model_of(plan, o)) for o in optima]
+    for table, rival in zip(rivals, optimum.others, strict=True):
         for name, e in table.items():
-            table[name] = replace(e, low=e.value - left * (e.value - e.low), high=e.value + left * (e.high - e.value))
-    return optimum_tables
+            low, high = _likely_range(e, rival.excess, rival.limit)
+            first = best[name]
+            if first.low <= e.value <= first.high:
+                nearby = _likely_range(e, rival.excess, optimum.limit)
+                low, high = max(low, min(first.low, nearby[0])), min(high, max(first.high, nearby[1]))
+            table[name] = replace(e, low=low, high=high)
+    return [best, *rivals]
+
+
+def _likely_range(estimate: Estimate, excess: float, limit: float) -> tuple[float, float]:
+    """Return the interval of an estimate at an optimum with the evidence `excess` against it.
+
+    The width of the interval is zero if the evidence reaches `limit`.
+    """
+    value = estimate.value
+    if excess >= limit:
+        return value, value
+    left = float(np.sqrt(1.0 - excess / limit))
+    return value - left * (value - estimate.low), value + left * (estimate.high - value)
 
 
 def unite_estimates(plan: FitPlan, local: Local) -> dict[str, Estimate]:

@@ -115,7 +115,7 @@ def whiteness(residual: FloatArray) -> float:
 
 
 def is_white(residual: FloatArray) -> bool:
-    """Return False if the tests of `whiteness` show that the residuals are not white noise."""
+    """Return True unless a test shows that the residuals are not white noise."""
     return whiteness(residual) >= (WHITE if residual.size >= SHORT else WHITE_SHORT)
 
 

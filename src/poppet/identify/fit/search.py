@@ -14,7 +14,7 @@ from poppet.core.tables import Field
 from poppet.identify.fit.experiment import FAILED, SAMPLED_DIFFERENCE, Experiment, channels_of
 from poppet.identify.fit.residuals import LOSSES, costs_of, curvatures_of, weights_of, whiteness
 from poppet.identify.free_parameter import FreeParameter, by_name
-from poppet.identify.least_squares import LocalModel, condense, search
+from poppet.identify.least_squares import LocalModel, search, triangular_factor
 from poppet.timeseries.checks import FloatArray
 from poppet.timeseries.measurements import noise_of
 
@@ -55,8 +55,9 @@ class SearchSettings:
     seed : int
         Seed of the random start points.
     kicks : int or None
-        Maximum number of restart rounds if the residuals are not white. None selects 3 rounds, or 0 for sampled
-        circuits, because their residuals are seldom white and their simulations take long.
+        Maximum number of rounds of restarts near the optimum, if the residuals are not white. None selects 3 rounds, or
+        0 for circuits with sampled controllers, because their residuals are seldom white and their simulations take
+        long.
     """
 
     loss: str = "linear"
@@ -79,7 +80,7 @@ class KnownOptimum(NamedTuple):
     errors: FloatArray  # standard error of each parameter, infinite if the data are insensitive to it
     cost: float
 
-    def holds(self, x: FloatArray, cost: float) -> bool:
+    def contains(self, x: FloatArray, cost: float) -> bool:
         """Return True if the point `x` with the cost `cost` belongs to this optimum.
 
         The point belongs to the optimum if each parameter differs by at most a tenth of a standard error, and the cost
@@ -180,7 +181,8 @@ class FitObjective:
     def residual_and_jacobian(self, x: FloatArray, width: float = SAMPLED_DIFFERENCE) -> tuple[FloatArray, FloatArray]:
         """Return the residuals at the point `x`, divided by the noise, and their derivatives.
 
-        `width` is the relative step of the finite differences, which only sampled circuits use.
+        `width` is the relative step of the finite differences, which are used only for circuits with sampled
+        controllers.
         """
         residual = self.residual(x)
         return residual, self._weighted_slopes(x, width)[:, :-1]
@@ -194,12 +196,12 @@ class FitObjective:
         columns, residual = self._weighted_slopes(x, width), self.residual(x)
         columns[:, -1] = residual
         if loss == "linear":
-            triangle, force = condense(columns), residual
+            triangle, force = triangular_factor(columns), residual
         else:
             force, root = residual * weights_of(residual, loss), np.sqrt(curvatures_of(residual, loss))
             rows = columns * root[:, np.newaxis]
             rows[:, -1] = force / root
-            triangle = condense(rows)
+            triangle = triangular_factor(rows)
         return LocalModel(triangle[:, indices], triangle[:, -1], columns[:, indices], force)
 
     def _weighted_slopes(self, x: FloatArray, width: float) -> FloatArray:
@@ -231,10 +233,10 @@ class FitObjective:
         return self._slopes[1]
 
 
-def kick_rounds(settings: SearchSettings, experiments: Sequence[Experiment]) -> int:
-    """Return the maximum number of restarts of a search near its optimum.
+def count_restart_rounds(settings: SearchSettings, experiments: Sequence[Experiment]) -> int:
+    """Return the maximum number of rounds of restarts near the optimum of a search.
 
-    If the settings do not state it, it depends on the kind of circuit.
+    If the settings do not state it, it is 0 for circuits with sampled controllers, and `KICKS` for all others.
     """
     if settings.kicks is not None:
         return settings.kicks
@@ -313,11 +315,11 @@ def _leave_false_minimum(objective: FitObjective, x: FloatArray, settings: Searc
     The reason is a false minimum of a discharge near the isothermal or the adiabatic limit, where the residuals are not
     white. Conductance and wall conductance compensate each other there.
     """
-    max_rounds = kick_rounds(settings, objective.experiments)
+    max_rounds = count_restart_rounds(settings, objective.experiments)
     if max_rounds == 0:
         return x
     start = np.array([objective.fixed.get(f.name, f.start) for f in objective.free])
-    cost, is_white = objective.cost(x), not _is_suspicious(objective, x)
+    cost, is_white = objective.cost(x), not _has_coloured_residuals(objective, x)
     for _ in range(max_rounds):
         previous_cost = cost
         # Each restart point differs in one parameter.
@@ -330,7 +332,7 @@ def _leave_false_minimum(objective: FitObjective, x: FloatArray, settings: Searc
         for point in [] if is_white else points:
             optimum, other_cost = _search_locally(objective, point, settings)
             if other_cost < cost * (1.0 - 1e-6):
-                x, cost, is_white = optimum, other_cost, not _is_suspicious(objective, optimum)
+                x, cost, is_white = optimum, other_cost, not _has_coloured_residuals(objective, optimum)
             if is_white:
                 break
         if cost > 0.999 * previous_cost:
@@ -338,7 +340,7 @@ def _leave_false_minimum(objective: FitObjective, x: FloatArray, settings: Searc
     return x
 
 
-def _is_suspicious(objective: FitObjective, x: FloatArray) -> bool:
+def _has_coloured_residuals(objective: FitObjective, x: FloatArray) -> bool:
     """Return True if the residuals of any channel at the point `x` are not white noise."""
     residual = objective.residual(x)
     return any(whiteness(residual[fitted.rows]) < SUSPICIOUS for fitted in objective.channels)
@@ -368,7 +370,7 @@ def _search_downhill(
 ) -> tuple[FloatArray, float]:
     """Return the end point of one local search from `x`, and its cost.
 
-    `width` is the relative step of finite differences, which only sampled circuits use.
+    `width` is the relative step of finite differences, which are used only for circuits with sampled controllers.
     """
     indices = objective.searched_indices()
     if indices.size == 0:
@@ -389,7 +391,7 @@ def _search_downhill(
     def look(searched_values: FloatArray) -> LocalModel:
         nonlocal joined
         full = whole(searched_values)
-        joined = next((optimum for optimum in objective.joinable if optimum.holds(full, objective.cost(full))), None)
+        joined = next((optimum for optimum in objective.joinable if optimum.contains(full, objective.cost(full))), None)
         if joined is not None:
             raise _JoinedError
         return objective.local_model(full, width, settings.loss, searched)

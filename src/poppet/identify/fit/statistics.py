@@ -14,7 +14,7 @@ from poppet.identify.fit.residuals import Staircase, correlation_time, weights_o
 from poppet.identify.fit.search import Optimum
 from poppet.identify.free_parameter import FreeParameter
 from poppet.identify.gum import corrected_penalty, correlations, coverage_factor
-from poppet.identify.result import CONFIDENCE, Estimate, ResidualSummary, Verdict, judged
+from poppet.identify.result import CONFIDENCE, Estimate, ResidualSummary, Verdict, verdict_on_interval
 from poppet.timeseries.checks import FloatArray
 from poppet.timeseries.measurements import Channel
 
@@ -163,30 +163,32 @@ class ErrorModel:
         self._square = max(1.0, float(np.mean(residual**2)))
         offsets = [self._offset(k, residual) for k in range(len(self.rows))]
         self.offsets = [offset for offset in offsets if offset is not None]
-        self._misfit, self._reaches = self._by_leverage(residual)
+        self._misfit, self._reaches = self._correct_for_leverage(residual)
 
-    def deviation(self, pull: FloatArray, *, offsets: Sequence[SensorOffset] | None = None) -> float:
+    def deviation(self, weights: FloatArray, *, offsets: Sequence[SensorOffset] | None = None) -> float:
         """Return the standard deviation of a weighted sum of the samples.
 
-        `pull` contains the weights, per standard deviation of the noise. `offsets` contains the sensor offsets that are
-        included; by default, all detected ones.
+        The samples are divided by their noise. `offsets` contains the sensor offsets that are included; by default, all
+        detected ones.
         """
-        if not np.all(np.isfinite(pull)):
+        if not np.all(np.isfinite(weights)):
             return float("inf")
         spread = max(
-            self.variance_factor * float(pull @ pull), self._local_variance(pull), self._rounding_variance(pull)
+            self.variance_factor * float(weights @ weights),
+            self._local_variance(weights),
+            self._rounding_variance(weights),
         )
         included = self.offsets if offsets is None else offsets
-        shifts = sum(float(np.sum(pull[o.rows])) ** 2 * (o.size**2 + o.error**2) for o in included)
+        shifts = sum(float(np.sum(weights[o.rows])) ** 2 * (o.size**2 + o.error**2) for o in included)
         return float(np.sqrt(spread + shifts))
 
-    def factor(self, pull: FloatArray) -> float:
+    def factor(self, weights: FloatArray) -> float:
         """Return the ratio of the variance of a weighted sum of the samples to its value for white noise.
 
-        `pull` contains the weights, per standard deviation of the noise.
+        The samples are divided by their noise.
         """
-        white_deviation = float(np.sqrt(pull @ pull)) if np.all(np.isfinite(pull)) else 0.0
-        return (self.deviation(pull) / white_deviation) ** 2 if white_deviation > 0.0 else self.variance_factor
+        white_deviation = float(np.sqrt(weights @ weights)) if np.all(np.isfinite(weights)) else 0.0
+        return (self.deviation(weights) / white_deviation) ** 2 if white_deviation > 0.0 else self.variance_factor
 
     def model_deviation(self) -> FloatArray:
         """Return the standard deviation of the model at each sample, in units of the noise.
@@ -210,31 +212,31 @@ class ErrorModel:
             variance += (basis @ basis[o.rows].sum(axis=0)) ** 2 * (o.size**2 + o.error**2)
         return np.asarray(np.sqrt(variance))
 
-    def is_local(self, pull: FloatArray, factor: float) -> bool:
+    def is_local(self, weights: FloatArray, factor: float) -> bool:
         """Return True if few samples with a large lack of fit dominate the variance of a weighted sum.
 
-        `pull` contains the weights of the samples. The variance from the lack of fit of each sample must exceed
+        `weights` are those of the samples in the sum. The variance from the lack of fit of each sample must exceed
         `factor` squared times that from the mean lack of fit.
         """
-        if not np.all(np.isfinite(pull)):
+        if not np.all(np.isfinite(weights)):
             return False
-        return self._local_variance(pull) > factor**2 * self.variance_factor * float(pull @ pull)
+        return self._local_variance(weights) > factor**2 * self.variance_factor * float(weights @ weights)
 
-    def _local_variance(self, pull: FloatArray) -> float:
-        return _correlated_variance(pull * self._misfit, self.rows, self._reaches)
+    def _local_variance(self, weights: FloatArray) -> float:
+        return _correlated_variance(weights * self._misfit, self.rows, self._reaches)
 
-    def _rounding_variance(self, pull: FloatArray) -> float:
+    def _rounding_variance(self, weights: FloatArray) -> float:
         """Return the variance of a weighted sum of the samples, with correlated rounding errors of coarse sensors.
 
-        `pull` contains the weights of the samples. The result is 0 if no sensor is coarse.
+        `weights` are those of the samples. The result is 0 if no sensor is coarse.
         """
         pairs = [(gauge.steps, rows) for gauge, rows in zip(self._gauges, self.rows, strict=True) if gauge.steps]
         if not pairs:
             return 0.0
-        excess = sum(steps.excess(pull[rows]) for steps, rows in pairs)
-        return self._square * float(pull @ pull) + excess
+        excess = sum(steps.excess(weights[rows]) for steps, rows in pairs)
+        return self._square * float(weights @ weights) + excess
 
-    def _by_leverage(self, residual: FloatArray) -> tuple[FloatArray, list[int]]:
+    def _correct_for_leverage(self, residual: FloatArray) -> tuple[FloatArray, list[int]]:
         """Return residuals divided by sqrt(1 - leverage), and the correlation length of each channel in samples."""
         misfit = residual / np.sqrt(1.0 - self._leverage)
         misfit[self._priors] = 1.0
@@ -264,12 +266,16 @@ class ErrorModel:
             return None
         size = -float(constant @ residual) / remaining
         left = residual + size * constant
-        misfit, reaches = self._by_leverage(left)
-        pull, piece = constant / remaining, left[rows]
-        independent = max(1.0, float(np.mean(piece**2))) * float(pull @ pull)
+        misfit, reaches = self._correct_for_leverage(left)
+        weights, piece = constant / remaining, left[rows]
+        independent = max(1.0, float(np.mean(piece**2))) * float(weights @ weights)
         error = float(
             np.sqrt(
-                max(independent, _correlated_variance(pull * misfit, self.rows, reaches), self._rounding_variance(pull))
+                max(
+                    independent,
+                    _correlated_variance(weights * misfit, self.rows, reaches),
+                    self._rounding_variance(weights),
+                )
             )
         )
         freedom = max(1.0, piece.size / correlation_time(piece) - 1.0)
@@ -280,17 +286,18 @@ class ErrorModel:
         return SensorOffset(channel, rows, bias, bounded, min(error, largest), bounded == size)
 
 
-def _correlated_variance(moves: FloatArray, channels: Sequence[slice], reaches: Sequence[int]) -> float:
-    """Return the variance of a sum whose terms are correlated within each channel.
+def _correlated_variance(terms: FloatArray, channels: Sequence[slice], lengths: Sequence[int]) -> float:
+    """Return the variance of a sum of samples that are correlated within each channel.
 
-    `moves` contains the terms, and `reaches` the correlation length of each channel in samples.
+    `terms` contains the terms of the sum, `channels` the slice of each channel in them, and `lengths` the correlation
+    length of each channel in samples.
     """
-    independent = float(moves @ moves)
+    independent = float(terms @ terms)
     correlated = independent
-    for rows, reach in zip(channels, reaches, strict=True):
-        piece = moves[rows]
-        for lag in range(1, reach + 1):
-            correlated += 2.0 * (1.0 - lag / (reach + 1.0)) * float(piece[lag:] @ piece[:-lag])
+    for rows, length in zip(channels, lengths, strict=True):
+        piece = terms[rows]
+        for lag in range(1, length + 1):
+            correlated += 2.0 * (1.0 - lag / (length + 1.0)) * float(piece[lag:] @ piece[:-lag])
     # An alternating lack of fit would give a smaller variance than independent terms: do not use that.
     return max(independent, correlated)
 
@@ -304,8 +311,8 @@ def estimates(free: Sequence[FreeParameter], optimum: Optimum, spread: ErrorMode
     An estimate contains the 95 % confidence interval and the verdict. `spread` is the error model of the fit.
     """
     quantile, result = _quantile(optimum), {}
-    for f, x, pull, active in zip(free, optimum.x, spread.influences, optimum.active, strict=True):
-        value, error = float(x), spread.deviation(pull)
+    for f, x, weights, active in zip(free, optimum.x, spread.influences, optimum.active, strict=True):
+        value, error = float(x), spread.deviation(weights)
         half = quantile * error
         low, high = max(f.low, value - half), min(f.high, value + half)
         level = "at bound" if active else verdict(f, value, half)
@@ -325,7 +332,7 @@ def verdict(f: FreeParameter, value: float, half: float) -> Verdict:
     """
     span = f.high - f.low
     is_ratio = (f.unit == "1" or f.role == "offset") and np.isfinite(span)
-    return judged(half, span, OF_RATIOS) if is_ratio else judged(half, abs(value))
+    return verdict_on_interval(half, span, OF_RATIOS) if is_ratio else verdict_on_interval(half, abs(value))
 
 
 def covariance(optimum: Optimum) -> FloatArray:
@@ -387,7 +394,10 @@ class ChannelFit(NamedTuple):
 
 
 def channel_fits(experiments: Sequence[Experiment], values: Mapping[str, float]) -> list[ChannelFit]:
-    """Return the measured and simulated channels for given parameter values."""
+    """Return the recorded and simulated channels of all recordings for given parameter values.
+
+    `values` maps the names of the free parameters to their values.
+    """
     return [
         ChannelFit(f"{e.name}.{channel.address}", channel, model)
         for e in experiments

@@ -84,7 +84,15 @@ def findings(
     for size, effect in fit.model.common_errors(fit.x):
         if abs(size) > 2.0:
             yield Note("flow.error_needed", size=size, source=effect.source)
-    yield from _point_notes(*_fit_of_points(fit, influence, alternative))
+    tested, influence_on_tested = fit, influence
+    if alternative is not None:
+        # Test single points with the better law, unless an error of one point explains the residuals better. Both
+        # explanations have one more free parameter than the law.
+        better, left = alternative[1], 1.0 - np.einsum("ij,ji->i", fit.jacobian, fit.gain[0])
+        squares = fit.residuals**2 / np.where(left > 1e-9, left, np.inf)
+        if not fit.chi_square - float(np.max(squares[: len(points)])) < _chi_square(better, fit.sigma):
+            tested, influence_on_tested = better, influence_of(better)
+    yield from _point_notes(tested, influence_on_tested)
     lowest = float(np.min(points.pressure_2))
     is_suspicious = lowest < BELOW_ATMOSPHERE and not points.is_absolute
     shifted_fit = _fit_shifted(fit, ATMOSPHERE) if is_suspicious else None
@@ -110,7 +118,7 @@ def uncalibrated(points: FlowPoints, names: Iterable[str]) -> tuple[list[str], l
     return [channel for channel in CHANNELS if any(channel in by_name[name] for name in affected)], affected
 
 
-def weakened(estimates: Mapping[str, Estimate], remarks: Iterable[Note]) -> dict[str, Estimate]:
+def limit_verdicts(estimates: Mapping[str, Estimate], remarks: Iterable[Note]) -> dict[str, Estimate]:
     """Return estimates whose verdict `determined` is reduced to `weak` if a finding requires it."""
     limited: set[str] = set()
     for note in remarks:
@@ -129,7 +137,7 @@ LIMITING = ("flow.residuals_too_large", "flow.below_atmosphere", "flow.unusual_t
 def suspicions(
     fit: FlowFit, estimates: Mapping[str, Estimate], tests: Mapping[str, Any], alternative: tuple[str, FlowFit] | None
 ) -> Iterator[Note]:
-    """Yield findings that cast doubt on all estimates.
+    """Yield findings that cast doubt on all estimates of a flow bench.
 
     They concern wrong units, or an unsuitable flow law.
     """
@@ -228,24 +236,6 @@ def _chi_square(fit: FlowFit, sigma: FloatArray) -> float:
     """Return chi-square of a fit if the points have the standard deviations `sigma` [kg/s]."""
     residuals = fit.model.residuals(fit.x, sigma)
     return float(residuals @ residuals)
-
-
-def _fit_of_points(
-    fit: FlowFit, influence: Mapping[str, list[float]], alternative: tuple[str, FlowFit] | None
-) -> tuple[FlowFit, Mapping[str, list[float]]]:
-    """Return the fit with which single points are tested, and the influence of each point.
-
-    It is the fit of the better law `alternative`, unless an error of one single point explains the residuals better
-    than this law. `influence` is the influence of each point on `fit`.
-    """
-    if alternative is None:
-        return fit, influence
-    better, left = alternative[1], 1.0 - np.einsum("ij,ji->i", fit.jacobian, fit.gain[0])
-    squares = fit.residuals**2 / np.where(left > 1e-9, left, np.inf)
-    # Both explanations have one more free parameter than the law.
-    if fit.chi_square - float(np.max(squares[: len(fit.model.points)])) < _chi_square(better, fit.sigma):
-        return fit, influence
-    return better, influence_of(better)
 
 
 def influence_of(fit: FlowFit) -> dict[str, list[float]]:

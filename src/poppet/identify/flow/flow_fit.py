@@ -14,6 +14,7 @@ from functools import cached_property
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from poppet.core.errors import InputError
 from poppet.identify.flow.points import CHANNELS, Effect, FlowPoints
@@ -24,7 +25,7 @@ from poppet.identify.gum import (
     effective_degrees_of_freedom,
     gain,
 )
-from poppet.identify.result import VERDICTS, Estimate, Verdict, judged
+from poppet.identify.result import VERDICTS, Estimate, Verdict, verdict_on_interval
 from poppet.laws.iso6358 import mass_flow_rate
 from poppet.timeseries.checks import FloatArray
 
@@ -150,7 +151,7 @@ class FlowModel:
         return np.asarray(reading)
 
     def variances(self, x: FloatArray, extra: float = 0.0, inflation: float = 1.0) -> dict[str, FloatArray]:
-        """Return the variance of the flow at each point that each instrument causes [kg^2/s^2].
+        """Return the variance of the flow at each point that each instrument causes, by source [kg^2/s^2].
 
         `extra` is a variance that is added to each point, and `inflation` a factor on the stated standard deviations.
         """
@@ -247,7 +248,7 @@ class FlowFit:
         return len(self.model.points) - len(self.model.free)
 
     @property
-    def stated(self) -> float:
+    def stated_probability(self) -> float:
         """Probability of a larger chi-square, if the stated uncertainties are correct.
 
         It is NaN if no uncertainties are stated.
@@ -260,7 +261,7 @@ class FlowFit:
 
         It is 1 if they do not exceed it, or if no scatter is stated.
         """
-        is_large = self.scatter_is_known and self.stated < SCATTERED
+        is_large = self.scatter_is_known and self.stated_probability < SCATTERED
         return math.sqrt(max(1.0, self.chi_square / self.degrees_of_freedom)) if is_large else 1.0
 
     @property
@@ -289,7 +290,7 @@ class FlowFit:
         return self.model.jacobian(self.x, self.sigma)
 
     @cached_property
-    def gain(self) -> tuple[FloatArray, Any]:
+    def gain(self) -> tuple[FloatArray, NDArray[np.bool_]]:
         """Derivatives of the estimates by the weighted residuals, and a mask of the determined parameters."""
         return gain(self.jacobian)
 
@@ -343,7 +344,7 @@ def fit_flow(model: FlowModel) -> FlowFit:
         return _iterate_weights(model, x, adapt="extra", extra=float(np.mean(misfit**2)))
     fit = _iterate_weights(model, x)
     fit = replace(fit, stated_chi_square=fit.chi_square)
-    if not fit.stated < DOUBT:  # NaN: there are no degrees of freedom
+    if not fit.stated_probability < DOUBT:  # NaN: there are no degrees of freedom
         return fit
     birge = math.sqrt(fit.chi_square / fit.degrees_of_freedom)
     wider = _iterate_weights(model, fit.x, adapt="inflation", inflation=birge)
@@ -429,7 +430,7 @@ def start_point(model: FlowModel) -> FloatArray:
 def _unit_flow(points: FlowPoints, **law: Any) -> FloatArray:
     """Return the flow at all points for a sonic conductance C of 1.
 
-    If the parameters of the law are columns, the result has one row for each set of parameters.
+    `law` contains the other parameters of the flow law. If they are columns, the result has one row for each set.
     """
     readings = (getattr(points, channel) for channel in CHANNELS if channel != "mass_flow_rate")
     return np.asarray(mass_flow_rate(*readings, sonic_conductance=1.0, **law))
@@ -452,7 +453,7 @@ def fit_all_choked(fit: FlowFit) -> FlowFit | None:
 
 
 def law_estimates(fit: FlowFit) -> dict[str, Estimate]:
-    """Return the estimates of the free parameters, with 95 % confidence intervals."""
+    """Return the estimates of the free parameters of the flow law by name, with 95 % confidence intervals."""
     low, high = fit.model.bounds
     start_values = start_point(fit.model) * fit.model.scales
     estimates = {}
@@ -470,13 +471,13 @@ def law_estimates(fit: FlowFit) -> dict[str, Estimate]:
             error,
             max(value - half, bounds[0]),
             min(value + half, bounds[1] if name != "critical_ratio" else 1.0),
-            _verdict_on_interval(name, value, half, at_bound, scale),
+            _law_verdict(name, value, half, at_bound, scale),
             float(start_values[k]),
         )
     return estimates
 
 
-def _verdict_on_interval(name: str, value: float, half: float, at_bound: bool, scale: float) -> Verdict:
+def _law_verdict(name: str, value: float, half: float, at_bound: bool, scale: float) -> Verdict:
     """Return the verdict on an estimate of the flow law, such as `determined`.
 
     `half` is half the width of the interval. It is compared with C itself, with 1 for b and m, and with at least a
@@ -485,13 +486,13 @@ def _verdict_on_interval(name: str, value: float, half: float, at_bound: bool, s
     if at_bound:
         return "at bound"
     size = {"sonic_conductance": value, "cracking_pressure": max(value, 0.1 * scale)}.get(name, 1.0)
-    return judged(half, size)
+    return verdict_on_interval(half, size)
 
 
 def choked_estimates(fit: FlowFit, choked: FlowFit) -> dict[str, Estimate]:
-    """Return the estimates if the flow may be choked at all points.
+    """Return the estimates of a flow law if all points may be choked.
 
-    C then has a range, and b only a lower limit.
+    `choked` is the fit under this assumption. C then has a range, and b only a lower limit.
     """
     points = choked.model.points
     ratios = np.linspace(0.0, 0.99, 199)
@@ -506,7 +507,7 @@ def choked_estimates(fit: FlowFit, choked: FlowFit) -> dict[str, Estimate]:
     low = min(float(np.min(conductance[possible])), narrow.value) - half
     high = max(float(np.max(conductance[possible])), narrow.value) + half
     widest = max(high - narrow.value, narrow.value - low)
-    verdict = _verdict_on_interval("sonic_conductance", narrow.value, widest, False, 1.0)
+    verdict = _law_verdict("sonic_conductance", narrow.value, widest, False, 1.0)
     estimates = {"sonic_conductance": replace(narrow, low=low, high=high, verdict=verdict)}
     lowest = {"critical_ratio": float(np.min(ratios[possible]))}
     highest = {"critical_ratio": 1.0, "subsonic_index": 3.0, "cracking_pressure": float(np.max(points.pressure_1))}
@@ -549,6 +550,6 @@ def widen_estimates(estimates: Mapping[str, Estimate], other_estimates: Mapping[
     widened = {}
     for name, e in estimates.items():
         low, high = min(e.low, other_estimates[name].low), max(e.high, other_estimates[name].high)
-        verdict = _verdict_on_interval(name, e.value, max(high - e.value, e.value - low), e.verdict == "at bound", 1.0)
+        verdict = _law_verdict(name, e.value, max(high - e.value, e.value - low), e.verdict == "at bound", 1.0)
         widened[name] = replace(e, low=low, high=high, verdict=max(verdict, e.verdict, key=VERDICTS.index))
     return widened

@@ -6,7 +6,7 @@ import math
 from collections.abc import Mapping
 from dataclasses import dataclass
 from itertools import chain
-from typing import Any, Literal
+from typing import Literal, TypeVar
 
 import numpy as np
 
@@ -17,9 +17,10 @@ PLATEAU = 0.005
 """Largest relative deviation below the mean of the saturated points at which a point is saturated."""
 
 Free = Literal["free"]
+Values = TypeVar("Values", float, FloatArray)
 
 
-def conductance_uncertainty(u_flow: Any, u_pressure: Any, u_temperature: Any) -> Any:
+def conductance_uncertainty(u_flow: Values, u_pressure: Values | float, u_temperature: Values | float) -> Values:
     r"""Return the relative standard uncertainty of C from the readings of one choked point.
 
     The arguments are the relative standard uncertainties of flow, pressure and temperature: u_q, u_p and u_T.
@@ -35,12 +36,17 @@ def conductance_uncertainty(u_flow: Any, u_pressure: Any, u_temperature: Any) ->
     >>> print(round(conductance_uncertainty(0.01, 0.002, 0.004), 5))
     0.01039
     """
-    return np.sqrt(u_flow**2 + u_pressure**2 + (0.5 * u_temperature) ** 2)
+    uncertainty: Values = np.sqrt(u_flow**2 + u_pressure**2 + (0.5 * u_temperature) ** 2)
+    return uncertainty
 
 
 def critical_ratio_uncertainty(
-    pressure_ratio: Any, flow_ratio: Any, u_pressure_ratio: Any, u_flow_ratio: Any, subsonic_index: Any = 0.5
-) -> Any:
+    pressure_ratio: Values,
+    flow_ratio: Values,
+    u_pressure_ratio: Values | float,
+    u_flow_ratio: Values | float,
+    subsonic_index: float = 0.5,
+) -> Values:
     r"""Return the standard uncertainty of b from the readings of one subsonic point.
 
     r is the pressure ratio p2/p1, phi is the flow relative to choked flow, and u_r and u_phi are their standard
@@ -65,7 +71,8 @@ def critical_ratio_uncertainty(
     s = np.sqrt(1.0 - flow_ratio ** (1.0 / subsonic_index))
     by_flow = flow_ratio ** (1.0 / subsonic_index - 1.0) / (2.0 * subsonic_index * s)
     from_flow = (1.0 - pressure_ratio) / (1.0 - s) ** 2 * by_flow * u_flow_ratio
-    return np.hypot(u_pressure_ratio / (1.0 - s), from_flow)
+    uncertainty: Values = np.hypot(u_pressure_ratio / (1.0 - s), from_flow)
+    return uncertainty
 
 
 @dataclass(frozen=True)

@@ -81,7 +81,7 @@ class Bristles:
 def fit_bristles(
     motions: Sequence[RecordedMotion], values: Mapping[str, float], offsets: Mapping[int, float], distance: float
 ) -> Bristles | None:
-    """Fit stiffness and damping of the bristles to the friction after reversals.
+    """Fit stiffness and damping of the bristles in the LuGre friction model to the friction after reversals.
 
     `motions` contains the recordings. The fit uses the samples up to `distance` after a reversal; beyond it the body
     slides. `values` contains the parameters of steady sliding by name. `offsets` contains the force offset of each
@@ -143,7 +143,7 @@ def fit_bristles(
 def usable_reversals(
     motions: Sequence[RecordedMotion], values: Mapping[str, float], offsets: Mapping[int, float], distance: float
 ) -> list[ReversalData]:
-    """Return the reversals at which the deflection of the bristles is known, with their samples.
+    """Return the reversals at which the deflection of the bristles of the LuGre model is known, with their samples.
 
     It is known after a long stroke, and after a short stroke that follows a usable reversal. The samples must resolve
     its change.
@@ -164,7 +164,7 @@ def usable_reversals(
 
 @dataclass(frozen=True, eq=False)
 class ReversalData:
-    """Samples after one reversal of the motion, for the fit of bristles.
+    """Samples after one reversal of the motion, for the fit of bristles in the LuGre friction model.
 
     The arrays have the shape (n,).
     """

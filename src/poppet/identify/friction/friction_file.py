@@ -181,7 +181,7 @@ def _has_valid_unit(errors: ErrorCollector, channel: str, unit: str, coordinate:
     """
     opposite = coordinate.opposite
     with suppress(InputError):  # `read_column` reports an unknown unit
-        if channel in ("position", "velocity", coordinate.effort) and opposite.is_of(
+        if channel in ("position", "velocity", coordinate.effort) and opposite.accepts_unit(
             unit, opposite.effort if channel == coordinate.effort else channel
         ):
             errors.add("friction.mixture", channel, unit=unit, effort=coordinate.effort)

@@ -31,7 +31,7 @@ from poppet.identify.friction.motion import (
     rows_of_table,
     stack_rows,
 )
-from poppet.identify.friction.pressure_terms import term_statistic
+from poppet.identify.friction.pressure_terms import pressure_significance
 from poppet.identify.friction.records import (
     COULOMB,
     SEAL,
@@ -42,7 +42,7 @@ from poppet.identify.friction.records import (
     Coordinate,
     FrictionRecord,
 )
-from poppet.identify.gum import ClusterCovariance, clustered, coverage_factor
+from poppet.identify.gum import ClusterCovariance, cluster_covariance, coverage_factor
 from poppet.timeseries.checks import FloatArray
 
 _SEARCHED = 40
@@ -76,7 +76,7 @@ class FrictionLaw:
 
     @property
     def names(self) -> list[str]:
-        """Names of the parameters, the Stribeck velocity last."""
+        """Names of the parameters of the friction law, the Stribeck velocity last."""
         flags = (True, self.is_falling, self.is_viscous, self.has_pressure, self.grows, self.is_falling)
         names = COULOMB, STATIC, VISCOUS, SEAL, SEAL_EXCESS, STRIBECK
         return [name for name, is_in in zip(names, flags, strict=True) if is_in]
@@ -188,7 +188,7 @@ class LawSolution:
             linear[1] -= linear[0]  # excess of the static force
         return np.asarray(self.design(rows) @ linear)
 
-    def zero(self, rows: SlidingRows) -> FloatArray:
+    def force_offset(self, rows: SlidingRows) -> FloatArray:
         """Return the fitted offset of the force sensor at each sample, (n,) [N]."""
         return np.array([self.offsets.get(int(k), 0.0) for k in rows.record])
 
@@ -198,7 +198,7 @@ class LawSolution:
         `unknown` contains the indices of recordings with free offsets. If the solution has no offset for such a
         recording, its mean residual is subtracted.
         """
-        errors = self.friction(rows) + self.zero(rows) - rows.friction
+        errors = self.friction(rows) + self.force_offset(rows) - rows.friction
         for k in unknown:
             is_record = rows.record == k
             if k not in self.offsets and is_record.any():
@@ -207,10 +207,10 @@ class LawSolution:
 
 
 def _solve_linear(rows: SlidingRows, law: FrictionLaw, velocity: float, offsets: Sequence[int]) -> LawSolution | None:
-    """Fit the linear parameters of a law for a given Stribeck velocity.
+    """Fit the linear parameters of a friction law for the Stribeck velocity `velocity`.
 
-    No parameter is negative, except the dependence of the Stribeck excess on the pressure. The result is None if the
-    samples do not determine the parameters.
+    No parameter is negative, except the dependence of the Stribeck excess (static minus Coulomb friction) on the
+    pressure. The result is None if the samples do not determine the parameters.
     """
     matrix = _design_matrix(rows, law, velocity, offsets)
     weighted = matrix * rows.weight[:, None]
@@ -290,7 +290,7 @@ class FrictionLawFit:
 
     @property
     def values(self) -> Mapping[str, float]:
-        """Mapping from the name of each parameter to its fitted value."""
+        """Mapping from the name of each parameter of the friction law to its fitted value."""
         return self.solution.values
 
     @cached_property
@@ -312,7 +312,7 @@ class FrictionLawFit:
             covariance = float(errors @ errors) / freedom * np.linalg.inv(table.T @ table)
             return ClusterCovariance(covariance, np.full(len(values), float(freedom)))
         root = np.sqrt(rows.weight)
-        return clustered(self.jacobian * root[:, None], self.errors * root, self.data.group, len(values))
+        return cluster_covariance(self.jacobian * root[:, None], self.errors * root, self.data.group, len(values))
 
     @cached_property
     def jacobian(self) -> FloatArray:
@@ -329,7 +329,7 @@ class FrictionLawFit:
         return columns
 
     @property
-    def growth(self) -> float:
+    def excess_significance(self) -> float:
         """Significance of a dependence of the Stribeck excess on the pressure.
 
         The Stribeck excess is static minus Coulomb friction. The value is the dependence divided by the half width of
@@ -340,7 +340,7 @@ class FrictionLawFit:
         return self._pressure_statistic(self._falling, self.data.rows.velocity)
 
     @property
-    def pressure_speed(self) -> float:
+    def viscous_significance(self) -> float:
         """Significance of a viscous coefficient that depends on the pressure.
 
         The value is the dependence divided by the half width of its 99 % interval.
@@ -354,15 +354,15 @@ class FrictionLawFit:
         return np.asarray(rows.sign * np.exp(-((rows.velocity / self.values[STRIBECK]) ** 2)))
 
     def _pressure_statistic(self, column: FloatArray, *nuisances: FloatArray) -> float:
-        return term_statistic(self.data.rows, self.jacobian, column, nuisances, self.data.group)
+        return pressure_significance(self.data.rows, self.jacobian, column, nuisances, self.data.group)
 
     @cached_property
-    def together(self) -> float:
+    def residual_correlation_time(self) -> float:
         """Correlation time of the residuals, in samples; 1 for a table."""
         return correlation_time(self.errors) if self.data.axis != "point" else 1.0
 
     @cached_property
-    def allowed(self) -> list[LawSolution]:
+    def equivalent_solutions(self) -> list[LawSolution]:
         """Fits at other Stribeck velocities that are not significantly worse.
 
         The effective number of samples in this test is their number divided by the correlation time of the residuals.
@@ -370,7 +370,7 @@ class FrictionLawFit:
         rows, law = self.data.rows, self.solution.law
         if not law.is_falling:
             return []
-        freedom = max(len(rows) / self.together - len(self.values), 1.0)
+        freedom = max(len(rows) / self.residual_correlation_time - len(self.values), 1.0)
         limit = self.solution.cost * (1.0 + coverage_factor(freedom) ** 2 / freedom)
         offsets = [*self.solution.offsets]
         solutions = [_solve_linear(rows, law, math.exp(x), offsets) for x in search_grid(rows)]
@@ -383,8 +383,8 @@ class FrictionLawFit:
         half = coverage_factor(float(self.spread.freedom[index])) * error if math.isfinite(error) else math.inf
         value = self.values[name]
         low, high = value - half, value + half
-        if self.allowed and name in (STRIBECK, STATIC, COULOMB):
-            ends = [solution.values[name] for solution in self.allowed]
+        if self.equivalent_solutions and name in (STRIBECK, STATIC, COULOMB):
+            ends = [solution.values[name] for solution in self.equivalent_solutions]
             low, high = min(low, *ends), max(high, *ends)
             if name in (STRIBECK, STATIC) and self._is_open(0):
                 low, high = (0.0, high) if name == STRIBECK else (low, math.inf)
@@ -399,7 +399,7 @@ class FrictionLawFit:
         the upper end.
         """
         last = float(search_grid(self.data.rows)[end])
-        return any(abs(math.log(solution.values[STRIBECK]) - last) < 1e-9 for solution in self.allowed)
+        return any(abs(math.log(solution.values[STRIBECK]) - last) < 1e-9 for solution in self.equivalent_solutions)
 
 
 def count_speeds(rows: SlidingRows) -> int:
@@ -457,7 +457,7 @@ def is_better(fit: FrictionLawFit, reference: FrictionLawFit) -> bool:
     from scipy.special import fdtrc
 
     numbers = len(fit.values) + len(fit.solution.offsets)
-    freedom = max(len(rows) / fit.together - numbers, 1.0)
+    freedom = max(len(rows) / fit.residual_correlation_time - numbers, 1.0)
     n_additional = max(len(fit.values) - len(reference.values), 1)
     gain = (reference.solution.cost - fit.solution.cost) / n_additional
     return gain > negligible and bool(
@@ -523,7 +523,7 @@ class FrictionFits:
 
     @cached_property
     def mean_friction(self) -> float:
-        """Mean magnitude of the modelled friction, above 0 [N]."""
+        """Mean magnitude of the modelled friction over all samples, which is positive [N]."""
         return max(float(np.mean(np.abs(self.fit.solution.friction(self.data.rows)))), 1e-300)
 
     @property
@@ -540,9 +540,9 @@ class FrictionFits:
         return fit_bristles(self.motions, self.fit.values, self.fit.solution.offsets, self.distance)
 
     @cached_property
-    def misses_pressure_speed(self) -> bool:
+    def lacks_viscous_pressure_term(self) -> bool:
         """True if the residuals depend significantly on the product of pressure and speed."""
-        return SEAL in self.fit.values and abs(self.fit.pressure_speed) > 1.0
+        return SEAL in self.fit.values and abs(self.fit.viscous_significance) > 1.0
 
     @property
     def reversals(self) -> int:
@@ -613,28 +613,19 @@ def fit_records(
         raise InputError("friction.no_law", records[0].coordinate.effort, count=len(rows))
     is_offset_known = offset is not None or any(record.is_motion for record in records)
     analysis = FrictionFits(records, tuple(motions), data, distance, fits, law, is_offset_known)
-    analysis = _with_growing_laws(analysis, has_pressure)
+    # Laws whose Stribeck excess depends on the pressure: if the residuals show it, or if such a law is requested.
+    falling = [fit for fit in fits.values() if fit.solution.law.is_falling]
+    grows = bool(falling) and abs(falling[-1].excess_significance) > 1.0
+    if has_pressure and (grows or law in GROWING_LAWS):
+        growing = {name: fit for name, candidate in GROWING_LAWS.items() if (fit := fit_friction_law(data, candidate))}
+        analysis = replace(analysis, fits={**fits, **growing}, grows=grows and bool(growing))
     if law not in ("best", LUGRE, *analysis.fits):
         raise InputError("friction.law_not_told", "law", value=law)
     return analysis
 
 
-def _with_growing_laws(analysis: FrictionFits, has_pressure: bool) -> FrictionFits:
-    """Add fits of laws whose Stribeck excess (static minus Coulomb friction) depends on the pressure.
-
-    They are added if the residuals show this dependence or if the caller requests such a law. `has_pressure` is True if
-    the pressure varies between the samples.
-    """
-    falling = [fit for fit in analysis.fits.values() if fit.solution.law.is_falling]
-    grows = bool(falling) and abs(falling[-1].growth) > 1.0
-    if not has_pressure or not (grows or analysis.requested in GROWING_LAWS):
-        return analysis
-    fits = {name: fit for name, law in GROWING_LAWS.items() if (fit := fit_friction_law(analysis.data, law))}
-    return replace(analysis, fits={**analysis.fits, **fits}, grows=grows and bool(fits))
-
-
 def levels_of(analysis: FrictionFits) -> list[dict[str, Any]]:
-    """Return one table for each record, with measured and modelled mean friction."""
+    """Return one table for each record, with its pressure and the measured and modelled mean friction."""
     solution, levels = analysis.fit.solution, []
     for k, record in enumerate(analysis.records):
         rows = analysis.data.rows.of(analysis.data.rows.record == k)

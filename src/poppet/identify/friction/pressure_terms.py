@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from poppet.identify.friction.motion import SlidingRows
-from poppet.identify.gum import clustered, coverage_factor
+from poppet.identify.gum import cluster_covariance, coverage_factor
 from poppet.timeseries.checks import FloatArray
 
 CONFIDENCE = 0.99
@@ -22,7 +22,7 @@ FEWEST_CLUSTERS, FEWEST_RECORDS = 6, 3
 """Minimum numbers of strokes and of recordings for a test."""
 
 
-def term_statistic(
+def pressure_significance(
     rows: SlidingRows,
     law_columns: FloatArray,
     column: FloatArray,
@@ -65,7 +65,7 @@ def term_statistic(
     else:
         cluster = rows.stroke if np.unique(rows.stroke).size >= FEWEST_CLUSTERS else group
         size = float(np.linalg.norm(rest))
-        spread = clustered(np.column_stack([rest / size, basis]), errors, cluster, 1)
+        spread = cluster_covariance(np.column_stack([rest / size, basis]), errors, cluster, 1)
         half = coverage_factor(float(spread.freedom[0]), CONFIDENCE) * math.sqrt(float(spread.covariance[0, 0])) / size
     statistic = coefficient / half if half > 0.0 else math.copysign(math.inf, coefficient)
     if len(records) < FEWEST_RECORDS:

@@ -59,7 +59,7 @@ class Coordinate:
         units |= dict.fromkeys((VISCOUS, DAMPING), f"{effort} s/{length}")
         return units.get(number, effort)
 
-    def is_of(self, unit: str, quantity: str) -> bool:
+    def accepts_unit(self, unit: str, quantity: str) -> bool:
         """Return True if a unit is valid for a quantity of this kind of motion.
 
         The quantity is `position`, `velocity`, or the name of the force or torque.

@@ -15,7 +15,7 @@ from poppet.identify.data_file import or_file
 from poppet.identify.gum import correlations, coverage_factor
 from poppet.identify.muscle.muscle_file import MusclePoints, levels, read_muscle_file
 from poppet.identify.muscle.muscle_fit import CANDIDATES, HYSTERESIS, ForceLawFit, error_at, fit_force_law, rms
-from poppet.identify.result import Estimate, ResidualSummary, Result, judged
+from poppet.identify.result import Estimate, ResidualSummary, Result, verdict_on_interval
 
 ALIKE = 1.2
 """Ratio of validation errors below which two laws are not distinguishable."""
@@ -143,7 +143,7 @@ def _estimates(fit: ForceLawFit, *, is_doubted: bool) -> dict[str, Estimate]:
     estimates = {}
     for (name, value), error in zip(fit.values.items(), np.sqrt(np.diag(fit.covariance)), strict=True):
         half = factor * float(error)
-        verdict = "at bound" if fit.is_at_bound(name) else judged(half, abs(value))
+        verdict = "at bound" if fit.is_at_bound(name) else verdict_on_interval(half, abs(value))
         if is_doubted and verdict == "determined":
             verdict = "weak"
         estimates[name] = Estimate(value, units[name], float(error), value - half, value + half, verdict)

@@ -155,7 +155,7 @@ class MusclePoints:
         return "block", block
 
     @cached_property
-    def crossed(self) -> tuple[str, NDArray[np.int_]] | None:
+    def second_groups(self) -> tuple[str, NDArray[np.int_]] | None:
         """Second kind of groups for validation: levels of the other axis of a force map.
 
         If `groups` are levels of pressure, these are levels of contraction, and vice versa. The value contains the name

@@ -12,7 +12,7 @@ from abc import ABC, abstractmethod
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import Any, ClassVar
+from typing import ClassVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -21,6 +21,8 @@ from poppet.identify.muscle.muscle_file import MusclePoints, levels
 from poppet.laws.physics.muscle import ChouHannaford, ForceLaw, ForceTable, Sarosi, TonduLopez
 from poppet.timeseries.checks import FloatArray
 
+Terms = tuple[float | FloatArray, list[FloatArray]]
+"""Fixed term of the force, and factors of the linear parameters."""
 HYSTERESIS = {"hysteresis.force": "N", "hysteresis.force_per_pressure": "N/Pa"}
 MOST_ROWS, ROWS = 12, 6
 """Maximum number of levels of contraction that become rows of a table, and number of rows for more levels."""
@@ -38,7 +40,7 @@ class ForceLawCandidate(ABC):
         self.diameter, self.length = points.nominal_diameter, points.nominal_length
 
     @abstractmethod
-    def columns(self, pressure: FloatArray, contraction: FloatArray, shape: float) -> tuple[Any, list[FloatArray]]:
+    def columns(self, pressure: FloatArray, contraction: FloatArray, shape: float) -> Terms:
         """Return the terms of the force at each point: a fixed term, and the factors of the linear parameters.
 
         The force is the fixed term plus the sum of factor times parameter. `shape` is the nonlinear parameter of the
@@ -70,7 +72,7 @@ class SarosiCandidate(ForceLawCandidate):
     name = "sarosi"
     shapes = (-300.0, -5.0)
 
-    def columns(self, pressure: FloatArray, contraction: FloatArray, shape: float) -> tuple[Any, list[FloatArray]]:
+    def columns(self, pressure: FloatArray, contraction: FloatArray, shape: float) -> Terms:
         fading = np.exp(shape * contraction)
         return 0.0, [pressure * fading, fading, pressure * contraction, pressure, np.ones_like(pressure)]
 
@@ -92,7 +94,7 @@ class BraidCandidate(ForceLawCandidate):
 
     name = "chou_hannaford"
 
-    def columns(self, pressure: FloatArray, contraction: FloatArray, shape: float) -> tuple[Any, list[FloatArray]]:
+    def columns(self, pressure: FloatArray, contraction: FloatArray, shape: float) -> Terms:
         drive = 0.25 * math.pi * self.diameter**2 * pressure
         factor = 3.0 * (1.0 - (shape if self.shapes else 1.0) * contraction) ** 2
         return -drive * factor, [drive * (factor - 1.0)]
@@ -143,7 +145,7 @@ class TableCandidate(ForceLawCandidate):
         else:
             self.rows = np.linspace(float(taut.min()), float(taut.max()), ROWS).tolist()
 
-    def columns(self, pressure: FloatArray, contraction: FloatArray, shape: float) -> tuple[Any, list[FloatArray]]:
+    def columns(self, pressure: FloatArray, contraction: FloatArray, shape: float) -> Terms:
         hats = [np.interp(contraction, self.rows, unit) for unit in np.eye(len(self.rows))]
         return 0.0, [pressure * hat for hat in hats] + hats
 
@@ -236,7 +238,7 @@ def fit_force_law(points: MusclePoints, name: str) -> ForceLawFit | None:
         return None
     held_out: dict[str, FloatArray] = {}
     without: list[list[float]] = []
-    for axis, group in filter(None, (points.groups, points.crossed)):
+    for axis, group in filter(None, (points.groups, points.second_groups)):
         errors = []
         for k in np.unique(group[taut & (group >= 0)]):
             withheld = taut & (group == k)

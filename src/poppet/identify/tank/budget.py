@@ -13,19 +13,29 @@ from poppet.core.codes import Note
 from poppet.core.errors import ErrorCollector, UnitError
 from poppet.core.tables import Field, read_fields
 from poppet.core.units import Kind
-from poppet.identify.fit.experiment import Experiment, channels_of
+from poppet.identify.fit.experiment import Experiment, FittedChannel, channels_of
 from poppet.identify.fit.fit_findings import parameter_notes, widening_of
 from poppet.identify.fit.fit_plan import FitPlan
 from poppet.identify.fit.search import FitObjective, Optimum
 from poppet.identify.fit.statistics import influences, verdict
 from poppet.identify.free_parameter import by_name
 from poppet.identify.gum import coverage_factor
-from poppet.identify.result import VERDICTS, Estimate, Result
-from poppet.identify.tank.tank_plan import COMMON_RATIO, PRESSURE, SUPPLY, TankRun, has_leak, is_free, plan_tank_fit
+from poppet.identify.result import VERDICTS, Result
+from poppet.identify.tank.tank_plan import (
+    COMMON_RATIO,
+    LEAK_ADDRESS,
+    NEARLY_TIGHT,
+    PRESSURE,
+    SUPPLY,
+    TankRun,
+    has_leak,
+    is_free,
+    plan_tank_fit,
+)
 from poppet.identify.tank.test import TankTest
 from poppet.timeseries.checks import FloatArray
 
-VOLUME, LEAK, LEAK_RATIO = "tank.volume", "leak.sonic_conductance", "leak.critical_ratio"
+VOLUME, LEAK_RATIO = "tank.volume", "leak.critical_ratio"
 FIELDS = dict.fromkeys(("volume", "supply_pressure", "leak", "gauge_scale", "gauge_zero"), Field())
 """Keys of the table `uncertainties` of a tank test."""
 DEFAULTS = {"volume": 0.005, "supply_pressure": 0.003, "leak": 0.015, "gauge_scale": 0.003}
@@ -161,7 +171,12 @@ def add_budget(
         # The offset is the correction of the readings, whatever its cause.
         if not is_finite or fitted.verdict == "at bound" or f.role == "offset":
             continue
-        sizes = _contributions(row @ errors, moments)
+        # Errors that are correlated given the data: a negative contribution reduces the others.
+        sensitivities = row @ errors
+        products = sensitivities * (moments @ sensitivities)
+        variances = np.maximum(products, 0.0)
+        total = float(np.sum(variances))
+        sizes = np.sqrt(variances * (max(0.0, float(np.sum(products))) / total)) if total > 0.0 else variances
         shares = dict.fromkeys((SOURCES[name] for name in changes), 0.0)
         for name, size in zip(changes, sizes, strict=True):
             shares[SOURCES[name]] = math.hypot(shares[SOURCES[name]], size)
@@ -169,10 +184,13 @@ def add_budget(
         if estimate.standard_error > fitted.standard_error:
             sources[AMBIENT] = math.sqrt(estimate.standard_error**2 - fitted.standard_error**2)
         budget[f.name] = {"sources": sources | shares}
-        wider = _widened_estimate(estimate, math.hypot(*shares.values()), f.low, f.high)
-        half = max(wider.high - wider.value, wider.value - wider.low)
-        joint = max(verdict(f, wider.value, half), estimate.verdict, key=VERDICTS.index)
-        parameters[f.name] = replace(wider, verdict=joint)
+        value, error = estimate.value, math.hypot(*shares.values())
+        half = coverage_factor(math.inf) * error
+        low = max(f.low, value - math.hypot(value - estimate.low, half))
+        high = min(f.high, value + math.hypot(estimate.high - value, half))
+        joint = max(verdict(f, value, max(high - value, value - low)), estimate.verdict, key=VERDICTS.index)
+        total_error = math.hypot(estimate.standard_error, error)
+        parameters[f.name] = replace(estimate, standard_error=total_error, low=low, high=high, verdict=joint)
     comparison = {**ambient.comparison, "uncertainty": budget}
     result = replace(ambient, parameters=parameters, comparison=comparison)
     if number not in budget:
@@ -193,7 +211,7 @@ def add_budget(
 
 
 def _stated_quantities(test: TankTest, runs: Sequence[TankRun]) -> set[str]:
-    """Return the names of the quantities with an uncertainty that are not free in the fit."""
+    """Return the names of the quantities with an uncertainty that the fit treats as known, such as the volume."""
     fitted_runs = [run for run in runs if run.use == "fit"]
     is_stated = {
         "volume": not any(is_free(run.volume) for run in fitted_runs),
@@ -217,21 +235,7 @@ def update_parameter_notes(plan: FitPlan, result: Result) -> Result:
     return replace(result, remarks=tuple(remarks))
 
 
-def _widened_estimate(estimate: Estimate, error: float, low: float, high: float) -> Estimate:
-    """Return an estimate with the additional standard uncertainty `error`.
-
-    The interval stays within the bounds `low` and `high`.
-    """
-    value, half = estimate.value, coverage_factor(math.inf) * error
-    return replace(
-        estimate,
-        standard_error=math.hypot(estimate.standard_error, error),
-        low=max(low, value - math.hypot(value - estimate.low, half)),
-        high=min(high, value + math.hypot(estimate.high - value, half)),
-    )
-
-
-def _gauges(plan: FitPlan) -> list[Any]:
+def _gauges(plan: FitPlan) -> list[FittedChannel]:
     return [fitted for fitted in channels_of(plan.experiments) if fitted.channel.address == PRESSURE]
 
 
@@ -265,18 +269,6 @@ def _local_model(plan: FitPlan, result: Result, errors: FloatArray) -> tuple[Flo
     covariance = np.linalg.inv(np.eye(errors.shape[1]) + visible.T @ visible / factor)
     mean = np.clip(-covariance @ (visible.T @ residual) / factor, -1.0, 1.0)
     return rows, covariance + np.outer(mean, mean)
-
-
-def _contributions(sensitivities: FloatArray, moments: FloatArray) -> FloatArray:
-    """Return the contribution of each error to the standard uncertainty of an estimate, (n_errors,).
-
-    `sensitivities` contains the change of the estimate by each error, and `moments` the second moments of the errors.
-    The errors can be correlated: a negative contribution reduces the others.
-    """
-    products = sensitivities * (moments @ sensitivities)
-    variances = np.maximum(products, 0.0)
-    total = float(np.sum(variances))
-    return np.sqrt(variances * (max(0.0, float(np.sum(products))) / total)) if total > 0.0 else variances
 
 
 def _residual_changes(
@@ -320,9 +312,11 @@ def _residual_changes(
     if uncertainties.leak > 0.0 and "leak" in stated:
         leaky = plan_tank_fit(replace(test, leak_conductance="free"), runs)
         parameters, number = plan.experiments[0].instance.parameters, f"{test.part}.sonic_conductance"
-        size = uncertainties.leak * values.get(number, parameters[number])
-        x = np.array([values.get(f.name, parameters.get(LEAK, 0.0)) for f in leaky.free])
-        index = [f.address for f in leaky.free].index(LEAK)
+        conductance = values.get(number, parameters[number])
+        size = uncertainties.leak * conductance
+        leak = max(parameters.get(LEAK_ADDRESS, 0.0), NEARLY_TIGHT * conductance)
+        x = np.array([values.get(f.name, leak) for f in leaky.free])
+        index = [f.address for f in leaky.free].index(LEAK_ADDRESS)
         for name, ratio in (("leak", COMMON_RATIO), ("leak_ratio", COMMON_RATIO + RATIO)):
             experiments = [
                 Experiment(e.instance.with_values({LEAK_RATIO: ratio}), e.measurement, leaky.free)

@@ -20,7 +20,7 @@ from poppet.identify.fit.identify_fit import CLEAR, STRONG, Progress, identify_f
 from poppet.identify.fit.intervals import Stages
 from poppet.identify.fit.optima import unite_estimates
 from poppet.identify.flow.flow_findings import USUAL_CONDUCTANCE
-from poppet.identify.gum import SPREAD, widened
+from poppet.identify.gum import SPREAD, add_relative_uncertainty
 from poppet.identify.result import DETERMINED, Result
 from poppet.identify.tank.alternatives import (
     Alternative,
@@ -149,7 +149,10 @@ def identify_tank(
 
 
 def widen_for_ambient(test: TankTest, runs: Sequence[TankRun], result: Result) -> Result:
-    """Widen the intervals of a tank test if the temperature of the flowing gas is not known."""
+    """Widen the intervals of a tank test if the temperature of the flowing gas is not known.
+
+    This is the case if the ambient temperature is not stated, and no stated or recorded temperature replaces it.
+    """
 
     # The temperature of the flowing gas is that of the supply or that in the tank.
     is_known = all(
@@ -161,7 +164,7 @@ def widen_for_ambient(test: TankTest, runs: Sequence[TankRun], result: Result) -
     if test.ambient_temperature is not None or is_known:
         return result
     wider = {
-        name: widened(estimate, POWERS[field] * SPREAD / ROOM)
+        name: add_relative_uncertainty(estimate, POWERS[field] * SPREAD / ROOM)
         for name, estimate in result.parameters.items()
         if (field := name.rpartition(".")[2]) in POWERS and estimate.verdict in ("determined", "weak")
     }
@@ -236,7 +239,7 @@ def apply_caps(
 def _is_equivalent_model(alternative: Alternative, result: Result, number: str) -> bool:
     """Return True if an alternative model of a tank test explains the recordings equally well.
 
-    `number` is the address of the sonic conductance C. If C of both models is similar, the alternative must not have
+    `number` is the address of the sonic conductance C. An alternative with nearly the same C counts only if it has no
     more free parameters.
     """
     simple, value = result.parameters[number], alternative.estimates[number].value

@@ -24,7 +24,7 @@ from poppet.identify.tank.test import DIRECTIONS, TankTest
 from poppet.laws.iso6358.law import REFERENCE_DENSITY, REFERENCE_TEMPERATURE
 from poppet.laws.physics.gas import AIR_GAS_CONSTANT, AIR_ISENTROPIC_EXPONENT
 from poppet.parts.chamber import Chamber
-from poppet.parts.fields import NumberSpec, read_number, specs
+from poppet.parts.fields import NumberLike, NumberSpec, read_number, specs
 from poppet.parts.flow_path import Orifice
 from poppet.parts.part import Part
 from poppet.parts.sources import Reservoir
@@ -62,8 +62,12 @@ COMMON_EXPONENT, EXPONENTS = 1.2, {"min": 1.0, "max": AIR_ISENTROPIC_EXPONENT}
 """Start value of n, and its default bounds: isothermal and adiabatic."""
 AREA_FACTOR, COMMON_COEFFICIENT = 6.0, 8.0
 """Start value of h A: the surface of a cube of the volume, and 8 W/(m^2 K) for free convection in air."""
+LEAK_ADDRESS = "leak.sonic_conductance"
 LEAK = 0.01
 """Start value of the leak, as a fraction of the conductance of the valve."""
+NEARLY_TIGHT = 1e-3
+"""Leak of a tight tank for derivatives by the leak, as a fraction of the conductance of the valve. The steps of a run
+without a leak are too long for the start of the flow if the valve closes at ambient pressure."""
 PLAUSIBLE_WALL = 5e3
 """Heat capacity per surface of a light vessel, 2 mm of aluminium [J/(m^2 K)]; it is 7.4e3 for 2 mm of steel."""
 ONSET, COURSE = 0.02, 0.4
@@ -101,7 +105,7 @@ class TankRun:
         return next(channel for channel in self.measurement.channels if channel.address == PRESSURE)
 
     @property
-    def supply(self) -> Any:
+    def supply(self) -> NumberLike:
         """Supply pressure of the recording, as stated.
 
         If it is free, this is its start value, by default the highest recorded tank pressure.
@@ -115,7 +119,7 @@ class TankRun:
 
     @property
     def place(self) -> str:
-        """Address of the recording in the input file, for messages."""
+        """Address of the recording in the input file, which messages state."""
         return f"recordings.{self.measurement.name}"
 
 
@@ -166,7 +170,7 @@ def plan_tank_fit(test: TankTest, runs: Sequence[TankRun]) -> FitPlan:
 
 def _ambient(test: TankTest) -> Ambient:
     try:
-        return Ambient(pressure=test.ambient_pressure, temperature=test.room)
+        return Ambient(pressure=test.ambient_pressure, temperature=test.effective_ambient_temperature)
     except InputError as error:
         raise relocated(error, "ambient_{}".format) from None
 
@@ -293,15 +297,15 @@ def _circuit(test: TankTest, run: TankRun, ambient: Ambient) -> BaseCircuit:
     common = {
         "energy": {
             "wall_conductance": COMMON_COEFFICIENT * AREA_FACTOR * cubic_metres ** (2.0 / 3.0),
-            "wall_temperature": test.room,
+            "wall_temperature": test.effective_ambient_temperature,
             "wall_heat_capacity": plausible_wall(cubic_metres),
         },
         "polytropic": {"polytropic_exponent": COMMON_EXPONENT},
     }.get(test.thermal, {})
-    numbers = {field: _start_value(getattr(test, field), value) for field, value in common.items()}
+    numbers: dict[str, Any] = {field: _start_value(getattr(test, field), value) for field, value in common.items()}
     if test.initial_temperature is not None or not run.has_temperature:
-        argument = _start_value(test.initial_temperature, test.room)
-        numbers["initial_temperature"] = test.room if argument is None else argument
+        argument = _start_value(test.initial_temperature, test.effective_ambient_temperature)
+        numbers["initial_temperature"] = test.effective_ambient_temperature if argument is None else argument
     start_pressure = float(run.pressure.values[0])
     tank = Chamber(volume=volume, thermal=test.thermal, initial_pressure=start_pressure, **numbers)
     ports = ("tank", "ambient") if run.direction == "discharge" else ("supply", "tank")
@@ -315,8 +319,8 @@ def _circuit(test: TankTest, run: TankRun, ambient: Ambient) -> BaseCircuit:
     )
     parts: dict[str, Part] = {"tank": tank, test.part: valve}
     if run.direction == "charge":
-        argument = _start_value(run.supply_temperature, test.room)
-        temperature = test.room if argument is None else argument
+        argument = _start_value(run.supply_temperature, test.effective_ambient_temperature)
+        temperature = test.effective_ambient_temperature if argument is None else argument
         parts = {"supply": Reservoir(pressure=run.supply, temperature=temperature)} | parts
     if has_leak(test):
         start = _start_value(test.leak_conductance, LEAK * float(valve.sonic_conductance))  # type: ignore[arg-type]
@@ -329,14 +333,13 @@ def plausible_wall(volume: float) -> float:
     return PLAUSIBLE_WALL * AREA_FACTOR * float(volume ** (2.0 / 3.0))
 
 
-def _start_value(argument: Any, common: Any) -> Any:
+def _start_value(argument: Any, common: NumberLike) -> NumberLike:
     """Return the value of an argument of a tank test, or its start value if it is free.
 
     `common` is the start value if the argument does not state one.
     """
-    if isinstance(argument, Mapping):
-        return argument.get("start", common)
-    return common if argument == "free" else argument
+    value: NumberLike = argument.get("start", common) if isinstance(argument, Mapping) else argument
+    return common if argument == "free" else value
 
 
 def is_free(argument: Any) -> bool:
@@ -395,7 +398,7 @@ def _free_parameters(
         f"{test.part}.critical_ratio": test.critical_ratio,
         f"{test.part}.subsonic_index": test.subsonic_index,
         "tank.volume": test.volume,
-        "leak.sonic_conductance": test.leak_conductance,
+        LEAK_ADDRESS: test.leak_conductance,
     }
     if test.thermal == "energy":
         shared |= {"tank.wall_temperature": test.wall_temperature, "tank.wall_heat_capacity": test.wall_heat_capacity}

@@ -11,6 +11,7 @@ from poppet.core.errors import ErrorCollector, NameSuggestion
 from poppet.core.tables import Field, missing_field, read_fields
 from poppet.core.toml_file import TomlFile
 from poppet.core.units import quantity
+from poppet.parts.fields import NumberLike
 
 DIRECTIONS = ("discharge", "charge")
 THERMAL = ("energy", "isothermal", "polytropic")
@@ -180,11 +181,8 @@ class TankTest:
                 errors.add("tank.part", "part", value=self.part)
 
     @property
-    def room(self) -> Any:
-        """Ambient temperature of the test, as stated.
-
-        It is 293.15 K if the test does not state it.
-        """
+    def effective_ambient_temperature(self) -> NumberLike:
+        """Ambient temperature of the test, as stated; 293.15 K if the test does not state it."""
         return ROOM if self.ambient_temperature is None else self.ambient_temperature
 
 

@@ -20,7 +20,7 @@ _DIAMETER = Domain("iso6358.bore", "m", open_low=True)
 def series(
     sonic_conductance_1: float, critical_ratio_1: float, sonic_conductance_2: float, critical_ratio_2: float
 ) -> tuple[float, float]:
-    r"""Return C and b of two flow paths in series.
+    r"""Return sonic conductance C and critical ratio b of two flow paths in series.
 
     Flow path 1 is upstream of flow path 2.
 
@@ -77,7 +77,9 @@ def series(
 
 
 def series_of(passages: Iterable[tuple[float, float]]) -> tuple[float, float]:
-    r"""Return C and b of any number of flow paths in series, combined from upstream to downstream.
+    r"""Return sonic conductance C and critical ratio b of several flow paths in series.
+
+    They are combined from upstream to downstream.
 
     .. math:: (C, b)_{1 \dots n} = \operatorname{series}\left((C, b)_{1 \dots n-1}, (C, b)_n\right)
 
@@ -108,7 +110,7 @@ def series_of(passages: Iterable[tuple[float, float]]) -> tuple[float, float]:
 def parallel(
     sonic_conductance_1: float, critical_ratio_1: float, sonic_conductance_2: float, critical_ratio_2: float
 ) -> tuple[float, float]:
-    r"""Return C and b of two flow paths in parallel.
+    r"""Return sonic conductance C and critical ratio b of two flow paths in parallel.
 
     .. math::
 
@@ -146,7 +148,7 @@ def parallel(
 
 
 def parallel_of(passages: Iterable[tuple[float, float]]) -> tuple[float, float]:
-    r"""Return C and b of any number of flow paths in parallel.
+    r"""Return sonic conductance C and critical ratio b of several flow paths in parallel.
 
     .. math:: C = \sum C_i, \qquad b = 1 - \left(\frac{C}{\sum C_i/\sqrt{1 - b_i}}\right)^2
 
@@ -178,7 +180,7 @@ def parallel_of(passages: Iterable[tuple[float, float]]) -> tuple[float, float]:
 
 
 def tube(length: float, diameter: float) -> tuple[float, float]:
-    r"""Return C and b of a straight smooth tube.
+    r"""Return sonic conductance C and critical ratio b of a straight smooth tube.
 
     .. math:: C = \frac{0.029\,d^2}{\sqrt{L/d^{1.25} + 510}}, \qquad b = 474\,\frac{C}{d^2}
 
@@ -216,7 +218,7 @@ def tube(length: float, diameter: float) -> tuple[float, float]:
 
 
 def divided(conductance: float, critical_ratio: float, weights: Sequence[float]) -> list[tuple[float, float]]:
-    r"""Divide a long flow path into pieces in series, and return C and b of each piece.
+    r"""Divide a long flow path into pieces in series, and return the flow capacity of each.
 
     .. math:: \frac{1 - b_i}{C_i^2} = \frac{w_i}{\sum w} \, \frac{1 - b}{C^2}, \qquad
               C_i = \min(k, k_\mathrm{end}) \, C
@@ -267,7 +269,7 @@ def divided(conductance: float, critical_ratio: float, weights: Sequence[float])
 
 
 def _divide_into_pieces(drops: Sequence[float], first: float, last: float) -> list[tuple[float, float]]:
-    """Divide a flow path into pieces in series; return C and b of each.
+    """Divide a flow path into pieces in series; return conductance C and critical ratio b of each.
 
     All C are relative to that of the complete flow path. `drops` contains (1 - b)/C^2 of each piece, which determines
     its pressure drop at small flow. `first` and `last` are the largest permitted C of the first and the last piece.
@@ -311,7 +313,7 @@ def _bisect(low: float, high: float, rising: Callable[[float], float]) -> float:
 
 
 def _check_passages(passages: Iterable[tuple[float, float]]) -> list[tuple[float, float]]:
-    """Check C and b of several flow paths, and return them as a list of pairs.
+    """Check conductance and critical ratio of several flow paths, and return them as a list of pairs.
 
     All errors are reported together, each with the index of its flow path.
     """

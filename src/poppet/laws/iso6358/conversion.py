@@ -161,7 +161,7 @@ def effective_area_from_conductance(
 
 
 def factors_from_air(isentropic_exponent: float, gas_constant: float) -> tuple[float, float]:
-    r"""Return factors that convert C and b from air to another gas.
+    r"""Return factors that convert sonic conductance C and critical ratio b from air to another gas.
 
     .. math::
 
@@ -282,7 +282,7 @@ def conductance_from_flow_coefficient_kv(
 def flow_coefficient_cv_from_conductance(
     sonic_conductance: float, critical_ratio: float, *, definition: Definition = "pneumatic"
 ) -> float:
-    r"""Return the flow coefficient Cv of a flow path with given C and b.
+    r"""Return the flow coefficient Cv of a flow path from sonic conductance and critical ratio.
 
     .. math:: C_v = C/c(b)
 
@@ -312,7 +312,7 @@ def flow_coefficient_cv_from_conductance(
 def flow_coefficient_kv_from_conductance(
     sonic_conductance: float, critical_ratio: float, *, definition: Definition = "pneumatic"
 ) -> float:
-    r"""Return the flow coefficient Kv of a flow path with given C and b.
+    r"""Return the flow coefficient Kv of a flow path from sonic conductance and critical ratio.
 
     .. math:: K_v = 0.865\, C_v
 

@@ -194,9 +194,9 @@ def charging_conductance(
 def _rayleigh(
     pressure: Any, temperature: Any, wall_temperature: Any, height: Any, gas_constant: Any, isentropic_exponent: Any
 ) -> tuple[Any, Any]:
-    """Return the Rayleigh number with a height as its length, and the thermal conductivity of air [W/(m K)].
+    """Return the Rayleigh number for the length `height`, and the thermal conductivity of air [W/(m K)].
 
-    The properties are those at the mean of gas temperature and wall temperature.
+    The gas properties are those at the mean of gas temperature and wall temperature.
     """
     film = 0.5 * (temperature + wall_temperature)
     difference = temperature - wall_temperature

@@ -9,7 +9,7 @@ from poppet.core.message_format import sentence
 from poppet.core.note_groups import code_of, explain_command, grouped
 from poppet.core.number_format import number, pretty, readable_unit, scaled, value_with_error
 from poppet.identify.methods import METHODS
-from poppet.identify.result import VERDICTS, Result, behind
+from poppet.identify.result import VERDICTS, Result, unit_suffix
 
 SYMBOLS = {"sonic_conductance": "C", "critical_ratio": "b"}
 """Symbols of the parameters in a headline; without such a parameter it shows the first two of the circuit."""
@@ -75,7 +75,7 @@ def headline(result: Result, *, is_plain: bool = False) -> str:
                 distinct.append(value)
         if len(distinct) > 1:
             size, verdict = " or ".join(number(scaled(value, e.unit, unit)) for value in distinct), ""
-        texts.append(f"{label} = {size}{behind(unit if is_plain else pretty(unit))}{verdict}")
+        texts.append(f"{label} = {size}{unit_suffix(unit if is_plain else pretty(unit))}{verdict}")
     text = f"{', '.join(texts)}. {verdict_counts(result)}" if texts else verdict_counts(result)
     return text.replace("±", "+/-") if is_plain else text
 
