@@ -225,6 +225,12 @@ class Electronics(Controller):
         pressures = [Input(name, "Pa", name, kind="pressure", low=0.0) for name in self.measured]
         return setpoint, Input("power", "1", 1.0, low=0.0, high=1.0, is_flag=True), *pressures, FAULT_INPUT
 
+    def output_ranges(self) -> dict[str, tuple[str | float, str | float]]:
+        return {
+            "target_pressure": ("scaling.low", "scaling.high"), "pilot_setpoint": (0.0, float("inf")),
+            "fill_duty": (0.0, 1.0), "vent_duty": (0.0, 1.0),
+        }  # fmt: skip
+
     def sensors(self) -> dict[str, tuple[str, str]]:
         return {f"{name}_sensor_pressure": (f"{name}_pressure", f"{name}_sensor") for name in _SENSORS}
 
