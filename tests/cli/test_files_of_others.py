@@ -20,7 +20,9 @@ COMMANDS = {
 
 def write_circuit(folder: Path, location: str) -> None:
     """Write a circuit file with a metric by the function at `location`."""
-    tables = TABLES.replace("[requirements]", f'own = {{ of = "tank.pressure", metric = "{location}" }}\n[requirements]')
+    tables = TABLES.replace(
+        "[requirements]", f'own = {{ of = "tank.pressure", metric = "{location}" }}\n[requirements]'
+    )
     folder.mkdir(exist_ok=True)
     (folder / "tank.toml").write_text(TANK + tables + 'own = "own < 3e5"\n', encoding="utf-8")
 

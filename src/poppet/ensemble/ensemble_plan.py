@@ -244,9 +244,7 @@ def read_plan(
             with errors.collecting():
                 address = f"ensemble.metrics.{name}"
                 identifier = _identifier(name, address, RESERVED)
-                metric = read_metric(
-                    identifier, raw, outputs, ambient, address, str(folder), allow_python=allow_python
-                )
+                metric = read_metric(identifier, raw, outputs, ambient, address, str(folder), allow_python=allow_python)
                 if grid.size:
                     window: dict[str, Any] = {"begin": metric.begin, "end": metric.end, "duration": float(grid[-1])}
                     if math.isfinite(metric.end) and metric.end > grid[-1] * (1.0 + 1e-9):
