@@ -108,7 +108,8 @@ class Ensemble(HtmlMixin):
     def remarks(self) -> tuple[Note, ...]:
         """Return notes on the ensemble tables, on failed runs and on missing metric values.
 
-        They include the executed Python functions, runs in which the solver stalled, and completed runs without a value of a metric.
+        They include the executed Python functions, runs in which the solver stalled, and completed runs without a value
+        of a metric.
         """
         runs, fine = self.done, ("run.done", "run.stopped")
         failed = [(code, count) for code, count in self.outcomes().items() if code not in fine]
