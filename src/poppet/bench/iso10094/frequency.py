@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from poppet.bench.iso10094.evaluation import AT_LEAST, DYNAMIC, BenchTest, Evaluation, Row, Trial
 from poppet.bench.iso10094.scale import FloatArray, Record, Scale
 from poppet.bench.iso10094.shapes import stretch_without
-from poppet.bench.iso10094.uncertainty import SEED, Uncertainty, greatest, noise_about
+from poppet.bench.iso10094.uncertainty import SEED, Uncertainty, greatest
 from poppet.laws.curves.pchip import pchip_slopes
 from poppet.timeseries.signals import Sine
 
@@ -24,7 +24,7 @@ FEWEST = 3  # smallest number of whole periods for an evaluation
 ASTRAY = 0.05  # deviation from a sine, relative to its amplitude, at which another signal begins
 ALIKE = 0.04  # relative difference of periods within one sine
 STEADY = 0.01  # relative change of the fundamental between periods, below which the transient has ended
-UNSEEN = 1.15  # standard deviation of coloured noise relative to its estimate from a few periods
+UNSEEN = 1.15  # factor on the standard deviation of noise at one frequency, because few neighbours estimate it
 UNLIKE = 5.0  # limit of the noise of a period, in standard errors
 SAME = 1.15  # largest ratio of amplitudes in one Bode plot
 CLIPPED = ("bench.frequency.clipped", "bench.frequency.impure")
@@ -60,6 +60,7 @@ class SineComponent:
     mean: float
     distortion: float  # root of the sum of squares of harmonics 2 to 5 over the fundamental
     error: float  # standard error of its amplitude
+    harmonic_error: float  # standard error of the amplitude of each harmonic
 
 
 def _evaluate(evaluation: Evaluation, records: Sequence[Record]) -> None:
@@ -212,7 +213,7 @@ def _evaluate_sine(evaluation: Evaluation, record: Record, part: slice, x: Float
     }  # fmt: skip
     # One standard deviation of the logarithm of the gain, and of the phase [rad]: of both waves.
     row["relative_error"] = math.hypot(setpoint_wave.error / size, outlet_wave.error / outlet_size)
-    row["distortion_uncertainty"] = 100.0 * outlet_wave.error / outlet_size
+    row["distortion_uncertainty"] = 100.0 * outlet_wave.harmonic_error / outlet_size
     if math.isfinite(record.volume):
         row["volume"] = record.volume
     if not row["is_steady"]:
@@ -279,20 +280,36 @@ def wave(
     coefficients = np.linalg.solve(matrix.T @ matrix, matrix.T @ values) if time.size > LONG else _least(matrix, values)
     residual = values - matrix @ coefficients
     sigma = math.sqrt(float(residual @ residual) / max(1, time.size - len(columns)))
-    if is_coloured:
-        # Higher harmonics would absorb the slow part of the coloured noise.
-        low_columns = matrix[:, :6]
-        noise = noise_about([values - low_columns @ _least(low_columns, values)], 0)
-        sigma = UNSEEN * max(noise.at(2.0 * math.pi / per_period), 0.3 * sigma)
     waves = coefficients[2::2] + 1j * coefficients[3::2]
     size = abs(waves[0])
     covariance = np.linalg.pinv(matrix.T @ matrix)
-    error = sigma * math.sqrt(0.5 * float(covariance[2, 2] + covariance[3, 3]))
+    error = harmonic_error = sigma * math.sqrt(0.5 * float(covariance[2, 2] + covariance[3, 3]))
+    factor = UNSEEN if is_coloured else 1.0
+    if is_coloured:
+        errors = _errors_between_harmonics(residual, round(time.size / per_period))
+        error, harmonic_error = (value if math.isfinite(value) else error for value in errors)
     # The noise power adds to the power of each harmonic.
     power = float(np.sum(np.abs(waves[1:]) ** 2))
-    harmonics = math.sqrt(max(power - 2.0 * waves[1:].size * error**2, 0.0))
+    harmonics = math.sqrt(max(power - 2.0 * waves[1:].size * harmonic_error**2, 0.0))
     distortion = harmonics / float(size) if size > 0.0 else math.inf
-    return SineComponent(complex(waves[0]), float(coefficients[0]), distortion, error)
+    return SineComponent(
+        complex(waves[0]), float(coefficients[0]), distortion, factor * error, factor * harmonic_error
+    )
+
+
+def _errors_between_harmonics(residual: FloatArray, periods: int) -> tuple[float, float]:
+    """Return the standard errors of the amplitudes of the fundamental and of the harmonics by noise of any colour.
+
+    The response to a sine has no power at frequencies between its harmonics. The errors are the power of the residuals
+    at these frequencies, near the fundamental and near the harmonics 2 to 5. They are NaN if the residuals of
+    `periods` periods contain no such frequency.
+    """
+    amplitudes = np.abs(np.fft.rfft(residual)) * (2.0 / residual.size)
+    order = np.arange(amplitudes.size) / periods
+    is_between = (np.arange(amplitudes.size) % periods != 0) & (order < HIGHEST + 0.5)
+    near = is_between & (order > 0.5) & (order < 2.5), is_between & (order > 1.5)
+    first, others = (float(np.sqrt(0.5 * np.mean(amplitudes[part] ** 2))) if part.any() else math.nan for part in near)
+    return first, others
 
 
 def _least(matrix: FloatArray, values: FloatArray) -> FloatArray:
