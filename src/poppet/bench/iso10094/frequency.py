@@ -292,9 +292,7 @@ def wave(
     power = float(np.sum(np.abs(waves[1:]) ** 2))
     harmonics = math.sqrt(max(power - 2.0 * waves[1:].size * harmonic_error**2, 0.0))
     distortion = harmonics / float(size) if size > 0.0 else math.inf
-    return SineComponent(
-        complex(waves[0]), float(coefficients[0]), distortion, factor * error, factor * harmonic_error
-    )
+    return SineComponent(complex(waves[0]), float(coefficients[0]), distortion, factor * error, factor * harmonic_error)
 
 
 def _errors_between_harmonics(residual: FloatArray, periods: int) -> tuple[float, float]:

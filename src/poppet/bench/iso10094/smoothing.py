@@ -22,6 +22,7 @@ APART = 1.0  # permitted deviation between wider and narrower parabolas, in stan
 FLANKS, SPANS = (0.6, 0.8, 0.9, 0.96), (0.5, 0.25)
 LOPSIDED = 2.0  # ratio of both sides of an interval, above which it is asymmetric
 CLEAR = 3.0  # standard deviations beyond a level, at which the crossing is certain
+MODEL = 0.5  # standard uncertainty of a polynomial by its shape, relative to the difference from the next one
 AGREED = 1.0  # permitted difference of polynomials through more and fewer samples, in standard deviations
 WIDER_BY = 4  # ratio of the half widths of two parabolas for the noise of their difference
 WIDER = 1.2  # factor on the standard deviation of a parabola, because the width depends on the noise
@@ -60,7 +61,7 @@ class SmoothedSeries:
             a, b, c = np.interp([k - 1, k, k + 1], np.arange(self.values.size), self.values).tolist()
             bend = 2.0 * b - a - c
             excess = (c - a) ** 2 / (8.0 * bend) if bend > 0.0 else 0.0
-            return b + min(excess, 0.125 * bend), Uncertainty(float(self.errors[k]), 0.03 * abs(bend))
+            return b + min(excess, 0.125 * bend), Uncertainty(float(self.errors[k]), common=0.05 * abs(bend))
         inverse = np.linalg.pinv(np.vander(np.linspace(-1.0, 1.0, count), 5 if count > 6 else 3))
         fine = np.vander(np.linspace(-0.5, 0.5, 101), inverse.shape[0])
         curve = fine @ (inverse @ self.raw[window])
@@ -259,7 +260,7 @@ def _first_agreeing_estimate(estimates: Sequence[tuple[float, Uncertainty]]) -> 
     """
     for (value, uncertainty), (next_value, next_uncertainty) in pairwise(estimates):
         if abs(value - next_value) <= AGREED * math.hypot(uncertainty.standard, next_uncertainty.standard):
-            return value, uncertainty
+            return value, uncertainty.wider(MODEL * abs(value - next_value))
     return estimates[-1]
 
 

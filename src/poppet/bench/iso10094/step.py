@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
+from itertools import pairwise
 from typing import Any
 
 import numpy as np
@@ -28,6 +29,7 @@ FOLLOWS = 0.2  # smallest change of the outlet, as a fraction of the setpoint st
 DRIFT = 0.01  # change between the halves of the tail, as a fraction of the step, above which the outlet has not settled
 SHORT = 5.0  # deviation from the setpoint above which the setpoint is not reached [% FS]
 COARSE = 0.02  # duration of a recorded setpoint step relative to the delay, above which a note is given
+ALIKE = 1.6  # largest ratio of the scatter in two holds with the same noise
 POINTS = 400
 MOST_ROWS = 40_000  # maximum number of rows of a hold
 CASE = ("from", "to", "volume", "sampling")  # conditions of a step for its characteristic values
@@ -52,20 +54,22 @@ def _evaluate(evaluation: Evaluation, records: Sequence[Record]) -> None:
         steps = jumps(record.time, x, LEAST_STEP, is_exact=record.is_exact)
         if not steps:
             evaluation.note("step.none", record.name, least=LEAST_STEP)
-        for k, jump in enumerate(steps):
-            begin = steps[k - 1].after if k else 0
-            end = steps[k + 1].before + 1 if k + 1 < len(steps) else record.time.size
-            _evaluate_step(evaluation, record, x, y, jump, slice(begin, jump.before + 1), slice(jump.after, end))
+        begins = [0, *(jump.after for jump in steps)]
+        ends = [*(jump.before + 1 for jump in steps), record.time.size]
+        holds = [slice(begin, end) for begin, end in zip(begins, ends, strict=True)]
+        for jump, (before, after) in zip(steps, pairwise(holds), strict=True):
+            _evaluate_step(evaluation, record, x, y, jump, before, after, holds)
     _add_characteristic_values(evaluation)
 
 
 def _evaluate_step(
-    evaluation: Evaluation, record: Record, x: FloatArray, y: FloatArray, jump: Jump, before: slice, after: slice
-) -> None:
+    evaluation: Evaluation, record: Record, x: FloatArray, y: FloatArray, jump: Jump, before: slice, after: slice,
+    holds: Sequence[slice],
+) -> None:  # fmt: skip
     """Evaluate one step of the setpoint, and add its row to the evaluation.
 
     `x` and `y` are setpoint and outlet pressure in % FS. `jump` is the step. `before` and `after` are the sections of
-    constant setpoint before and after it.
+    constant setpoint before and after it, and `holds` all such sections of the record.
     """
     if min(before.stop - before.start, after.stop - after.start) < 5:
         evaluation.note("step.no_samples", record.name, time=jump.time)
@@ -101,7 +105,9 @@ def _evaluate_step(
     if (end - start) / (high - low) < FOLLOWS:
         note("hardly", moved=end - start)
         return
-    reason = _add_times(evaluation, row, record, y, jump, slice(before.start, after.stop), earlier, tail)
+    noise = _noise_in_holds(y, earlier, tail, [rested(record.time, hold, TAIL) for hold in holds])
+    section = slice(before.start, after.stop)
+    reason = _add_times(evaluation, row, record, y, jump, section, noise, (earlier, tail))
     if record.cuts("outlet", part=after):
         row["overshoot_bound"] = AT_LEAST
         note("clipped_peak")
@@ -113,16 +119,29 @@ def _evaluate_step(
     _add_step_curve(evaluation, record, row, y, jump, after.stop)
 
 
+def _noise_in_holds(y: FloatArray, earlier: slice, tail: slice, rests: Sequence[slice]) -> Noise:
+    """Return the noise of the outlet before and after a step.
+
+    `earlier` and `tail` are the steady parts before and after the step. The other steady parts of the record, `rests`,
+    contribute if they scatter alike: a short part underestimates slow noise.
+    """
+    size = float(np.std(np.concatenate([y[part] - np.mean(y[part]) for part in (earlier, tail)])))
+    others = (y[part] for part in rests if part.start not in (earlier.start, tail.start))
+    alike = [part for part in others if part.size > 3 and size < ALIKE * float(np.std(part)) < ALIKE**2 * size]
+    return noise_about([y[earlier], y[tail], *alike])
+
+
 def _add_times(
-    evaluation: Evaluation, row: Row, record: Record, y: FloatArray, jump: Jump, section: slice, *holds: slice
-) -> str:
+    evaluation: Evaluation, row: Row, record: Record, y: FloatArray, jump: Jump, section: slice, noise: Noise,
+    holds: tuple[slice, slice],
+) -> str:  # fmt: skip
     """Set the response times and the overshoot in a row of results.
 
-    `section` is the part of the record with both holds. `holds` are the steady parts before and after the step. If the
-    settling time cannot be determined, the result is the code of the note that states why.
+    `section` is the part of the record with both holds. `noise` is the noise of the outlet. `holds` are the steady
+    parts before and after the step. If the settling time cannot be determined, the result is the code of the note that
+    states why.
     """
     start, end = row["outlet_from"], row["outlet_to"]
-    noise = noise_about([y[hold] for hold in holds])
     noise = Noise(noise.covariance / (end - start) ** 2)
     # The step response from 0 (initial value) to 1 (final value), from the last sample before the step.
     time, relative = record.time[section] - jump.time, (y[section] - start) / (end - start)
@@ -146,6 +165,7 @@ def _add_times(
     # Without overshoot, the largest sample is noise.
     is_seen = excess > max(SEEN * error, 1e-6)
     evaluation.set_value(row, "overshoot", 100.0 * excess if is_seen else 0.0, Uncertainty(100.0 * error))
+    row["excess"] = 100.0 * max(excess, 0.0)
     row["overshoot_known_to"] = 100.0 * (max(excess, 0.0) + NORMAL * error)
     if row.get("hum_amplitude", 0.0) > BAND * abs(end - start):
         return "swings_out"
@@ -215,6 +235,14 @@ def _add_characteristic_values(evaluation: Evaluation) -> None:
 
 def _add_longest(evaluation: Evaluation, name: str, rows: Sequence[Row]) -> None:
     """Add the longest time of the rows to the evaluation, where repetitions of one step count with their mean."""
+    groups = _repetitions(rows)
+    means = [mean_of(*evaluation.pairs(group, name)) for group in groups]
+    value, uncertainty, k = greatest(*zip(*means, strict=True))
+    evaluation.add(name, value, uncertainty, **_case(groups[k][0]))
+
+
+def _repetitions(rows: Sequence[Row]) -> list[list[Row]]:
+    """Return the rows in groups of equal steps."""
     groups: list[list[Row]] = []
     for row in rows:
         alike = (group for group in groups if all(abs(group[0][key] - row[key]) < LEAST_STEP for key in ("from", "to")))
@@ -223,17 +251,21 @@ def _add_longest(evaluation: Evaluation, name: str, rows: Sequence[Row]) -> None
             groups.append([row])
         else:
             group.append(row)
-    means = [mean_of(*evaluation.pairs(group, name)) for group in groups]
-    value, uncertainty, k = greatest(*zip(*means, strict=True))
-    evaluation.add(name, value, uncertainty, **_case(groups[k][0]))
+    return groups
 
 
 def _overshoot(evaluation: Evaluation, rows: Sequence[Row]) -> None:
     if not rows:
         evaluation.note_absence("no_step", "overshoot")
         return
-    visible = [row for row in rows if row["overshoot"] > 0.0] or list(rows)
-    value, uncertainty, k = greatest(*evaluation.pairs(visible, "overshoot"))
+    # The mean of the visible repetitions alone would be too large.
+    groups = [group for group in _repetitions(rows) if any(row["overshoot"] > 0.0 for row in group)]
+    visible = [group[0] for group in groups] or list(rows)
+    if groups:
+        means = [mean_of([row["excess"] for row in g], evaluation.pairs(g, "overshoot")[1]) for g in groups]
+        value, uncertainty, k = greatest(*zip(*means, strict=True))
+    else:
+        value, uncertainty, k = greatest(*evaluation.pairs(visible, "overshoot"))
     if any("overshoot_bound" in row for row in rows):
         evaluation.add("overshoot", max(row["overshoot"] for row in rows), bound=AT_LEAST, **_case(visible[k]))
     elif value > 0.0:
