@@ -34,6 +34,8 @@ SINE_DRAWS = 100  # number of noise draws for the scatter of a bandwidth
 BETWEEN = 0.15  # interpolation error of the monotone cubic, relative to that of a straight line
 IN_DB = 20.0 / math.log(10.0)
 FAINT = 4.0  # detection limit of a fundamental, in standard errors
+OPPOSITE = 30.0  # deviation from a phase of -180 deg at the lowest frequency, below which the signal is inverted [deg]
+LEADS, MOSTLY = 5.0, 0.5  # smallest lead of the outlet [deg], and fraction of the frequencies above which it is reported
 UNMOVED = 1e-9  # smallest gain of an outlet that moves
 
 
@@ -64,7 +66,9 @@ class SineComponent:
 
 
 def _evaluate(evaluation: Evaluation, records: Sequence[Record]) -> None:
-    conclude(evaluation, [row for record in records for row in sine_rows(evaluation, record)])
+    rows = [row for record in records for row in sine_rows(evaluation, record)]
+    conclude(evaluation, rows)
+    _note_suspicions(evaluation, rows)
     clipped_frequencies = [note.facts["frequency"] for note in evaluation.notes if note.code in CLIPPED]
     if clipped_frequencies:
         evaluation.limit_to_bounds("distortion")
@@ -72,6 +76,19 @@ def _evaluate(evaluation: Evaluation, records: Sequence[Record]) -> None:
         is_relative = min(clipped_frequencies) < min((row["frequency"] for row in evaluation.rows), default=math.inf)
         names = ("bandwidth_gain", "bandwidth_phase")
         evaluation.withhold(*(name for name in names if is_relative or name not in evaluation.figures))
+
+
+def _note_suspicions(evaluation: Evaluation, rows: Sequence[Row]) -> None:
+    """Add notes on a sensor without signal and on exchanged columns."""
+    lowest = min((row["frequency"] for row in rows), default=math.inf)
+    lost = [note.facts["frequency"] for note in evaluation.notes if note.code == "bench.frequency.lost"]
+    if lost and min(lost) < lowest:
+        evaluation.note("frequency.dead", frequency=min(lost))
+    leads = sorted((row for row in rows if row["phase"] > LEADS), key=lambda row: float(row["frequency"]))
+    # A large lag looks like a lead, but not at the lowest frequency.
+    if len(leads) > MOSTLY * len(rows) and leads[0]["frequency"] == lowest and leads[0]["phase"] < 90.0:
+        facts = {"phase": leads[0]["phase"], "frequency": lowest}
+        evaluation.note("frequency.leads", count=len(leads), total=len(rows), **facts)
 
 
 def sine_rows(evaluation: Evaluation, record: Record) -> list[Row]:
@@ -364,7 +381,9 @@ def _add_bandwidths(evaluation: Evaluation, rows: list[Row], frequency: FloatArr
             evaluation.add(name, highest, bound=AT_LEAST, **case)
         else:
             evaluation.note_absence(f"between_{quantity}", name, level=level_text)
-    if first["phase"] < -30.0:
+    if abs(first["phase"] + 180.0) < OPPOSITE:
+        evaluation.note("frequency.opposite", frequency=float(frequency[0]), phase=first["phase"])
+    elif first["phase"] < -30.0:
         evaluation.note("frequency.not_low", frequency=float(frequency[0]), phase=first["phase"])
     limit = evaluation.figures["bandwidth_gain"].value if "bandwidth_gain" in evaluation.figures else highest
     rows_in_band = [row for row in rows if row["frequency"] <= limit] or [first]

@@ -194,22 +194,25 @@ def _add_characteristic_values(evaluation: Evaluation) -> None:
     first = [row for row in evaluated if row.get("volume", math.nan) == volumes[0] or math.isnan(volumes[0])]
     size = max((row["amplitude"] for row in first), default=0.0)
     reference = [row for row in first if row["amplitude"] > 0.98 * size]
+    # Without a step that the outlet follows, no outlet pressure can settle.
+    reason = "unsettled" if any("response_time" in row for row in evaluation.rows) else "no_step"
     rows_by_direction = {way: [row for row in reference if row["direction"] == way] for way in ("up", "down")}
     if reference:
         _add_longest(evaluation, "delay", reference)
     else:
-        evaluation.note_absence("unsettled", "delay")
+        evaluation.note_absence(reason, "delay")
     for direction, rows in rows_by_direction.items():
         for key in ("rise_time", "response_time"):
             if rows:
                 evaluation.add(f"{key}_{direction}", *mean_of(*evaluation.pairs(rows, key)), **_case(rows[0]))
             else:
-                evaluation.note_absence(f"unsettled_{direction}", f"{key}_{direction}")
+                suffix = f"_{direction}" if reason == "unsettled" else ""
+                evaluation.note_absence(f"{reason}{suffix}", f"{key}_{direction}")
     settled = [row for row in first if "settling_time" in row]
     if settled:
         _add_longest(evaluation, "settling_time", settled)
     else:
-        evaluation.note_absence("noisy" if first else "unsettled", "settling_time")
+        evaluation.note_absence("noisy" if first else reason, "settling_time")
     _overshoot(evaluation, first)
     row = evaluation.add_greatest("hum_amplitude", "hum_amplitude", conditions=CASE)
     if row is None:
