@@ -35,7 +35,10 @@ BETWEEN = 0.25  # interpolation error of the monotone cubic, relative to that of
 IN_DB = 20.0 / math.log(10.0)
 FAINT = 4.0  # detection limit of a fundamental, in standard errors
 OPPOSITE = 30.0  # deviation from a phase of -180 deg at the lowest frequency, below which the signal is inverted [deg]
-LEADS, MOSTLY = 5.0, 0.5  # smallest lead of the outlet [deg], and fraction of the frequencies above which it is reported
+LEADS, MOSTLY = (
+    5.0,
+    0.5,
+)  # smallest lead of the outlet [deg], and fraction of the frequencies above which it is reported
 UNMOVED = 1e-9  # smallest gain of an outlet that moves
 
 
