@@ -377,15 +377,32 @@ def _evidence_against(plan: FitPlan, best: Optimum, rival: Optimum, offset_chann
 def local_estimates(plan: FitPlan, optimum: Optimum) -> list[dict[str, Estimate]]:
     """Return the estimates by name at each equivalent optimum, as if it were the only one.
 
-    An optimum whose cost exceeds the lowest cost has narrower intervals, because its values are less likely.
+    An optimum whose cost exceeds the lowest cost has narrower intervals, because its values are less likely. The limit
+    of nearby optima applies to a parameter that has the same value at the best optimum.
     """
     optima = (optimum, *optimum.others)
-    optimum_tables = [estimates(plan.free, o, error_model_of(plan, o)) for o in optima]
-    for table, o in zip(optimum_tables, optima, strict=True):
-        left = float(np.sqrt(1.0 - o.excess / o.limit))
+    best, *rivals = [estimates(plan.free, o, error_model_of(plan, o)) for o in optima]
+    for table, rival in zip(rivals, optimum.others, strict=True):
         for name, e in table.items():
-            table[name] = replace(e, low=e.value - left * (e.value - e.low), high=e.value + left * (e.high - e.value))
-    return optimum_tables
+            low, high = _likely_range(e, rival.excess, rival.limit)
+            first = best[name]
+            if first.low <= e.value <= first.high:
+                nearby = _likely_range(e, rival.excess, optimum.limit)
+                low, high = max(low, min(first.low, nearby[0])), min(high, max(first.high, nearby[1]))
+            table[name] = replace(e, low=low, high=high)
+    return [best, *rivals]
+
+
+def _likely_range(estimate: Estimate, excess: float, limit: float) -> tuple[float, float]:
+    """Return the interval of an estimate at an optimum with the evidence `excess` against it.
+
+    The width of the interval is zero if the evidence reaches `limit`.
+    """
+    value = estimate.value
+    if excess >= limit:
+        return value, value
+    left = float(np.sqrt(1.0 - excess / limit))
+    return value - left * (value - estimate.low), value + left * (estimate.high - value)
 
 
 def unite_estimates(plan: FitPlan, local: Local) -> dict[str, Estimate]:

@@ -18,7 +18,15 @@ from poppet.identify.fit.search import FitObjective, Optimum, SearchSettings, op
 from poppet.identify.fit.statistics import aicc, estimates
 from poppet.identify.free_parameter import FreeParameter, with_starts
 from poppet.identify.result import Estimate, Result, mark_interrupted
-from poppet.identify.tank.tank_plan import TankRun, is_free, plan_tank_fit, plausible_wall
+from poppet.identify.tank.tank_plan import (
+    LEAK,
+    LEAK_ADDRESS,
+    NEARLY_TIGHT,
+    TankRun,
+    is_free,
+    plan_tank_fit,
+    plausible_wall,
+)
 from poppet.identify.tank.test import TankTest
 from poppet.parts.fields import NumberLike
 from poppet.timeseries.checks import FloatArray
@@ -211,7 +219,11 @@ def _largest_step(plan: FitPlan, result: Result) -> float:
     """
     added, names = _added_parameters(plan, result), [f.name for f in plan.free]
     x = np.array([result.parameters[f.name].value if f not in added else _fixed_value(f) for f in plan.free])
-    residual, jacobian = FitObjective(plan.experiments, plan.free, _sigmas(plan, result)).residual_and_jacobian(x)
+    objective = FitObjective(plan.experiments, plan.free, _sigmas(plan, result))
+    residual = objective.residual(x)
+    # Without a leak, the derivatives by it are inaccurate.
+    leaks = [NEARLY_TIGHT / LEAK * f.start if f in added and f.address == LEAK_ADDRESS else 0.0 for f in plan.free]
+    jacobian = objective.residual_and_jacobian(x + leaks)[1]
     norms = np.linalg.norm(jacobian, axis=0)
     jacobian = jacobian / np.where(norms > 0.0, norms, 1.0)
     indices = [k for k, f in enumerate(plan.free) if f not in added and result.parameters[f.name].verdict != "at bound"]
@@ -233,7 +245,7 @@ def _largest_step(plan: FitPlan, result: Result) -> float:
 
 def _fixed_value(f: FreeParameter) -> float:
     """Return the value that an additional free parameter has in the original fit, in which it is fixed."""
-    if f.role in ("lag", "offset") or f.address == "leak.sonic_conductance":
+    if f.role in ("lag", "offset") or f.address == LEAK_ADDRESS:
         return 0.0
     return CONSTANT * f.start if f.address == "tank.wall_heat_capacity" else f.start
 

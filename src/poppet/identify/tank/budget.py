@@ -21,11 +21,21 @@ from poppet.identify.fit.statistics import influences, verdict
 from poppet.identify.free_parameter import by_name
 from poppet.identify.gum import coverage_factor
 from poppet.identify.result import VERDICTS, Result
-from poppet.identify.tank.tank_plan import COMMON_RATIO, PRESSURE, SUPPLY, TankRun, has_leak, is_free, plan_tank_fit
+from poppet.identify.tank.tank_plan import (
+    COMMON_RATIO,
+    LEAK_ADDRESS,
+    NEARLY_TIGHT,
+    PRESSURE,
+    SUPPLY,
+    TankRun,
+    has_leak,
+    is_free,
+    plan_tank_fit,
+)
 from poppet.identify.tank.test import TankTest
 from poppet.timeseries.checks import FloatArray
 
-VOLUME, LEAK, LEAK_RATIO = "tank.volume", "leak.sonic_conductance", "leak.critical_ratio"
+VOLUME, LEAK_RATIO = "tank.volume", "leak.critical_ratio"
 FIELDS = dict.fromkeys(("volume", "supply_pressure", "leak", "gauge_scale", "gauge_zero"), Field())
 """Keys of the table `uncertainties` of a tank test."""
 DEFAULTS = {"volume": 0.005, "supply_pressure": 0.003, "leak": 0.015, "gauge_scale": 0.003}
@@ -302,9 +312,11 @@ def _residual_changes(
     if uncertainties.leak > 0.0 and "leak" in stated:
         leaky = plan_tank_fit(replace(test, leak_conductance="free"), runs)
         parameters, number = plan.experiments[0].instance.parameters, f"{test.part}.sonic_conductance"
-        size = uncertainties.leak * values.get(number, parameters[number])
-        x = np.array([values.get(f.name, parameters.get(LEAK, 0.0)) for f in leaky.free])
-        index = [f.address for f in leaky.free].index(LEAK)
+        conductance = values.get(number, parameters[number])
+        size = uncertainties.leak * conductance
+        leak = max(parameters.get(LEAK_ADDRESS, 0.0), NEARLY_TIGHT * conductance)
+        x = np.array([values.get(f.name, leak) for f in leaky.free])
+        index = [f.address for f in leaky.free].index(LEAK_ADDRESS)
         for name, ratio in (("leak", COMMON_RATIO), ("leak_ratio", COMMON_RATIO + RATIO)):
             experiments = [
                 Experiment(e.instance.with_values({LEAK_RATIO: ratio}), e.measurement, leaky.free)

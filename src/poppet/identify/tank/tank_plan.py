@@ -62,8 +62,12 @@ COMMON_EXPONENT, EXPONENTS = 1.2, {"min": 1.0, "max": AIR_ISENTROPIC_EXPONENT}
 """Start value of n, and its default bounds: isothermal and adiabatic."""
 AREA_FACTOR, COMMON_COEFFICIENT = 6.0, 8.0
 """Start value of h A: the surface of a cube of the volume, and 8 W/(m^2 K) for free convection in air."""
+LEAK_ADDRESS = "leak.sonic_conductance"
 LEAK = 0.01
 """Start value of the leak, as a fraction of the conductance of the valve."""
+NEARLY_TIGHT = 1e-3
+"""Leak of a tight tank for derivatives by the leak, as a fraction of the conductance of the valve. The steps of a run
+without a leak are too long for the start of the flow if the valve closes at ambient pressure."""
 PLAUSIBLE_WALL = 5e3
 """Heat capacity per surface of a light vessel, 2 mm of aluminium [J/(m^2 K)]; it is 7.4e3 for 2 mm of steel."""
 ONSET, COURSE = 0.02, 0.4
@@ -394,7 +398,7 @@ def _free_parameters(
         f"{test.part}.critical_ratio": test.critical_ratio,
         f"{test.part}.subsonic_index": test.subsonic_index,
         "tank.volume": test.volume,
-        "leak.sonic_conductance": test.leak_conductance,
+        LEAK_ADDRESS: test.leak_conductance,
     }
     if test.thermal == "energy":
         shared |= {"tank.wall_temperature": test.wall_temperature, "tank.wall_heat_capacity": test.wall_heat_capacity}

@@ -21,13 +21,13 @@ from poppet.identify.fit.statistics import estimates
 from poppet.identify.free_parameter import FreeParameter, NormalPrior, by_name
 from poppet.identify.result import DETERMINED, Estimate, Result
 from poppet.identify.tank.budget import Uncertainties
-from poppet.identify.tank.tank_plan import USUAL_ZERO, TankRun, has_leak, is_free, plan_tank_fit
+from poppet.identify.tank.tank_plan import LEAK_ADDRESS, USUAL_ZERO, TankRun, has_leak, is_free, plan_tank_fit
 from poppet.identify.tank.test import TankTest
 
 SUPPLY = 0.01
 """Relative standard uncertainty of a supply pressure whose uncertainty is not stated. A wrong choice of the limit
 changes C by up to 40 %, so that it is larger than in the budget."""
-LEAK_ADDRESS, SUPPLY_ADDRESS, WALL = "leak.sonic_conductance", "supply.pressure", "tank.wall_conductance"
+SUPPLY_ADDRESS, WALL = "supply.pressure", "tank.wall_conductance"
 EQUIVALENT = 1.92
 """Largest excess of the cost of an equivalent fit: the limit of a 95 % interval (chi-square, one parameter)."""
 SMALL = 0.3
