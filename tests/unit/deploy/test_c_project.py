@@ -192,7 +192,7 @@ def test_values_that_are_not_finite_are_rejected_and_change_nothing(tmp_path):
     circuit = check_and_relief()
     index = circuit.instance.input_names.index("line.pressure")
     values = "HUGE_VAL - HUGE_VAL", "HUGE_VAL", "-HUGE_VAL"
-    wrong = [f"m.u[{index}] = {value}; printf(\"%d \", it_fixed_step(&m, 0.02));" for value in values]
+    wrong = [f'm.u[{index}] = {value}; printf("%d ", it_fixed_step(&m, 0.02));' for value in values]
     wrong += [f"m.slopes[{index}] = {v}; printf(\"%d \", it_fixed_step(&m, 0.02)); m.slopes[{index}] = 0.0;"
               for v in values]  # fmt: skip
     wrong += [f'printf("%d ", it_fixed_step(&m, {value}));' for value in (*values, "0.005")]
@@ -251,7 +251,7 @@ def test_the_adaptive_run_limits_inputs_and_rejects_invalid_times(tmp_path):
     circuit = example("fill_staircase", "3 s")
     number = circuit.model.parameters.index("bleed.opening")
     begin, end = "it_adaptive_begin(&a);", 'printf("%d ", (int)it_adaptive_run(&a, times, 2, table));'
-    values = "for (k = 0; k < IT_OUTPUTS; k++) printf(\"%.17g \", table[2 * k + 1]);"
+    values = 'for (k = 0; k < IT_OUTPUTS; k++) printf("%.17g ", table[2 * k + 1]);'
     changed = f"{begin} a.p[{number}] = VALUE; {end} {values}"
     wrong = f"{begin} times[1] = VALUE; {end} times[1] = 3.0;"
     body = "double times[2] = {0.0, 3.0}, table[2 * IT_OUTPUTS];"
