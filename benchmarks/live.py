@@ -17,7 +17,7 @@ from importlib.resources import files
 from pathlib import Path
 
 from poppet import load
-from poppet.deploy.live.page_kernel import pack, run_data
+from poppet.deploy.live.page_kernel import pack_base64, run_data
 from poppet.deploy.targets import TARGETS
 from poppet.engine.call import Call
 
@@ -82,7 +82,7 @@ def main(size: float = 1.0) -> None:
         return
     circuit = load(EXAMPLE)
     problem = circuit.problem(circuit.run)
-    call, data, count = Call(problem), pack(*run_data(problem)), max(20, round(2000 * size))
+    call, data, count = Call(problem), pack_base64(*run_data(problem)), max(20, round(2000 * size))
     script = (files("poppet.deploy.live") / "kernel.js").read_text(encoding="utf-8") + ROUND.replace(
         "COUNT", str(count)
     )

@@ -90,7 +90,7 @@ def rows(volumes: list[float]) -> Iterator[str]:
 
 def main(size: float = 1.0) -> None:
     print(f"Each cell: {' / '.join(PRESETS)}\n")
-    print("| step [bar] | volume [l] | 90 % after [s] | overshoot [%] | within 1 % FS after [s] | left [mbar] |")
+    print("| step [bar] | volume [l] | 90 % after [s] | overshoot [%] | within 1 % FS after [s] | remaining [mbar] |")
     print("|---|---|---|---|---|---|")
     for line in rows(list(VOLUMES)[: max(1, round(len(VOLUMES) * size))]):
         print(line, flush=True)

@@ -9,7 +9,7 @@ import numpy as np
 from scipy.optimize import least_squares
 
 from poppet.identify.fit.residuals import costs_of, curvatures_of, weights_of
-from poppet.identify.least_squares import LocalModel, SearchResult, condense, search
+from poppet.identify.least_squares import LocalModel, SearchResult, search, triangular_factor
 
 Array = np.ndarray[Any, np.dtype[np.float64]]
 
@@ -49,7 +49,7 @@ def found(problem: Problem, loss: str = "linear", **more: Any) -> SearchResult:
     def look(x: Array) -> LocalModel:
         residual, jacobian = problem.at(x)
         force, root = residual * weights_of(residual, loss), np.sqrt(curvatures_of(residual, loss))
-        triangle = condense(np.asfortranarray(np.column_stack([jacobian * root[:, np.newaxis], force / root])))
+        triangle = triangular_factor(np.asfortranarray(np.column_stack([jacobian * root[:, np.newaxis], force / root])))
         return LocalModel(triangle[:, :-1], triangle[:, -1], jacobian, force)
 
     def cost(x: Array) -> float:

@@ -85,6 +85,9 @@ class FunctionBlock:
             section, own, _ = self.kinds[name]
             assert section == "VAR_INPUT", name
             self.values[name] = own(value)
+        # Temporary variables have no value from a previous call.
+        for name in self.names("VAR_TEMP"):
+            self.values[name] = None
         self._body(self.values)
         return {name: self.values[name] for name in self.names("VAR_OUTPUT")}
 
@@ -147,7 +150,7 @@ class TextParser:
     ) -> dict[str, tuple[str, type, Any]]:
         """Read the declarations; return section, type and start value of each variable by name."""
         found = dict(known or {})
-        while self.word in ("VAR", "VAR_INPUT", "VAR_OUTPUT"):
+        while self.word in ("VAR", "VAR_INPUT", "VAR_OUTPUT", "VAR_TEMP"):
             section = self.take().upper()
             while self.word != "END_VAR":
                 name = self.take()

@@ -27,7 +27,7 @@ def option_table(command: Command) -> str:
     rows = [f"| {usage(option.usage)} | {option.meaning} |" for option in named if option not in (*COMMON, QUIET)]
     if not rows:
         return ""
-    common = ", ".join(usage(option.usage) for option in COMMON if option in named)
+    common = ", ".join(f"`{option.names[-1]}`" for option in COMMON if option in named)
     return HEAD + "\n".join([*rows, *([f"| {common} | as above |"] if common else [])]) + "\n"
 
 

@@ -12,14 +12,14 @@ import numpy as np
 from poppet.bench.iso10094.evaluation import Trial
 from poppet.bench.iso10094.flow import flow_trial
 from poppet.bench.iso10094.scale import Scale
-from poppet.bench.iso10094.virtual_valve import StandIn
+from poppet.bench.iso10094.virtual_valve import VirtualValve
 from poppet.signals import Points, Steps
 
 VOLTS = Scale(0.0, 10.0, "V", 1e5, 7e5)
-TRUTH = StandIn(
+TRUTH = VirtualValve(
     scale=VOLTS, time_constant=0.05, dead_time=0.01, dead_zone=2.0, play=0.8, bow=1.0, droop=6.0, full_flow=0.01
 )
-LINEAR = StandIn(scale=VOLTS, time_constant=0.05, dead_time=0.01)
+LINEAR = VirtualValve(scale=VOLTS, time_constant=0.05, dead_time=0.01)
 FREQUENCIES = (0.5, 1.0, 2.0, 2.5, 3.15, 4.0, 5.0, 6.3, 8.0)
 NOISE = {"w": (5e-4, 1e-3), "p2": (6e-4, 1.5e-4), "q": (2e-3, 1e-3)}
 """Standard deviation and resolution of each column: V, bar, g/s."""
@@ -52,7 +52,7 @@ def sines() -> Trial:
     return Trial("frequency", "sines", Points(np.concatenate(clock), np.concatenate(values)), start, 0.0, 6e-3, 1e-3)
 
 
-def write(folder: Path, name: str, valve: StandIn, trial: Trial, seed: int) -> None:
+def write(folder: Path, name: str, valve: VirtualValve, trial: Trial, seed: int) -> None:
     """Simulate the response, add noise, round, and write the recording."""
     record, random = valve.respond(trial), np.random.default_rng(seed)
     columns = {"w": record.setpoint, "p2": (record.outlet - 1e5) / 1e5}

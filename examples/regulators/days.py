@@ -107,16 +107,13 @@ def rows(channel: int, scores: Mapping[str, list[Score]], anew: Mapping[str, lis
         mean = {m: 100.0 * np.mean([s.nrmse for s in own if s.model == m]) for m in (GREY_BOX, FIRST_ORDER, ARX)}
         count = len(anew[day])
         gain = min(mean[FIRST_ORDER], mean[ARX]) / mean[GREY_BOX]
-        shown = f"{mean[GREY_BOX]:.1f} % | {mean[FIRST_ORDER]:.1f} % | {mean[ARX]:.1f} %"
-        yield f"| {channel} | {day} | {count} | {shown} | {gain:.1f} | {100.0 * np.mean(anew[day]):.1f} % |"
+        shown = f"{mean[GREY_BOX]:.1f},{mean[FIRST_ORDER]:.1f},{mean[ARX]:.1f}"
+        yield f"{channel},{day.replace(', ', ',')},{count},{shown},{gain:.1f},{100.0 * np.mean(anew[day]):.1f}"
 
 
 def main() -> None:
     copy = Path(sys.argv[1])
-    print(
-        "| channel | day, command | files | circuit | first order + dead time | ARX | better by | steady numbers anew |"
-    )
-    print("|---|---|---|---|---|---|---|---|")
+    print("channel,day,command,files,circuit [%],first order + dead time [%],ARX [%],factor,circuit refitted [%]")
     for channel in CHANNELS:
         print(*rows(channel, *judged(channel, recordings(copy, channel))), sep="\n", flush=True)
 

@@ -108,13 +108,8 @@ __all__ = [
 ]
 
 
-def _html(shown: HtmlMixin) -> str | None:
-    from poppet.report.notebook import html_of
-
-    return html_of(shown)
-
-
-HtmlMixin.renderer = _html
+# Imported on first use, as the names below.
+HtmlMixin.renderer = lambda shown: importlib.import_module("poppet.report.notebook").html_of(shown)
 
 
 def __getattr__(name: str) -> object:

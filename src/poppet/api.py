@@ -28,10 +28,7 @@ LISTED = (
 
 
 class _ListedNames(type):
-    """Metaclass that limits the names that editors suggest to those in `LISTED`.
-
-    Editors inspect the class and its objects, so the limit applies to both.
-    """
+    """Metaclass of `Circuit`, with which editors suggest only the names in `LISTED` for the class."""
 
     def __dir__(cls) -> list[str]:
         return sorted(LISTED)
@@ -57,14 +54,14 @@ class Circuit(BaseCircuit, metaclass=_ListedNames):
     connections : mapping, optional
         Mapping from the address of an input to that of an output: ``{"main.pilot_pressure": "pilot.pressure"}``.
     origin : Origin, optional
-        Tables and folder of the circuit file.
+        Tables of the circuit file and its folder, to which relative paths refer.
     like : Circuit, optional
-        A similar circuit, already checked. Unchanged parts are reused and not checked again.
+        Similar circuit. Parts that are the same objects in both circuits are not checked again.
 
     Raises
     ------
     InputErrors
-        With all wiring errors.
+        If the wiring is invalid; all errors are reported together.
 
     Examples
     --------
@@ -111,29 +108,31 @@ class Circuit(BaseCircuit, metaclass=_ListedNames):
         Parameters
         ----------
         recordings : Recording, DataFrame or mapping
-            One recording, or name to recording. A `Recording` is measured or simulated. A `pandas.DataFrame` has
-            addresses as column labels, with or without a unit: ``"tank.pressure [bar g]"``. A column without a unit is
-            in SI units. The time is the column ``time [s]`` or the index.
+            One recording, or a mapping from names to recordings. A `pandas.DataFrame` has addresses as column labels,
+            with or without a unit: ``"tank.pressure [bar g]"``. A column without a unit is in SI units. The time is the
+            column ``time [s]`` or the index.
         free : sequence of str or mapping
-            Addresses of the free parameters, or address to start value of the search. A start value is a number, a text
-            with a unit, or a table with `start`, `min`, `max`. The default start is the value in the circuit.
+            Addresses of the free parameters, or a mapping from these addresses to start values of the search. A start
+            value is a number in SI units, a text with a unit, or a table with `start`, `min`, `max`. The default is the
+            value in the circuit.
         outputs : sequence of str, optional
-            Addresses of the series that are compared with the model. By default these are all series that are outputs
-            of the circuit and change. Other series are then errors.
+            Addresses of the recorded series that are compared with the model. By default they are all series that are
+            outputs of the circuit and change; a series that is no output or input of the circuit is then an error.
         bounds : mapping, optional
-            Address of a free parameter to ``(min, max)``. None is the physical limit.
+            Mapping from the address of a free parameter to ``(min, max)``. None stands for the physical limit.
         priors : mapping, optional
-            Address of a free parameter to ``(mean, standard deviation)`` of its normal prior distribution.
+            Mapping from the address of a free parameter to ``(mean, standard deviation)`` of its normal prior.
         start : mapping, optional
-            Address of an initial value to its value in the recordings: a value, ``"first"`` (first value of the series)
-            or ``"free"`` (fitted for each recording). ``{name: {address: value}}`` applies to one recording.
+            Mapping from the address of an initial value to a value, ``"first"`` (first value of the recorded series) or
+            ``"free"`` (fitted for each recording). ``{name: {address: value}}`` applies to the recording `name` only.
         noise : mapping, optional
-            Address of an output to the standard deviation of its noise. By default it is estimated from the residuals.
+            Mapping from the address of an output to the standard deviation of its noise. By default it is estimated
+            from the residuals.
         offsets : mapping, optional
-            Address of an output to the prior of its free sensor offset: a standard deviation, ``(mean, standard
-            deviation)``, or ``"free"`` for no prior.
+            Mapping from the address of an output to the prior of the offset of its sensor, which is then fitted: a
+            standard deviation, ``(mean, standard deviation)``, or ``"free"`` for no prior.
         hold : bool, optional
-            Keep each value of a recorded input until the next row. If False, interpolate linearly between rows.
+            If True, a recorded input is constant from each row to the next. If False, it is interpolated linearly.
         validation : sequence of str, optional
             Names of recordings that are compared with the model, but not fitted.
         loss : str, optional
@@ -149,13 +148,14 @@ class Circuit(BaseCircuit, metaclass=_ListedNames):
         bootstrap : int, optional
             Number of bootstrap fits.
         contour : bool, optional
-            Compute the chi-square contour over conductance and wall conductance.
+            If True, compute the chi-square contour over sonic conductance and wall conductance.
         title : str, optional
             Title of the result; default the title of the circuit.
         progress : callable, optional
-            Called with the number of evaluations and the lowest cost.
+            Function that is called with the number of evaluations and the lowest cost.
         stages : callable, optional
-            Called during profiles and bootstrap with the stage, the number of completed steps and their total.
+            Function that is called during profiles and bootstrap with the name of the stage, the number of completed
+            fits and their total.
 
         Returns
         -------
@@ -170,8 +170,8 @@ class Circuit(BaseCircuit, metaclass=_ListedNames):
 
         Notes
         -----
-        A recorded input drives the model; an input without a series keeps the signal of the circuit. The first used
-        row of a recording is t = 0 of its run.
+        A recorded input drives the model; an input without a recorded series has the signal of the circuit. The first
+        used row of a recording is the time t = 0 of the simulation.
 
         Examples
         --------
@@ -204,6 +204,7 @@ class Circuit(BaseCircuit, metaclass=_ListedNames):
         workers: int | None = None,
         progress: Callable[[int, int, str], Any] | None = None,
         requirements: Mapping[str, str] | None = None,
+        allow_python: bool = False,
         **fields: Any,
     ) -> Ensemble:
         """Run the circuit many times with uncertain parameters.
@@ -211,16 +212,21 @@ class Circuit(BaseCircuit, metaclass=_ListedNames):
         Parameters
         ----------
         output : str or Path, optional
-            Folder of the dataset; default a temporary folder. An incomplete dataset in the folder is completed.
+            Folder for the dataset of all runs; default a temporary folder. An incomplete dataset in the folder is
+            completed.
         executor : str or object, optional
             `threads`, `processes`, the address of a Dask scheduler, a `distributed.Client`, or any
             `concurrent.futures.Executor`. The results are identical for all executors.
         workers : int, optional
             Number of threads or processes; default one per processor.
         progress : callable, optional
-            Called with the number of completed runs, the total, and the kind of run: `runs`, `tornado` or `indices`.
+            Function that is called with the number of completed runs, the total, and the kind of run: `runs`, `tornado`
+            or `indices`.
         requirements : mapping, optional
-            Name to requirement, `fill_time < 12 s`; default the table `requirements` of the circuit file.
+            Mapping from names to requirements such as `fill_time < 12 s`; default the table `requirements` of the
+            circuit file.
+        allow_python : bool, optional
+            Permit metrics by Python functions in files, `FILE.py:FUNCTION`, which executes these files.
         **fields
             Fields of the table `ensemble` of a circuit file: `runs`, `seed`, `sampling`, `parameters`, `metrics`,
             `keep`, `curves`, `indices`, `levels`, `file`. They override the fields of the circuit file.
@@ -228,12 +234,12 @@ class Circuit(BaseCircuit, metaclass=_ListedNames):
         Returns
         -------
         Ensemble
-            Dataset, yield, bands, influence of each parameter, worst cases.
+            Result with the dataset, the yield, percentile bands, the influence of each parameter and the worst runs.
 
         Raises
         ------
         InputErrors
-            With all errors of the tables; or if the folder contains other data.
+            If a field is invalid, or if the folder contains other data. All errors are reported together.
 
         Examples
         --------
@@ -252,8 +258,9 @@ class Circuit(BaseCircuit, metaclass=_ListedNames):
         from poppet.ensemble.ensemble_result import run_ensemble
 
         return run_ensemble(
-            self, output, executor=executor, workers=workers, progress=progress, requirements=requirements, **fields
-        )
+            self, output, executor=executor, workers=workers, progress=progress, requirements=requirements,
+            allow_python=allow_python, **fields,
+        )  # fmt: skip
 
     def to_ode(self, duration: Any = None) -> Ode:
         r"""Return the circuit with its signals as functions of a differential equation.
@@ -263,12 +270,14 @@ class Circuit(BaseCircuit, metaclass=_ListedNames):
         Parameters
         ----------
         duration : float or str, optional
-            Time range of the signals [s]; default that of `run`.
+            Time range of the signals [s]; default the duration in the run options of the circuit.
 
         Returns
         -------
         Ode
-            `f(t, x)`, `jac(t, x)`, `outputs(t, x)`, `x0`, names and tolerances; `stretch` for sampled circuits.
+            Object with the functions `f(t, x)`, `jac(t, x)` (Jacobian) and `outputs(t, x)`, the initial state `x0`,
+            names and tolerances. For sampled circuits, its method `stretch` returns the interval up to the next
+            discrete change.
 
         Examples
         --------
@@ -290,16 +299,19 @@ class Circuit(BaseCircuit, metaclass=_ListedNames):
         numbers: Sequence[str] = (),
         without: str | Sequence[str] = (),
     ) -> CasadiModel:
-        r"""Return the circuit as CasADi functions, :math:`\dot x = f(x, u, p)`, :math:`y = g(x, u, p)`.
+        r"""Return the circuit as CasADi functions of states x, inputs u and parameters p.
+
+        .. math:: \dot x = f(x, u, p), \qquad y = g(x, u, p)
 
         Parameters
         ----------
         inputs : sequence of str, optional
-            Addresses of the inputs in u; default all. Other inputs are constant at their values at the start of a run.
+            Addresses of the inputs in u; default all. Other inputs are constant: they have their values at the start of
+            a run.
         numbers : sequence of str, optional
-            Addresses of the parameters in p. Other parameters keep their values.
+            Addresses of the parameters in p; default none. Other parameters are constant.
         without : str or sequence of str, optional
-            Controllers to omit. Inputs that they set become free.
+            Names of controllers to omit. The inputs that they drive can then be in u.
 
         Returns
         -------
@@ -358,14 +370,14 @@ class Circuit(BaseCircuit, metaclass=_ListedNames):
         Parameters
         ----------
         linear : bool, optional
-            Return the linear model at the steady state; in discrete time if the circuit is sampled.
+            If True, return the linear model at the steady state, in discrete time if the circuit is sampled.
         inputs, numbers, without : optional
-            See `to_casadi`; numbers become `params`.
+            See `to_casadi`. The parameters in `numbers` are the `params` of the system.
 
         Returns
         -------
         control.NonlinearIOSystem or control.StateSpace
-            Names contain a double underscore for each dot.
+            System whose signal names are addresses with a double underscore for each dot.
 
         Raises
         ------
@@ -388,12 +400,12 @@ def load(path: str | Path) -> Circuit:
     Returns
     -------
     Circuit
-        Checked and ready to run.
+        Circuit that is checked and ready to run.
 
     Raises
     ------
     InputErrors
-        With all errors of the file and their line numbers, if available.
+        If the file is invalid; all errors are reported together, with line numbers if available.
     """
     return read_circuit(TomlFile.read(path, "parts"), Circuit)
 
@@ -413,6 +425,6 @@ def loads(text: str, *, name: str = "circuit", folder: Path | None = None) -> Ci
     Returns
     -------
     Circuit
-        Checked and ready to run.
+        Circuit that is checked and ready to run.
     """
     return read_circuit(TomlFile(text, name, folder or Path()), Circuit)

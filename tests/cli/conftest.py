@@ -72,7 +72,7 @@ class Refusal(Answer):
         assert set(codes.split()) <= {problem.code for problem in self.error.problems}
         reported = []
         for problem in self.error.problems:
-            near = getattr(problem.facts.get("near"), "names", [])
+            near = getattr(problem.facts.get("suggestion"), "names", [])
             reported.append(ReportedError(problem.code, problem.address or "", problem.line, near[0] if near else ""))
         return reported
 

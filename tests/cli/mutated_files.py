@@ -1,6 +1,6 @@
 """Random mutations of all kinds of input files, which the command line reads in this process.
 
-`python tests/cli/mutated_files.py 20000 [KIND ...]` prints the rows of the table in docs/cli.md.
+`python tests/cli/mutated_files.py 20000 [KIND ...]` prints one row per kind of file; docs/cli.md states the maxima.
 """
 
 from __future__ import annotations
@@ -93,12 +93,12 @@ def _characteristic(path: Path) -> None:
 
 
 def _recordings(path: Path) -> None:
-    from poppet.bench.iso10094.valve_recordings import recorded
+    from poppet.bench.iso10094.valve_recordings import read_valve_recordings
     from poppet.core.toml_file import TomlFile
 
     file = TomlFile.read(path, "recordings")
     with file.errors():
-        recorded(file.content, path)
+        read_valve_recordings(file.content, path)
 
 
 NAMED_BY = {"discharge.csv": "fit.toml", "flow_points.csv": "flow.toml", "tank_charge.csv": "tank.toml"}

@@ -36,7 +36,7 @@ def test_assumptions_of_the_circuit_are_noted(poppet, tanks):
     assert code == 0
     assert err == (
         "note: The critical back-pressure ratio hole.critical_ratio = 0.3 is assumed, "
-        "because sonic_conductance alone does not determine this ratio.\n"
+        "because the flow capacity sonic_conductance alone does not determine this ratio.\n"
     )
 
 

@@ -166,6 +166,7 @@ def test_a_failed_comparison_gives_exit_code_1(poppet, files):
         (["tune", "pid.toml", "-o", "gains.csv"], "files.suffix"),
         (["tune", "pid.toml", "--amplitude", "2"], "fields.out_of_range"),
         (["tune", "pid.toml", "--amplitude", "2 N"], "quantity.other_quantity"),
+        (["tune", "pid.toml", "--at", "3"], "quantity.no_unit"),
         (["compare", "pid.toml", "law.toml", "--amplitude", "0.1"], "cli.option.misplaced"),
         (["compare", "pid.toml", "pid.toml"], "cli.same_name"),
         (["compare", "pid.toml", "--vary", "tank.volume=2 kg"], "quantity.other_quantity"),

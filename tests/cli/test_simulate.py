@@ -102,7 +102,8 @@ def test_set_on_a_driven_input_replaces_its_signal_with_a_note(poppet, tanks):
     code, _, err = poppet("simulate", "tanks.toml", "--set", "hole.opening=0.5", "-o", "out.csv")
     assert (code, err) == (
         0,
-        "note: hole.opening is set to 0.5 by this command, so the signal in the file is not used.\n",
+        "note: hole.opening is set to 0.5 by this command, "
+        "so the signal of hole.opening in the circuit file is not used.\n",
     )
     assert set(house.Recording.read("out.csv")["hole.opening"]) == {0.5}
 

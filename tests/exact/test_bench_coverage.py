@@ -38,7 +38,7 @@ def count_covered(seeds, parts=tuple(FIGURES_OF)) -> dict[str, CoverageCounts]:
     for seed in seeds:
         known_valve: KnownValve = valve(seed, parts)
         for part in parts:
-            figures = TESTS[TEST_OF.get(part, part)].evaluated(known_valve.records[part], SCALE).figures
+            figures = TESTS[TEST_OF.get(part, part)].evaluate_records(known_valve.records[part], SCALE).figures
             for name in (name for name in FIGURES_OF[part] if name in known_valve.truth):
                 counts_by_name.setdefault(name, CoverageCounts()).take(figures.get(name), known_valve.truth[name])
     return counts_by_name

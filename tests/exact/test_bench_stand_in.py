@@ -18,8 +18,8 @@ from poppet.bench.iso10094.resolution import resolution_trial
 from poppet.bench.iso10094.run_bench import run_bench, run_recordings
 from poppet.bench.iso10094.scale import Scale
 from poppet.bench.iso10094.supply import leakage_trial, supply_trial
-from poppet.bench.iso10094.valve_recordings import recorded
-from poppet.bench.iso10094.virtual_valve import StandIn
+from poppet.bench.iso10094.valve_recordings import read_valve_recordings
+from poppet.bench.iso10094.virtual_valve import VirtualValve
 from poppet.core.codes import Note
 from poppet.core.toml_file import TomlFile
 from poppet.signals import Steps
@@ -90,7 +90,7 @@ def assert_close(found: dict[str, float], truth: dict[str, float], within: float
 
 
 def test_characteristic_values_equal_those_of_the_valve():
-    valve = StandIn(time_constant=TIME, dead_time=DEAD, dead_zone=ZONE, play=PLAY, bow=BOW)
+    valve = VirtualValve(time_constant=TIME, dead_time=DEAD, dead_zone=ZONE, play=PLAY, bow=BOW)
     result = run_bench(valve, ONE, ("characteristic",))
     assert_close(values(result), truth_of_characteristic())
     rate = result.conditions["characteristic"]["sweep_rate"]
@@ -101,13 +101,13 @@ def test_characteristic_values_equal_those_of_the_valve():
 
 
 def test_offset_and_repeatability():
-    valve = StandIn(offset=0.7, scatter=0.3)
+    valve = VirtualValve(offset=0.7, scatter=0.3)
     found = values(run_bench(valve, ONE, ("characteristic",)))
     assert_close(found, {"zero_offset": 0.7, "repeatability": 0.3, "accuracy": 1.0})
 
 
 def test_steps_of_a_first_order_behind_a_dead_time():
-    result = run_bench(StandIn(time_constant=TIME, dead_time=DEAD), tests=("step",))
+    result = run_bench(VirtualValve(time_constant=TIME, dead_time=DEAD), tests=("step",))
     assert_close(values(result), truth_of_steps())
     assert result.figures["overshoot"].value == 0.0
     assert "hum_amplitude" not in result.figures
@@ -119,19 +119,19 @@ def test_steps_of_a_first_order_behind_a_dead_time():
 
 @pytest.mark.parametrize("damping", [0.2, 0.5, 0.7])
 def test_overshoot_of_a_second_order(damping):
-    result = run_bench(StandIn(time_constant=0.02, damping=damping), ONE, ("step",))
+    result = run_bench(VirtualValve(time_constant=0.02, damping=damping), ONE, ("step",))
     overshoot = 100.0 * math.exp(-math.pi * damping / math.sqrt(1.0 - damping**2))
     assert_close(values(result), {"overshoot": overshoot})
 
 
 def test_limit_cycle_is_reported_with_the_step():
-    result = run_bench(StandIn(hum=0.15, hum_frequency=17.0), ONE, ("step",))
+    result = run_bench(VirtualValve(hum=0.15, hum_frequency=17.0), ONE, ("step",))
     assert_close(values(result), {"hum_amplitude": 0.15, "hum_frequency": 17.0})
     assert "bench.step.swings" in codes(result, "step")
 
 
 def test_frequency_response():
-    result = run_bench(StandIn(time_constant=TIME, dead_time=DEAD), ONE, ("frequency",))
+    result = run_bench(VirtualValve(time_constant=TIME, dead_time=DEAD), ONE, ("frequency",))
     lowest = result.conditions["frequency"]["lowest"]
     assert_close(values(result), truth_of_sines(lowest))
     for row in result.rows["frequency"]:
@@ -149,7 +149,7 @@ def test_backlash_has_the_gain_of_its_describing_function():
     angle = math.asin(1.0 - r)
     b = (math.pi / 2.0 + angle + (1.0 - r) * math.sqrt(1.0 - (1.0 - r) ** 2)) / math.pi
     a = -(1.0 - (1.0 - r) ** 2) / math.pi
-    valve = StandIn(time_constant=4e-4, play=width)
+    valve = VirtualValve(time_constant=4e-4, play=width)
     settings = replace(ONE, frequencies=(0.2,), sine_amplitude=amplitude)
     row = run_bench(valve, settings, ("frequency",)).rows["frequency"][0]
     assert row["gain"] == pytest.approx(math.hypot(a, b), rel=WITHIN)
@@ -157,7 +157,7 @@ def test_backlash_has_the_gain_of_its_describing_function():
 
 
 def test_flow_and_relief():
-    valve = StandIn(droop=20.0, rise=12.0, flow_play=0.06, full_flow=0.02)
+    valve = VirtualValve(droop=20.0, rise=12.0, flow_play=0.06, full_flow=0.02)
     found = values(run_bench(valve, ONE, ("flow",)))
     truth = {
         "flow_droop": 10.0, "flow_hysteresis": 20.0 * 0.06, "flow_capacity": 0.02 * (0.5 + 0.03),
@@ -169,25 +169,25 @@ def test_flow_and_relief():
 
 
 def test_supply_and_leakage():
-    valve = StandIn(supply_sensitivity=-0.012, leak=3e-6)
+    valve = VirtualValve(supply_sensitivity=-0.012, leak=3e-6)
     found = values(run_bench(valve, ONE, ("supply", "leakage")))
     assert_close(found, {"supply_sensitivity": -0.012, "leakage": 3e-6})
 
 
 def test_resolution_within_one_stair():
-    found = values(run_bench(StandIn(threshold=0.5), ONE, ("resolution",)))
+    found = values(run_bench(VirtualValve(threshold=0.5), ONE, ("resolution",)))
     assert found["resolution"] == pytest.approx(0.5, abs=1e-6)
-    turned = run_bench(StandIn(play=1.2), ONE, ("resolution",))
+    turned = run_bench(VirtualValve(play=1.2), ONE, ("resolution",))
     assert turned.figures["reversal_threshold"].value == pytest.approx(1.2, abs=0.0501)
     assert (turned.figures["resolution"].value, turned.figures["resolution"].bound) == pytest.approx((0.05, "at most"))
     assert "bench.resolution.every_stair" in codes(turned, "resolution")
 
 
 def test_absent_values_have_a_reason():
-    result = run_bench(StandIn(play=4.0), ONE, ("resolution",))
+    result = run_bench(VirtualValve(play=4.0), ONE, ("resolution",))
     figure = result.figures["reversal_threshold"]
     assert (figure.value, figure.bound) == (pytest.approx(3.0), "at least")
-    dead = run_bench(StandIn(dead_zone=99.9), replace(ONE, longest_hold=1.0), ("step",))
+    dead = run_bench(VirtualValve(dead_zone=99.9), replace(ONE, longest_hold=1.0), ("step",))
     assert "response_time_up" not in dead.figures
     assert Note("bench.absent.no_step", "response_time_up") in dead.notes["step"]
     assert "bench.step.short" in codes(dead, "step")
@@ -199,7 +199,7 @@ NOISE, STEP = 60.0, 15.0  # of the pressure sensor and of its converter [Pa]
 VOLTS = Scale(0.0, 10.0, "V", 1e5, 7e5)
 
 
-def write(folder: Path, name: str, valve: StandIn, trial: Trial, seed: int) -> None:
+def write(folder: Path, name: str, valve: VirtualValve, trial: Trial, seed: int) -> None:
     """Write a recording in volts and gauge bars with noise and rounding."""
     record, random = valve.respond(trial), np.random.default_rng(seed)
 
@@ -235,12 +235,12 @@ def mapping(tests: dict[str, str]) -> str:
     return "\n".join(lines)
 
 
-def of_recordings(folder: Path, valve: StandIn, trials: dict[str, Trial]):
+def of_recordings(folder: Path, valve: VirtualValve, trials: dict[str, Trial]):
     for seed, (name, trial) in enumerate(trials.items()):
         write(folder, name, valve, trial, seed)
     path = folder / "map.toml"
     path.write_text(mapping({name: trial.kind for name, trial in trials.items()}), encoding="utf-8")
-    found = recorded(TomlFile.read(path).content, path)
+    found = read_valve_recordings(TomlFile.read(path).content, path)
     return run_recordings(found.title, found.records, found.scale, tests=list({t.kind: 0 for t in trials.values()}))
 
 
@@ -251,7 +251,7 @@ def step_of(amplitude: float, at: float, sample: float) -> Trial:
 
 
 def test_steps_from_recordings(tmp_path):
-    valve = StandIn(scale=VOLTS, time_constant=TIME, dead_time=DEAD)
+    valve = VirtualValve(scale=VOLTS, time_constant=TIME, dead_time=DEAD)
     trials = {"large": step_of(80.0, 0.0123, 1e-3), "small": step_of(10.0, 0.0077, 1e-3)}
     result = of_recordings(tmp_path, valve, trials)
     truth = truth_of_steps()
@@ -262,7 +262,7 @@ def test_steps_from_recordings(tmp_path):
 
 
 def test_sweep_from_a_recording(tmp_path):
-    valve = StandIn(scale=VOLTS, time_constant=TIME, dead_time=DEAD, dead_zone=ZONE, play=PLAY, bow=BOW)
+    valve = VirtualValve(scale=VOLTS, time_constant=TIME, dead_time=DEAD, dead_zone=ZONE, play=PLAY, bow=BOW)
     trial = characteristic_trial(VOLTS, 1e-3, 60.0, 2.0)
     result = of_recordings(tmp_path, valve, {"sweep": trial})
     found = values(result)
@@ -272,7 +272,7 @@ def test_sweep_from_a_recording(tmp_path):
 
 
 def test_flow_supply_and_leakage_from_recordings(tmp_path):
-    valve = StandIn(
+    valve = VirtualValve(
         scale=VOLTS, droop=20.0, rise=12.0, flow_play=0.06, full_flow=0.02, supply_sensitivity=0.012, leak=3e-6
     )
     trials = {
@@ -289,7 +289,7 @@ def test_flow_supply_and_leakage_from_recordings(tmp_path):
 
 
 def test_sines_from_recordings(tmp_path):
-    valve = StandIn(scale=VOLTS, time_constant=TIME, dead_time=DEAD)
+    valve = VirtualValve(scale=VOLTS, time_constant=TIME, dead_time=DEAD)
     frequencies = (0.1, 0.5, 1.0, 1.6, 2.0, 2.5, 3.15, 4.0, 5.0, 6.3, 8.0, 10.0)
     trials = {
         f"f{k}": frequency_trial(VOLTS, 1e-3, f, 0.6, mean=50.0, amplitude=5.0) for k, f in enumerate(frequencies)
@@ -299,6 +299,6 @@ def test_sines_from_recordings(tmp_path):
 
 def test_resolution_from_a_recording(tmp_path):
     result = of_recordings(
-        tmp_path, StandIn(scale=VOLTS, threshold=0.5), {"stairs": resolution_trial(VOLTS, 1e-3, 0.1, 1.0, 50.0)}
+        tmp_path, VirtualValve(scale=VOLTS, threshold=0.5), {"stairs": resolution_trial(VOLTS, 1e-3, 0.1, 1.0, 50.0)}
     )
     assert result.figures["resolution"].value == pytest.approx(0.5, abs=0.01)

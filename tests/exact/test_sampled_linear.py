@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from poppet import Circuit
-from poppet.bench.sine_rig import SineRig, agreement, without_bands
+from poppet.bench.sine_rig import SineRig, find_agreement, without_bands
 from poppet.circuit.linear_model import SteadyState
 from poppet.circuit.sampled.point import SampledPoint
 from poppet.circuit.sampled.sampled_model import SampledModel, sampled_model
@@ -157,10 +157,10 @@ def test_bands_set_a_least_amplitude_and_saturation_a_greatest():
         name: n.value for name, n in smooth.numbers().items()
     }
     linear = at_rest("medium")[1]
-    free = agreement(SineRig(smooth.instance, SETPOINT, OUTLET), linear, 5.0, (10.0, 1e5), tolerance=0.25)
+    free = find_agreement(SineRig(smooth.instance, SETPOINT, OUTLET), linear, 5.0, (10.0, 1e5), tolerance=0.25)
     assert free.low == 0.0
     assert 3e3 < free.high < 1e5
-    banded = agreement(SineRig(rough.instance, SETPOINT, OUTLET), linear, 5.0, (10.0, 1e5), tolerance=0.25)
+    banded = find_agreement(SineRig(rough.instance, SETPOINT, OUTLET), linear, 5.0, (10.0, 1e5), tolerance=0.25)
     assert 1e3 < banded.low < 1e4 < banded.high < 1e5
     below = [each for a, each in zip(banded.amplitudes, banded.differences, strict=True) if 20.0 < a < 0.5 * banded.low]
     assert min(below) > 0.25

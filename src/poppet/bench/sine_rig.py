@@ -36,7 +36,7 @@ MOST_ATTEMPTS = 1_500_000
 
 @dataclass(frozen=True)
 class SineResponse:
-    """Response of an output to a sinusoidal input, as gain and phase."""
+    """Response of an output to a sinusoidal input: complex gain, mean and residual."""
 
     gain: complex  # fundamental of the output per amplitude of the input, in the units of both
     mean: float  # mean of the output, in the unit of the output
@@ -48,7 +48,7 @@ class SineRig:
     """Sampled circuit for repeated runs with sines and steps, from one settled state.
 
     Each run starts from the steady state `rest`. Without `rest`, it starts from the state after `settling` seconds with
-    constant inputs. `input` and `output` are addresses of the driven input and of the observed output.
+    constant inputs. `input` and `output` are the addresses of the varied input and of the observed output.
     """
 
     def __init__(
@@ -82,8 +82,8 @@ class SineRig:
         """Common period of all sampled controllers [s]."""
         return self.point.clock.sample_time
 
-    def started_at(self, v: Array) -> SineRig:
-        """Return a copy of the object whose runs start from another state `v`.
+    def from_state(self, v: Array) -> SineRig:
+        """Return a copy of this rig whose runs start from the state `v`.
 
         `v` contains states and discrete states.
         """
@@ -93,7 +93,7 @@ class SineRig:
 
     @property
     def level(self) -> float:
-        """Value of the output in the start state, in the unit of the output."""
+        """Value of the observed output in the start state, in the unit of the output."""
         y = np.empty(len(self.kernel.model.outputs))
         self.kernel.call("outputs", np.array([self.begin]), self.x, self.u, self.p, y)
         return float(y[self.output])
@@ -101,10 +101,10 @@ class SineRig:
     def _problem(
         self, coefficients: Array, begin: float, grid: Array, x: Array, p: Array, **options: object
     ) -> Problem:
-        """Return the definition of a run from a given time and state.
+        """Return the definition of a run from the time `begin` [s] and the state `x`.
 
-        `coefficients` define the inputs, and `grid` contains the output times [s]. The sampled controllers keep their
-        clocks.
+        `coefficients` define the inputs, `grid` contains the output times [s], and `p` the parameters and discrete
+        states. The sampled controllers keep their clocks.
         """
         return Problem(
             self.kernel, p.copy(), x.copy(), np.array([begin]), np.zeros(1, dtype=np.int64), coefficients,
@@ -112,9 +112,9 @@ class SineRig:
         )  # fmt: skip
 
     def run(self, amplitude: float, frequency: float, grid: Array) -> RawRun:
-        """Simulate a sine that is added to the constant value of the driven input.
+        """Simulate a sine that is added to the constant value of the varied input.
 
-        `grid` contains the output times after the start [s].
+        `frequency` is in Hz. `grid` contains the output times, counted from the start of the run [s].
         """
         coefficients = constant_coefficients(self.u, self.begin)
         coefficients[0, self.input, 2:4] = amplitude, frequency
@@ -125,8 +125,8 @@ class SineRig:
     ) -> SineResponse:
         """Return the response to a sine after the transient has decayed.
 
-        `frequency` is that of the sine [Hz]. `rows` is the number of samples per period. At most `attempts` runs take
-        place, each twice as long as the previous one.
+        `frequency` is that of the sine [Hz], and `rows` the number of samples per period. At most `attempts` runs are
+        made, each twice as long as the previous one.
         """
         periods = max(PERIODS, int(np.ceil(SAMPLES * self.sample_time * frequency)))
         for k in range(attempts):
@@ -143,11 +143,11 @@ class SineRig:
                 break
         return SineResponse(second[0] / amplitude, second[1], second[2], is_steady)
 
-    def rise(self, change: float, expected: float, part: float, longest: float) -> float:
-        """Return the time in which the output responds to a step [s].
+    def response_time(self, change: float, expected: float, part: float, longest: float) -> float:
+        """Return the time in which the output responds to a step of the input [s].
 
-        `change` is the step of the input, `expected` the complete change of the output, and `part` the fraction of it
-        to reach. The result is NaN if this takes longer than `longest` [s].
+        `change` is the step, `expected` the complete change of the output, and `part` the fraction of `expected` that
+        counts as a response. The result is NaN if the time exceeds `longest` [s].
         """
         coefficients = constant_coefficients(self.u, self.begin)
         coefficients[0, self.input, 0] += change
@@ -160,10 +160,10 @@ class SineRig:
 
 
 def fundamental(time: Array, values: Array, frequency: float) -> tuple[complex, float, float]:
-    """Return the sine of one frequency that a series contains.
+    """Fit a sine of one frequency [Hz] to a series.
 
-    The result is the complex amplitude, the mean, and the rms of the residual relative to the rms of the sine. A Hann
-    window separates sampling sidebands and slow drift from the sine.
+    The result is the complex amplitude of the sine, the mean, and the rms of the residual relative to the rms of the
+    sine. A Hann window separates sampling sidebands and slow drift from the sine.
 
     Examples
     --------
@@ -210,9 +210,10 @@ class Agreement:
 
 
 def without_bands(circuit: BaseCircuit) -> BaseCircuit:
-    """Return the circuit with a continuous controller: without dead bands, hold bands, delays and quantisation.
+    """Return the circuit with continuous instead of sampled and pulsed behaviour of its controllers.
 
-    The flow of each pulsed solenoid is replaced by its mean over a period.
+    Dead bands, hold bands, delays and quantisation are set to zero, and each pulsed solenoid has its mean flow over a
+    period.
     """
     changes: dict[str, float | str] = {}
     for name, part in circuit.parts.items():
@@ -224,12 +225,13 @@ def without_bands(circuit: BaseCircuit) -> BaseCircuit:
     return circuit.with_values(changes)
 
 
-def agreement(
+def find_agreement(
     rig: SineRig, linear: LinearModel, frequency: float, amplitudes: tuple[float, float], *, tolerance: float = 0.1
 ) -> Agreement:
     """Find the range of amplitudes in which a circuit behaves like its linear model.
 
-    `amplitudes` are the limits of the search, and `tolerance` is the largest relative difference of the complex gains.
+    `amplitudes` are the limits of the search, and `tolerance` is the largest permitted difference of the complex gains,
+    relative to the linear model.
     """
     if not 0.0 < amplitudes[0] < amplitudes[1]:
         raise InputError("limits.amplitudes", given=amplitudes)
@@ -257,7 +259,7 @@ def agreement(
 def _end_of_agreement(difference: Callable[[float], float], inside: float, outside: float, tolerance: float) -> float:
     """Return the amplitude at which the agreement with the linear model ends.
 
-    `difference` is a function that returns the deviation from the linear model. The bisection starts with the amplitude
+    `difference` returns the deviation from the linear model at an amplitude. The bisection starts between the amplitude
     `inside`, which agrees, and `outside`, which does not.
     """
     for _ in range(BISECTIONS):

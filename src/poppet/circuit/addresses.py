@@ -62,8 +62,8 @@ def change_values(owners: Mapping[str, Any], values: Mapping[str, Any]) -> dict[
 def _change_owner(owner: _Owner, name: str, changes: Mapping[str, Any], inherited: Sequence[str] = ()) -> _Owner:
     """Return a copy of a part or section with changed fields.
 
-    `owner` is the part or section, and `name` its name. `changes` maps paths such as `volume`, which do not contain
-    this name, to new values. Fields in `inherited` cannot change, because the enclosing part sets them.
+    `owner` is the part or section, and `name` its name. The keys of `changes` are addresses inside it, such as
+    `volume`. The fields in `inherited` cannot be changed, because the enclosing compound part sets them.
     """
     changes_by_field: dict[str, dict[str, Any]] = defaultdict(dict)
     for path, value in changes.items():
@@ -84,9 +84,9 @@ def _change_owner(owner: _Owner, name: str, changes: Mapping[str, Any], inherite
 def _change_field(owner: Any, name: str, field: str, changes: Mapping[str, Any], inherited: Sequence[str]) -> object:
     """Return the new value of one field of a part.
 
-    `changes` maps paths inside the field to new values. An empty path replaces the whole field. `owner` is the part
-    with the address `name` that contains the field. `inherited` are the names of fields whose values come from the
-    enclosing compound part, so they cannot be changed here.
+    The keys of `changes` are addresses inside the field; an empty key replaces the whole field. `owner` is the part
+    with the address `name` that contains the field. The fields in `inherited` cannot be changed, because the enclosing
+    compound part sets them.
     """
     if field in inherited:
         raise InputError("address.told", f"{name}.{field}", whole=name.rpartition(".")[0])
@@ -139,4 +139,4 @@ def _change_nested(current: Any, spec: Spec, name: str, path: str, value: Any) -
 
 def _unknown_field(name: str, path: str, valid: Iterable[str]) -> InputError:
     suggestion = NameSuggestion(f"{name}.{path}", [f"{name}.{key}" for key in valid])
-    return InputError("names.unknown", f"{name}.{path}", meaning="an address of this circuit", near=suggestion)
+    return InputError("names.unknown", f"{name}.{path}", meaning="an address of this circuit", suggestion=suggestion)

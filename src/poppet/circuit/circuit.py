@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Hashable, Iterator, Mapping
 from dataclasses import InitVar, dataclass, field, fields, replace
 from functools import cached_property
@@ -68,7 +69,7 @@ class BaseCircuit(HtmlMixin):
     Parameters
     ----------
     parts, signals, run, ambient, gas, title, connections, origin, like : optional
-        See `poppet.Circuit`, which adds the methods of the packages above.
+        See `poppet.Circuit`, a subclass with methods of other packages, for example for identification.
 
     Raises
     ------
@@ -182,10 +183,10 @@ class BaseCircuit(HtmlMixin):
 
     @cached_property
     def domains(self) -> dict[str, tuple[Any, tuple[float, float]]]:
-        """Mapping from the address of a stroke to its characteristic and end stops.
+        """Characteristic and end stops of each stroke with a limited domain, by address.
 
-        It contains only strokes whose characteristic is limited to a range of strokes (the domain). The end stops are
-        the lowest and the highest position.
+        The domain is the range of strokes for which a characteristic is valid. The end stops are the lowest and the
+        highest position of the stroke.
         """
         return {address: curve for part in self._placed.values() for address, curve in part.domains.items()}
 
@@ -194,9 +195,10 @@ class BaseCircuit(HtmlMixin):
         return {name: part.wired for name, part in self._placed.items()}
 
     def drives(self) -> dict[str, dict[str, bool]]:
-        """Return a mapping from each body to the inputs with signals that can move it.
+        """Return the inputs that can move each body, by body.
 
-        The value of an input is True if it is a command.
+        The inner mapping contains the addresses of inputs with a signal. A value is True if the input is a command, and
+        False otherwise, for example for a load.
         """
         driven = {address: item for address, item in self.inputs.items() if address in self.signals}
         found = find_drives(self._wiring, self.connections, driven)
@@ -248,12 +250,37 @@ class BaseCircuit(HtmlMixin):
                     item = self.inputs[address]
                     value = self.parameters[f"{name}.{item.default}"] if isinstance(item.default, str) else item.default
                     notes.append(Note("circuit.uncontrolled", address, value=value, unit=item.unit))
+        # Connected outputs whose range exceeds the limits of the input.
+        for target, source, low, high in self._limited_connections():
+            name, _, local = source.rpartition(".")
+            ends = self.parts[name].output_ranges().get(local) if name in self.parts else None
+            if ends is not None:
+                lowest, highest = (
+                    (-1.0 if end[0] == "-" else 1.0) * self.parameters[f"{name}.{end.lstrip('-')}"]
+                    if isinstance(end, str)
+                    else end
+                    for end in ends
+                )
+                if lowest < low or highest > high:
+                    facts = {"source": source, "lowest": lowest, "highest": highest, "low": low, "high": high}
+                    notes.append(Note("circuit.limited_input", target, unit=self.inputs[target].unit, **facts))
         return tuple(notes)
+
+    def _limited_connections(self) -> Iterator[tuple[str, str, float, float]]:
+        """Yield target, source and limits of each connection to an input with limits."""
+        for target, source in self.connections.items():
+            item, owner = self.inputs[target], target.rpartition(".")[0]
+            low, high = (
+                self.parameters.get(f"{owner}.{end}", math.nan) if isinstance(end, str) else end
+                for end in (item.low, item.high)
+            )
+            if low > -math.inf or high < math.inf:
+                yield target, source, low, high
 
     def _real_gas_notes(self, series: Series) -> Iterator[Note]:
         """Yield notes on volumes in which the gas deviates considerably from an ideal gas.
 
-        `series` is a function that returns the values of an output over time for its address.
+        The function `series` returns the values of an output over time for its address.
         """
         gas = self.gas.of_library()
         for name, part in self.parts.items():
@@ -306,7 +333,8 @@ class BaseCircuit(HtmlMixin):
         Returns
         -------
         Circuit
-            Signals and clocks restart at t = 0. Integrals of the discrete state continue.
+            Copy whose signals and clocks restart at t = 0. Its other discrete states, such as the integral of a
+            controller, continue.
 
         Raises
         ------
@@ -389,6 +417,17 @@ class BaseCircuit(HtmlMixin):
             Function from the address of an output, or `time`, to its values at the rows of the run.
         """
         yield from self._real_gas_notes(series)
+        outputs = {name for name, _ in self.model.outputs}
+        for target, source, low, high in self._limited_connections():
+            if source in outputs:
+                values = series(source)
+                excess = np.maximum(low - values, values - high)
+                size = max(abs(end) for end in (low, high) if math.isfinite(end)) or 1.0
+                rows = np.flatnonzero(excess > 1e-9 * size)
+                if rows.size:
+                    time, k = float(series("time")[rows[0]]), int(np.nanargmax(excess))
+                    facts = {"source": source, "time": time, "value": float(values[k]), "low": low, "high": high}
+                    yield Note("circuit.saturated", target, unit=self.inputs[target].unit, **facts)
         for name, part in self.parts.items():
             for remark in part.remarks(name, series):
                 yield remark.within(name)
@@ -531,7 +570,7 @@ class BaseCircuit(HtmlMixin):
         Returns
         -------
         LinearModel
-            With names and units; a `SampledModel` if the circuit is sampled.
+            Matrices with names and units. If the circuit is sampled, it is a `SampledModel`.
 
         Examples
         --------

@@ -65,13 +65,15 @@ def read_circuit(file: TomlFile, circuit_class: type[CircuitT]) -> CircuitT:
     Returns
     -------
     BaseCircuit
-        Of that class.
+        Circuit of the class `circuit_class`.
     """
     with file.errors() as errors:
         data = file.content
         for key in data:
             if key not in TOP_LEVEL + ABOVE:
-                errors.add("fields.unknown", key, table="circuit file", near=NameSuggestion(key, TOP_LEVEL + ABOVE))
+                errors.add(
+                    "fields.unknown", key, table="circuit file", suggestion=NameSuggestion(key, TOP_LEVEL + ABOVE)
+                )
         tables = {name: _table(errors, name, data.get(name, {})) for name in TOP_LEVEL[1:] if name != "gas"}
         # `gas = "nitrogen"` is short for a table with a name.
         gas_table = data.get("gas", {})
@@ -108,7 +110,7 @@ def _table(errors: ErrorCollector, name: str, value: Any) -> Mapping[str, Any]:
 class _Parts:
     """Parts of a circuit file, with their inputs, parameters and connections.
 
-    If a part is invalid, only its connections are used. The other parts can then still be checked.
+    If a part is invalid, only its connections are read, so that the other parts can still be checked.
     """
 
     def __init__(
@@ -164,7 +166,11 @@ def _kind(table: Any) -> type[Part]:
     kind = table["kind"]
     if not isinstance(kind, str) or kind not in KINDS:
         raise InputError(
-            "fields.not_an_option", "kind", value=kind, meaning="kind of part", near=NameSuggestion(str(kind), KINDS)
+            "fields.not_an_option",
+            "kind",
+            value=kind,
+            meaning="kind of part",
+            suggestion=NameSuggestion(str(kind), KINDS),
         )
     return KINDS[kind]
 
@@ -172,8 +178,8 @@ def _kind(table: Any) -> type[Part]:
 def _flatten(tables: Mapping[str, Any], prefix: str = "") -> list[tuple[str, Any]]:
     """Return pairs of input address and signal table from nested tables.
 
-    Without quotes, a header such as [signals.valve.pilot_pressure] creates nested tables. `prefix` is the part of the
-    address that has been read so far.
+    A header without quotes, such as [signals.valve.pilot_pressure], creates nested tables. `prefix` is the beginning of
+    all addresses in `tables`.
     """
     signals: list[tuple[str, Any]] = []
     for key, table in tables.items():

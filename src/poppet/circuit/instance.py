@@ -33,9 +33,9 @@ TIES = 8
 
 
 class Drive:
-    """Signals of a circuit, divided into segments for the integrator.
+    """Signals of all inputs of a circuit, divided into segments for the integrator.
 
-    The segments are stored for each duration, and circuits with the same signals share them.
+    The segments are stored for each duration. Circuits with equal signals share one object.
     """
 
     def __init__(self, signals: Mapping[str, Signal]) -> None:
@@ -65,14 +65,14 @@ class Drive:
 
 
 class CircuitVariants(Protocol):
-    """Interface through which an `Instance` requests modified copies of its circuit, and notes."""
+    """Interface of a circuit for its `Instance`, which requests modified copies and notes."""
 
     @property
     def instance(self) -> Instance:
         """Compiled model with the parameter values and signals of this circuit."""
 
     def drives(self) -> Mapping[str, Mapping[str, bool]]:
-        """Return the inputs with signals that can move each body; the value is True for commands."""
+        """Return the inputs that can move each body; see `BaseCircuit.drives`."""
 
     def with_values(self, values: Mapping[str, Any]) -> Self:
         """Return a copy of the circuit with other values at the given addresses."""
@@ -87,15 +87,18 @@ class CircuitVariants(Protocol):
         """Return a copy of the circuit that starts in the final state of a recording."""
 
     def result_notes(self, series: Series) -> Iterable[Note]:
-        """Yield notes on the results of a run, from the gas and the parts."""
+        """Yield notes on the gas and the parts in a run.
+
+        The function `series` returns the values of an output over time for its address.
+        """
 
 
 @dataclass(frozen=True, eq=False)
 class Instance:
     """Compiled model with parameter values, signals and ambient conditions.
 
-    Unlike a circuit, an instance contains no parts. For changes that affect the parts, `circuit` creates a changed
-    copy.
+    Unlike a circuit, an instance contains no parts. Its field `circuit` creates copies of the circuit for changes that
+    affect the parts.
     """
 
     kernel: Kernel
@@ -170,8 +173,8 @@ class Instance:
     def with_numbers(self, numbers: Mapping[str, float]) -> Instance:
         """Return a copy of the instance with other parameter values, which are not checked.
 
-        `numbers` maps addresses to values in SI units, absolute. Parameters that depend on the changed ones keep their
-        values. If there are such parameters (see `tied`), use `with_values` instead.
+        `numbers` maps addresses to values in SI units, absolute. Other parameters keep their values. If some of them
+        depend on the changed parameters (see `tied`), use `with_values` instead.
         """
         return replace(self, parameters={**self.parameters, **numbers}, changes={**self.changes, **numbers})
 
@@ -183,9 +186,9 @@ class Instance:
         return self.circuit.with_values(self.changes) if self.changes else self.circuit
 
     def tied(self, changes: Mapping[str, float]) -> frozenset[str]:
-        """Return the parameters on whose values other parameters depend.
+        """Return the addresses of parameters on which other parameters depend.
 
-        `changes` maps the address of each parameter to test to another value than its present one.
+        `changes` contains the addresses to test. Its values must differ from the present values of the parameters.
         """
 
         def has_dependents(values: dict[str, float]) -> bool:
@@ -213,7 +216,7 @@ class Instance:
             for name in values:
                 if name not in inputs:
                     suggestion = NameSuggestion(name, inputs)
-                    errors.add("names.unknown", name, meaning="an input of this circuit", near=suggestion)
+                    errors.add("names.unknown", name, meaning="an input of this circuit", suggestion=suggestion)
             for name, item in inputs.items():
                 signal = self.signals.get(name)
                 if name in values:

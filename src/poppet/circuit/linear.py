@@ -57,8 +57,20 @@ def steady_state(instance: Instance, inputs: Mapping[str, Any] | None = None) ->
             break
     method = Note("rest.settled", duration=duration)
     if run.outcome is Outcome.TOO_MANY and not np.all(point.positive):
+        from scipy.integrate import Radau
+
         # The circuit hunts: the fast mechanics do not settle, although a steady state exists.
-        x, method = _run_slow_gas(point), Note("rest.slowed", duration=duration)
+        # Slower gas dynamics do not change the steady states, and do not excite the mechanics.
+        rate = np.where(point.positive, SLOW_GAS, 1.0)
+        transient = Radau(
+            lambda _, z: rate * point.scaled(z * point.size)[0], 0.0, point.start / point.size, TRANSIENTS[-1],
+            jac=lambda _, z: rate[:, None] * point.scaled(z * point.size)[1], rtol=1e-6, atol=1e-9,
+        )  # fmt: skip
+        # Not `solve_ivp`, which stores all steps and has no limit of steps.
+        for _ in range(SLOW_GAS_STEPS):
+            if transient.status == "running":
+                transient.step()
+        x, method = np.asarray(transient.y) * point.size, Note("rest.slowed", duration=duration)
     x = refine_steady_state(point.scaled, x, point.size, point.positive, conserves=True)
     # Newton's method can stop early: the residual decides.
     residual, limit = scaled_residual(point.scaled, x, point.size)
@@ -100,7 +112,7 @@ def linearise(
 class _LinearisationPoint:
     """Circuit with constant inputs, for which rates, outputs and derivatives are evaluated.
 
-    Argument x of the methods contains the states, (n,), without the quadratures (integrals of flows).
+    The argument x of the methods contains the states, (n,), without the quadratures (integrals of flows).
     """
 
     def __init__(self, instance: Instance, u: Array) -> None:
@@ -119,14 +131,14 @@ class _LinearisationPoint:
         return [f.ravel(), y.ravel(), *matrices]
 
     def padded(self, x: Array) -> Array:
-        """Return the states x, extended by a zero for each quadrature.
+        """Return a state vector with a zero for each quadrature after the states x.
 
         Quadratures are integrals of flows, which do not affect the rates.
         """
         return np.concatenate([x, np.zeros(self.model.n_quadratures)])
 
     def scaled(self, x: Array) -> tuple[Array, Array]:
-        """Return the rates and their Jacobian, in units of the size of each state."""
+        """Return the rates and their Jacobian, scaled by the typical size of each state [1/s]."""
         f, _, jacobian, *_ = self.linear(x)
         return f / self.size, jacobian * self.size[None, :] / self.size[:, None]
 
@@ -135,22 +147,3 @@ class _LinearisationPoint:
         f, y, a, b, c, d = self.linear(x)
         names = tuple(s.name for s in self.model.states), tuple(i.name for i in self.model.inputs)
         return LinearModel(a, b, c, d, *names, self.model.columns[0], x, self.u, y, f)
-
-
-def _run_slow_gas(point: _LinearisationPoint) -> Array:
-    """Return the final state of a transient in which only the gas is slowed down.
-
-    The steady states are unchanged. With slow gas, fast mechanical parts do not cause oscillations.
-    """
-    from scipy.integrate import Radau
-
-    rate = np.where(point.positive, SLOW_GAS, 1.0)
-    method = Radau(
-        lambda _, z: rate * point.scaled(z * point.size)[0], 0.0, point.start / point.size, TRANSIENTS[-1],
-        jac=lambda _, z: rate[:, None] * point.scaled(z * point.size)[1], rtol=1e-6, atol=1e-9,
-    )  # fmt: skip
-    # Not `solve_ivp`, which stores all steps and has no limit of steps.
-    for _ in range(SLOW_GAS_STEPS):
-        if method.status == "running":
-            method.step()
-    return np.asarray(method.y) * point.size

@@ -22,7 +22,7 @@ Array = NDArray[np.float64]
 
 
 class ControlSystem(Protocol):
-    """Interface of an input-output system of python-control, which has no type hints."""
+    """Interface of an input-output system of python-control, which has no type hints of its own."""
 
     name: str
     dt: float | bool | None  # sample time [s]; 0 in continuous time
@@ -35,10 +35,10 @@ class ControlSystem(Protocol):
     state_labels: list[str]
 
     def dynamics(self, t: float, x: Array, u: Array, params: dict[str, float] | None = None) -> Array:
-        """Return the derivatives of the states, or the next states of a discrete-time system."""
+        """Return the derivatives of the states x, or their next values in discrete time."""
 
     def output(self, t: float, x: Array, u: Array, params: dict[str, float] | None = None) -> Array:
-        """Return the output vector of the system."""
+        """Return the outputs for the states x and the inputs u at the time t."""
 
     def __getattr__(self, name: str) -> Any: ...
 
@@ -52,7 +52,7 @@ class ControlStateSpace(ControlSystem, Protocol):
     D: Array
 
     def poles(self) -> NDArray[np.complex128]:
-        """Return the poles: in the s-plane [1/s], or in discrete time in the z-plane."""
+        """Return the poles in the s-plane [1/s], or in the z-plane for discrete time."""
 
     def zeros(self) -> NDArray[np.complex128]:
         """Return the transmission zeros of the system."""
@@ -65,19 +65,20 @@ class SteadyState:
     Parameters
     ----------
     x : (n_states,) array
-        Controlled states, in the order of `circuit.model.states`.
+        States in SI, in the order of `circuit.model.states`.
     y : dict
         Mapping from the address of each output to the value, SI.
     u : dict
         Mapping from the address of each input to the value, SI.
     residual : float
-        Largest remaining rate of change, per size of the state [1/s].
+        Largest remaining rate of change, divided by the typical size of the state [1/s].
     found : tuple of Note
-        Method of the search, and the motion of the circuit if the state is unstable.
+        Note on the method of the search. If the state is unstable, a second note describes the motion of the circuit.
     memory : dict
-        Mapping from the address of each discrete state to the value, SI; clocks have those at the start of a run.
+        Mapping from the address of each discrete state to the value, SI. Clocks have their values at the start of a
+        run.
     notes : tuple of Note
-        Kinks near this state, which limit the validity of a linear model.
+        Notes on kinks (jumps in slope) near this state, which limit the validity of a linear model.
     is_stable : bool
         False if the circuit leaves the state after a small disturbance.
     """
@@ -93,7 +94,7 @@ class SteadyState:
 
     @property
     def message(self) -> str:
-        """Text of the notes on how the steady state was found."""
+        """Text on how the steady state was found."""
         return " ".join(map(str, self.found))
 
 
@@ -138,7 +139,7 @@ class LinearModel(HtmlMixin):
     """Names of additional attributes of a subclass that files contain."""
 
     def eigenvalues(self) -> NDArray[np.complex128]:
-        """Return the eigenvalues of A, the slowest first."""
+        """Return the eigenvalues of A, sorted from the slowest to the fastest."""
         # Without balancing, rounding errors of the largest elements exceed slow eigenvalues.
         scale = balancing_scale(self.A)
         values = np.linalg.eigvals(self.A * scale[None, :] / scale[:, None]).astype(np.complex128)
@@ -153,6 +154,9 @@ class LinearModel(HtmlMixin):
 
     def frequency_response(self, frequencies: ArrayLike, input: str, output: str) -> NDArray[np.complex128]:
         r"""Return the frequency response of one output to one input.
+
+        `frequencies` are in Hz, and `input` and `output` are addresses. The result contains one complex number per
+        frequency, in SI units.
 
         .. math:: G(\mathrm{i}\omega) = C\,(\mathrm{i}\omega I - A)^{-1} B + D, \qquad \omega = 2\pi f
         """
@@ -189,14 +193,14 @@ class LinearModel(HtmlMixin):
 
 
 def index_of(names: tuple[str, ...], name: str, kind: str) -> int:
-    """Return the index of an address in a list of addresses.
+    """Return the index of an input or output of a linear model.
 
-    An unknown address raises InputError with a suggestion. `kind` is the word for the address in this error, for
-    example "input".
+    `names` contains the valid addresses. An address that is not among them raises an error with a suggestion. `kind` is
+    the word for the address in this error, for example "input".
     """
     if name not in names:
         suggestion = NameSuggestion(name, names)
-        raise InputError("names.unknown", name, meaning=f"an {kind} of the linear model", near=suggestion)
+        raise InputError("names.unknown", name, meaning=f"an {kind} of the linear model", suggestion=suggestion)
     return names.index(name)
 
 

@@ -69,7 +69,7 @@ class Arrival:
 class BodyWork:
     """Energy balance of a body over a run [J].
 
-    The balance is: done - returned = on_load + lost + increase in kinetic energy.
+    The net work of the actuators is done - returned. It equals on_load + lost + the increase in kinetic energy.
     """
 
     body: str
@@ -86,28 +86,28 @@ class LoadMetrics:
     Parameters
     ----------
     strokes : tuple of BodyStroke
-        Motions from a standstill or turning point to the next. A standstill divides strokes if an input changes
-        during it, or if it is longer than a following return (see `find_strokes`). Without a standstill, it must
-        return by more than 20 % of its travel since the last standstill: overshoots and rebounds do not divide a
-        stroke, nor does stick-slip.
+        Motions from a standstill or turning point to the next, as `find_strokes` defines them. Overshoots, rebounds
+        and stick-slip do not divide a stroke: without a standstill, the body must return by more than 20 % of its
+        travel.
     arrivals : tuple of Arrival
-        Contacts with end stops.
+        Impacts on end stops.
     works : tuple of BodyWork
         One element per body.
     air : mapping
         Mapping from reservoir to net air consumption, as volume at ANR [m^3].
     exergy : float
-        Work that the consumed air could do down to the ambient state [J].
+        Maximum work that the consumed air could do until it reaches the ambient state [J].
     stored : float
         Increase in exergy of all volumes [J]; NaN if the state of a volume is not an output.
 
     Notes
     -----
-    The flow exergy of an ideal gas, e = c_p (T - T_a) - T_a (c_p ln(T/T_a) - R ln(p/p_a)), excludes the preparation of
-    the compressed air. With a supply at ambient temperature it is R T_a ln(p/p_a). A run that ends with full chambers
-    has consumed air that is still available (`stored`): compare complete cycles. Masses of air, the work on a constant
-    load, and the work of actuators without contact with an end stop are integrals of the integrator and do not depend
-    on the rows. All other values are sums over rows.
+    The exergy is the flow exergy of an ideal gas, e = c_p (T - T_a) - T_a (c_p ln(T/T_a) - R ln(p/p_a)). It excludes
+    the preparation of the compressed air. With a supply at ambient temperature, it is R T_a ln(p/p_a). Compare complete
+    cycles: a run that ends with full chambers has consumed air that is still available (`stored`).
+
+    The integrator computes masses of air, the work on a constant load, and the work of actuators without contact with
+    an end stop. All other values are sums over the output rows, so they depend on the output step.
 
     References
     ----------
@@ -141,9 +141,9 @@ class LoadMetrics:
         return self.work / self.exergy if self.exergy > 0.0 else math.nan
 
     def met(self, stroke: BodyStroke) -> Arrival | None:
-        """Return the fastest impact on an end stop during one stroke.
+        """Return the fastest impact on an end stop during a stroke.
 
-        The result is None if there is no impact.
+        The result is None if there is no impact before the next stroke of the body.
 
         Parameters
         ----------
@@ -173,7 +173,7 @@ class LoadMetrics:
 
 @dataclass(frozen=True)
 class LoadData:
-    """Outputs and model properties of a run, from which the load metrics are computed."""
+    """Outputs and model properties of a run that are needed for its load metrics."""
 
     raw: RawRun
     outputs: tuple[tuple[str, str], ...]  # names and units
@@ -217,10 +217,10 @@ class LoadData:
         return dict(self.outputs).get(address, "")
 
     def input_changes(self, body: str) -> list[tuple[float, str | None]]:
-        """Return the times at which the inputs of a body jump or begin to change.
+        """Return the times at which the inputs of a body jump or begin to change [s].
 
-        The second element is the address of a command, and None for other inputs, such as a load. A value at t = 0 is
-        part of the initial state. Pulses and sines have no such times.
+        Each element is a time and the address of the input; the address is None unless the input is a command. A value
+        at t = 0 is part of the initial state. Pulses and sines have no such times.
         """
         end = float(self.raw.time[-1])
         changes: list[tuple[float, str | None]] = []
@@ -234,10 +234,10 @@ class LoadData:
         return sorted(changes, key=lambda change: change[0])
 
     def stops(self) -> Iterator[tuple[str, str, str]]:
-        """Yield each output that is an end-stop force, with its owner and a prefix.
+        """Yield the output name of each end-stop force, with its part and a prefix.
 
-        The owner is the name of the part. The prefix is `piston_` if the motion of the owner is given by the outputs
-        `piston_position` and `piston_velocity`; otherwise the prefix is empty.
+        The prefix is `piston_` if the part has the outputs `piston_position` and `piston_velocity`. Otherwise it is
+        empty, and the outputs are `position` and `velocity`.
         """
         names = dict(self.outputs)
         for name in names:
@@ -280,7 +280,10 @@ def load_metrics(run: LoadData) -> LoadMetrics | None:
 def _strokes(
     run: LoadData, body: str, rows: Sequence[tuple[int, int]], changes: Sequence[tuple[float, str | None]]
 ) -> Iterator[BodyStroke]:
-    """Yield the strokes of a body between the given rows, each with the command that caused it."""
+    """Yield the strokes of a body, each with the command that caused it.
+
+    `rows` contains the first and last output row of each stroke. `changes` is the result of `LoadData.input_changes`.
+    """
     time, position, speed = run.raw.time, run[f"{body}.position"], np.abs(run[f"{body}.velocity"])
     unit, previous_last, since, arrival = run.unit(f"{body}.position"), 0, -math.inf, -math.inf
     for first, last in rows:
@@ -308,11 +311,16 @@ def _strokes(
 def find_strokes(time: Array, position: Array, speed: Array, changes: Sequence[float]) -> list[tuple[int, int]]:
     """Return the first and last index of each stroke of a body.
 
-    Strokes are the motions between turning points since the last standstill. A standstill counts if an input changes
-    during it (`changes` are the times; those outside `time` have no effect). It counts if an input changes in the
-    motion before and it lasts more than twice as long as the motion until the next change. It also counts if the body
-    then returns by more than 2 % of its whole travel and it lasts longer than the return, or twice as long if the
-    return is less than 20 % and an input changes in the run. Without motion, the list is empty.
+    A stroke ends at a turning point, from which the body returns by more than 20 % of its travel since the last
+    standstill. A stroke also ends at a standstill if one of these conditions is met:
+
+    - An input changes during the standstill; `changes` are the times of these changes [s].
+    - An input changes in the motion before, and the standstill is more than twice as long as the motion after it until
+      the next change.
+    - The body then returns by more than 2 % of its whole travel, and the standstill is longer than this return. If the
+      return is less than 20 % and an input changes in the run, the standstill must be twice as long.
+
+    If the body does not move, the list is empty.
 
     Examples
     --------
@@ -369,7 +377,7 @@ def turning_points(position: Array, min_return: float) -> list[int]:
     """Return the indices at which a motion reverses, with the first and the last index.
 
     The body must return by at least `min_return`; smaller reversals do not count. The last index is that of the last
-    extreme. The list is empty if the motion is smaller.
+    extreme. The list is empty if the whole motion is smaller than `min_return`.
 
     Examples
     --------
@@ -417,10 +425,10 @@ def _work(run: LoadData, body: str, integrals: tuple[int, ...], starts: Sequence
 
 
 def _air_and_exergy(run: LoadData) -> tuple[dict[str, float], float, float]:
-    """Return air consumption and exergy of each reservoir, and the increase in stored exergy.
+    """Return air consumption by reservoir, its total exergy, and the increase in stored exergy.
 
-    The increase is that of the gas in all volumes [J]. It is NaN if the pressure, temperature or mass of a volume is
-    not an output.
+    The consumption is a volume at ANR [m^3]. The increase is that of the gas in all volumes [J]. It is NaN if the
+    pressure, temperature or mass of a volume is not an output.
     """
     stores, air = {store.name for store in run.stores}, run.surroundings
     # Gas density at ANR; that of air is the value of the standard, for moist air.
@@ -456,11 +464,13 @@ def _air_and_exergy(run: LoadData) -> tuple[dict[str, float], float, float]:
     return consumption, total, stored
 
 
-def flow_exergy(pressure: Any, temperature: Any, air: Surroundings) -> Any:
-    """Return the specific flow exergy of gas [J/kg].
+def flow_exergy(pressure: Array, temperature: Array, air: Surroundings) -> Array:
+    """Return the specific flow exergy of a gas [J/kg].
 
-    This is the maximum work that flowing gas can do until it reaches the ambient state.
+    This is the maximum work that the flowing gas can do until it reaches the ambient state. `air` contains this state
+    and the gas properties.
     """
     heat, ratio = air.heat_capacity_pressure, temperature / air.temperature
     entropy = heat * np.log(ratio) - air.gas_constant * np.log(pressure / air.pressure)
-    return heat * (temperature - air.temperature) - air.temperature * entropy
+    exergy: Array = heat * (temperature - air.temperature) - air.temperature * entropy
+    return exergy

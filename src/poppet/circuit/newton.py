@@ -36,10 +36,10 @@ Both are in units of the sizes of the variables."""
 
 
 def scaled_residual(scaled: ScaledRates, v: Array, size: Array) -> tuple[Array, Array]:
-    """Return the rate of each variable, and its limit for a steady state [1/s].
+    """Return the absolute rate of each variable, and its limit for a steady state [1/s].
 
-    `scaled` is a function that returns the rates and their Jacobian. `v` contains the variables, and `size` their
-    typical sizes.
+    The function `scaled` returns the rates and their Jacobian, in units of the typical sizes. `v` contains the
+    variables, and `size` their typical sizes.
     """
     f, jacobian = scaled(v)
     return np.abs(f), STEADY_RATE + ROUNDING * np.abs(jacobian) @ (np.abs(v) / size)
@@ -50,10 +50,12 @@ def refine_steady_state(
 ) -> Array:
     """Improve an approximate steady state by damped Newton steps.
 
-    `scaled` is a function that returns rates and Jacobian, `v` the start point, and `size` the typical sizes. Variables
-    marked in `positive` stay positive. If `conserves` is True, conserved quantities such as the gas in a closed network
-    keep their values: they correspond to the left null space of the Jacobian. If it is False, each step has minimum
-    length, so variables without effect on the rates can change.
+    The function `scaled` returns rates and Jacobian. `v` is the start point, and `size` contains the typical sizes.
+    Variables marked in `positive` stay positive.
+
+    If `conserves` is True, conserved quantities such as the gas in a closed network keep their values. They correspond
+    to the left null space of the Jacobian. If it is False, each step has minimum length, so variables without effect on
+    the rates can change.
     """
     f, jacobian = _limit(scaled(v))
     # Weights [s] convert rates of fast and slow equations to changes; conserved quantities need unweighted rates.

@@ -59,7 +59,7 @@ class _OptionSection:
 class Ambient(_OptionSection):
     """Pressure and temperature of the ambient air.
 
-    They apply to gauge pressures, and to all plates and walls that are open to the ambient air.
+    Gauge pressures refer to this pressure. All plates and walls that are open to the ambient air have these conditions.
 
     Parameters
     ----------
@@ -133,9 +133,10 @@ class GasChoice(_OptionSection):
         return cls(gas_constant=with_note(gas.gas_constant), isentropic_exponent=with_note(gas.isentropic_exponent))
 
     def values(self) -> tuple[float, float, float, float]:
-        """Return gas constant [J/(kg K)], isentropic exponent, and the conversion of C and b.
+        """Return gas constant [J/(kg K)], isentropic exponent, and the conversion of flow parameters.
 
-        The conversion consists of a factor on C and a shift of b, from air to this gas.
+        The conversion from air to this gas consists of a factor on the sonic conductance C and a shift of the critical
+        ratio b.
         """
         return self._values
 
@@ -147,7 +148,7 @@ class GasChoice(_OptionSection):
         return constant, exponent, *factors_from_air(exponent, constant)
 
     def notes(self) -> tuple[Note, ...]:
-        """Return notes on a gas that differs from air or from the library."""
+        """Return notes on differences of the gas from air or from the library."""
         factor = self.values()[2]
         library_values = {} if self.name is None else _gas_numbers(str(self.name))
         unknown = () if self.of_library() else (Note("gas.unknown", "gas"),)
@@ -163,7 +164,7 @@ class GasChoice(_OptionSection):
 
     @property
     def is_air(self) -> bool:
-        """True if the gas has the values of air."""
+        """True if gas constant and isentropic exponent are those of air."""
         return self.values()[:2] == (AIR_GAS_CONSTANT, AIR_ISENTROPIC_EXPONENT)
 
     def of_library(self) -> library.Gas | None:

@@ -33,9 +33,9 @@ _UPPER_LIMITS = {"length": 200.0, "nominal_length": 20.0, "height": 20.0, "wall_
 
 @dataclass(frozen=True, slots=True, eq=False)
 class PlacedPart:
-    """Part of a circuit, with properties that follow from its name and surroundings.
+    """Part of a circuit, with properties that depend on its name and the surroundings.
 
-    Copies of a circuit in which the part is unchanged share this object.
+    Copies of a circuit share this object if the part is unchanged.
     """
 
     part: Part
@@ -82,9 +82,9 @@ class PlacedPart:
 
 
 def value_notes(numbers: Mapping[str, Number]) -> Iterator[Note]:
-    """Yield notes on values without a unit whose size is unusual.
+    """Yield notes on values without a unit that were probably meant in another unit.
 
-    Such a value probably lacks its unit: 6 is read as 6 Pa, although 6 bar is probably intended.
+    For example, a pressure of 6 is read as 6 Pa, although 6 bar is probably intended.
     """
     for address, number in numbers.items():
         low, high, intended_unit = _USUAL.get(number.unit, (0.0, math.inf, ""))
@@ -101,7 +101,7 @@ def value_notes(numbers: Mapping[str, Number]) -> Iterator[Note]:
 
 
 def volume_flow_note(text: str, value: float, unit: str) -> Iterator[Note]:
-    """Yield a note if the text of a volume flow names no reference state.
+    """Yield a note if a volume flow has no reference state, such as ANR, in its text.
 
     The note contains the assumed reference state.
     """
@@ -113,7 +113,8 @@ def volume_flow_note(text: str, value: float, unit: str) -> Iterator[Note]:
 def signal_notes(signals: Mapping[str, Signal], inputs: Mapping[str, Input]) -> Iterator[Note]:
     """Yield notes on the signals of a circuit.
 
-    They are the notes from reading the signals, and notes on pressures and temperatures with an unusually low maximum.
+    These are the notes from reading the signals. Further notes concern pressures and temperatures whose maximum is
+    unusually low.
     """
     for address, signal in signals.items():
         yield from (note.within(f"signals.{address}") for note in signal.remarks)

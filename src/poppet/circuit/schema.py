@@ -52,9 +52,7 @@ def circuit_schema() -> Schema:
     definitions = {
         "value": {"type": ["number", "string"], "description": 'SI number, or text with unit: "6 bar g"'},
         "part": by_kind("part", {name: name for name in KINDS}),
-        **{name: _part(name) for name in KINDS},
         "signal": by_kind("signal", {kind: f"signal_{kind}" for kind in signal_tables.KINDS}),
-        **{f"signal_{kind}": _signal(kind) for kind in signal_tables.KINDS},
         "connected": {"type": "object", "additionalProperties": {"type": "string"}},
         "input": {
             "description": "a constant, a signal, or signals of inputs further down the address",
@@ -69,6 +67,22 @@ def circuit_schema() -> Schema:
             "else": {"$ref": "#/$defs/value"},
         },
     }
+    for name, part in KINDS.items():
+        declared = specs(part)
+        required = ["kind"]
+        for field, spec in declared.items():
+            is_connection = isinstance(spec, PortSpec | BodySpec) and not spec.optional
+            # A library set (`data`) can supply omitted values.
+            is_value = isinstance(spec, NumberSpec) and not spec.optional and spec.default is None
+            if is_connection or (is_value and "data" not in declared):
+                required.append(field)
+        fields = {"kind": {"const": name, "description": part.summary}}
+        fields |= {field: _field(field, spec, part) for field, spec in declared.items()}
+        definitions[name] = closed(fields, required, part.summary)
+    for kind in signal_tables.KINDS:
+        needed, optional = signal_tables.fields_of(kind)
+        fields = {field: _SIGNAL_FIELDS.get(field, {"$ref": "#/$defs/value"}) for field in (*needed, *optional)}
+        definitions[f"signal_{kind}"] = closed({"kind": {"const": kind}} | fields, ["kind", *needed], f"{kind} signal")
     return {
         "$schema": DRAFT,
         "title": "poppet circuit file",
@@ -94,10 +108,10 @@ def circuit_schema() -> Schema:
 
 
 def by_kind(noun: str, definitions: dict[str, str], field: str = "kind") -> Schema:
-    """Return a JSON schema in which one field, usually `kind`, selects the valid fields.
+    """Return the JSON schema of an object whose other fields depend on one field, usually `kind`.
 
-    `noun` describes the object in texts. `definitions` maps each value of the field `field` to the name of a
-    definition.
+    `noun` describes the object in texts. `definitions` maps each value of this field to the name of the definition that
+    applies.
     """
     branches = [
         {"if": {"properties": {field: {"const": kind}}, "required": [field]}, "then": {"$ref": f"#/$defs/{definition}"}}
@@ -105,25 +119,6 @@ def by_kind(noun: str, definitions: dict[str, str], field: str = "kind") -> Sche
     ]
     kind = {"enum": list(definitions), "description": f"what {noun} this is"}
     return {"type": "object", "properties": {field: kind}, "required": [field], "allOf": branches}
-
-
-def _part(name: str) -> Schema:
-    kind = KINDS[name]
-    declared = specs(kind)
-    required = [
-        "kind",
-        *(field for field, spec in declared.items() if isinstance(spec, PortSpec | BodySpec) and not spec.optional),
-    ]
-    if "data" not in declared:  # a library set can supply omitted values
-        required += [
-            field
-            for field, spec in declared.items()
-            if isinstance(spec, NumberSpec) and not spec.optional and spec.default is None
-        ]
-    fields = {"kind": {"const": name, "description": kind.summary}}
-    return closed(
-        fields | {field: _field(field, spec, kind) for field, spec in declared.items()}, required, kind.summary
-    )
 
 
 def _section(kind: type, description: str) -> Schema:
@@ -185,12 +180,6 @@ def _number_schema(spec: NumberSpec, owner: type) -> Schema:
         "description": f"{spec.doc} [{spec.unit}]" + ("" if spec.default is None else f"; default {spec.default}"),
     }
     return schema if spec.default is None else schema | {"default": spec.default}
-
-
-def _signal(kind: str) -> Schema:
-    required, optional = signal_tables.fields_of(kind)
-    fields = {field: _SIGNAL_FIELDS.get(field, {"$ref": "#/$defs/value"}) for field in (*required, *optional)}
-    return closed({"kind": {"const": kind}} | fields, ["kind", *required], f"{kind} signal")
 
 
 def _gas_name() -> Schema:

@@ -26,8 +26,8 @@ def fields_of(kind: str) -> tuple[tuple[str, ...], tuple[str, ...]]:
 def read_signal(table: Any, item: Input, ambient_pressure: float, folder: Path) -> Signal:
     """Convert a table of a circuit file to the signal that it declares.
 
-    `item` is the declaration of the input. `ambient_pressure` is the reference of gauge values, and `folder` that of
-    file names.
+    `item` is the declaration of the input. Gauge values refer to `ambient_pressure`, and relative file names to
+    `folder`.
     """
     table = check_signal_table(table)
     reader = _SignalReader(table, item, ambient_pressure, folder)
@@ -51,7 +51,9 @@ def check_signal_table(table: Any) -> Mapping[str, Any]:
     kind = table.get("kind")
     if not isinstance(kind, str) or kind not in KINDS:
         code = "fields.not_an_option" if "kind" in table else "inputs.no_kind"
-        raise InputError(code, "kind", value=kind, meaning="kind of signal", near=NameSuggestion(str(kind), KINDS))
+        raise InputError(
+            code, "kind", value=kind, meaning="kind of signal", suggestion=NameSuggestion(str(kind), KINDS)
+        )
     required, optional = fields_of(kind)
     valid = (*required, *optional)
     unknown = [key for key in table if key not in ("kind", *valid)]
@@ -60,21 +62,21 @@ def check_signal_table(table: Any) -> Mapping[str, Any]:
             if key not in table and not get_close_matches(key, unknown, n=1):  # a misspelt field is one error
                 errors.extend([_missing(key, kind)])
         for key in unknown:
-            errors.add("fields.unknown", key, table=f"{kind} signal", near=NameSuggestion(key, valid))
+            errors.add("fields.unknown", key, table=f"{kind} signal", suggestion=NameSuggestion(key, valid))
     return dict(table)
 
 
 class _SignalReader:
-    """Reader of the fields in one signal table, in the unit of one input."""
+    """Reader of the fields of one signal table, whose values belong to one input."""
 
     def __init__(self, table: Mapping[str, Any], item: Input, ambient_pressure: float, folder: Path) -> None:
         self.table, self.item, self.ambient_pressure, self.folder = table, item, ambient_pressure, folder
         self.remarks: dict[str, Note] = {}  # the first note of each code
 
     def absolute(self, argument: Any, name: str) -> float:
-        """Return a value of the input in SI units.
+        """Return a value of the input in SI units; a gauge pressure becomes absolute.
 
-        A gauge pressure becomes absolute. `name` is the name of the field.
+        `name` is the name of the field that contains the value.
         """
         # A gauge value refers to the ambient pressure of the file.
         read = quantity(argument, self.item.unit, kind=self.item.kind, name=name, is_told=True)  # type: ignore[arg-type]
@@ -87,10 +89,7 @@ class _SignalReader:
         return self.absolute(self.table[name], name)
 
     def difference(self, name: str) -> float:
-        """Return a field that is a difference of input values, such as an amplitude.
-
-        `name` is the name of the field.
-        """
+        """Return the field `name`, which is a difference such as an amplitude, in SI units."""
         kind = _DIFFERENCE.get(self.item.kind, self.item.kind)
         return quantity(self.table[name], self.item.unit, kind=kind, name=name).value  # type: ignore[arg-type]
 
@@ -116,10 +115,7 @@ class _SignalReader:
         return values
 
     def course(self, kind: Callable[..., Signal]) -> Signal:
-        """Return a signal that is declared by lists of times and values.
-
-        `kind` is the class of the signal.
-        """
+        """Return a signal of the class `kind` from the fields `times` and `values` of the table."""
         times = self.list_of("times", lambda argument, name: quantity(argument, "s", name=name).value)
         values = self.list_of("values", self.absolute)
         try:

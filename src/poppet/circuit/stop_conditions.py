@@ -22,7 +22,7 @@ _ADDRESS = re.compile(r"[A-Za-z][\w-]*(\.[A-Za-z][\w-]*)+")
 
 
 def parse_stop_condition(text: str, outputs: Mapping[str, str], ambient_pressure: float) -> StopCondition:
-    """Convert the text of a stop condition, for example `tank.pressure > 5 bar`.
+    """Convert the text of a stop condition, for example `tank.pressure > 5 bar`, to a `StopCondition`.
 
     `outputs` maps the addresses of the outputs to their units, in the order of the output vector y.
     """
@@ -37,7 +37,7 @@ def parse_stop_condition(text: str, outputs: Mapping[str, str], ambient_pressure
     # "tank.presure" is a misspelt address; "5 bar" is a threshold.
     for name in (left, right) if _ADDRESS.fullmatch(right) else (left,):
         if name not in outputs:
-            raise error("stop.unknown_output", name=name, near=NameSuggestion(name, outputs))
+            raise error("stop.unknown_output", name=name, suggestion=NameSuggestion(name, outputs))
     names, unit = list(outputs), outputs[left]
     reason, sign = Note("run.condition_met", condition=text), 1.0 if relation in (">", ">=") else -1.0
     if right in outputs:
@@ -61,8 +61,8 @@ def parse_stop_condition(text: str, outputs: Mapping[str, str], ambient_pressure
 def domain_conditions(address: str, limits: tuple[float, float], outputs: Mapping[str, str]) -> list[StopCondition]:
     """Return conditions that stop a run if a stroke leaves the domain of its characteristic.
 
-    They apply to characteristics with edge = "error". `address` is that of the stroke, and `limits` are the two ends of
-    the domain.
+    `address` is that of the stroke. `limits` are the lowest and the highest stroke of the domain; a lower limit of -inf
+    adds no condition. `outputs` contains all outputs of the circuit in order.
     """
     low, high = limits
     indices, reason = (list(outputs).index(address), -1), Note("run.left_domain", address)

@@ -5,6 +5,7 @@ Parameters remain symbols, so one model is valid for all parameter values.
 
 from __future__ import annotations
 
+import math
 from collections import defaultdict
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
@@ -21,7 +22,6 @@ from poppet.parts.part import (
     ActuatorForce,
     Body,
     BodyDynamics,
-    BodyMotion,
     Controller,
     GasBalance,
     GasState,
@@ -56,9 +56,28 @@ def trace(
     return _Tracer(parts, connections or {}, parameters).model()
 
 
+def trace_program(
+    parts: Mapping[str, Part], parameters: tuple[str, ...], connections: Mapping[str, str]
+) -> tuple[Model, dict[str, tuple[Any, str]]]:
+    """Return the model of sampled controllers, and the labels of their intermediate values.
+
+    The model has relative time: the state of a timer is the time until it is due. A label maps the address of a value
+    at a sample instant to its expression and meaning (`Scope.label`).
+    """
+    tracer = _Tracer(parts, connections, parameters, has_relative_time=True)
+    model = tracer.model()
+    return model, tracer.labels
+
+
 class _Tracer:
-    def __init__(self, parts: Mapping[str, Part], connections: Mapping[str, str], parameters: tuple[str, ...]) -> None:
+    def __init__(
+        self, parts: Mapping[str, Part], connections: Mapping[str, str], parameters: tuple[str, ...],
+        has_relative_time: bool = False,
+    ) -> None:  # fmt: skip
         import casadi as ca
+
+        self.has_relative_time = has_relative_time
+        self.labels: dict[str, tuple[Any, str]] = {}
 
         self.ca, self.circuit_parts, self.names = ca, parts, parameters
         self.parts, self.connections, self.shown = expand_compounds(parts, connections)
@@ -94,7 +113,8 @@ class _Tracer:
     def scope(self, name: str, *, at_start: bool = False) -> Scope:
         """Return all symbols that the equations of the part `name` can use.
 
-        If `at_start` is True, states and discrete states are omitted, because initial values cannot depend on them.
+        If the keyword `at_start` is True, states and discrete states are omitted, because initial values cannot depend
+        on them.
         """
         prefix = f"{name}."
 
@@ -103,20 +123,14 @@ class _Tracer:
 
         inputs = select({**self.input, **self.joined})
         states, memory = ({}, {}) if at_start else (select(self.symbols), select(self.memory))
-        motion = self._motion(self.parts[name].body_name(), at_start)
-        return Scope(select(self.number), states, inputs, self.surroundings, memory, self.t, motion)
-
-    def _motion(self, name: str | None, at_start: bool) -> BodyMotion | None:
-        """Return the motion of the body with a given name.
-
-        The result is None without a name.
-        """
-        if name is None:
-            return None
-        body = self.parts[name]
-        assert isinstance(body, Body)
-        scope = self.scope(name, at_start=at_start)
-        return body.motion(replace(scope, states=body.start(scope)) if at_start else scope)
+        body_name, motion = self.parts[name].body_name(), None
+        if body_name is not None:
+            body, body_scope = self.parts[body_name], self.scope(body_name, at_start=at_start)
+            assert isinstance(body, Body)
+            motion = body.motion(replace(body_scope, states=body.start(body_scope)) if at_start else body_scope)
+        time = 0.0 if self.has_relative_time else self.t
+        numbers = select(self.number)
+        return Scope(numbers, states, inputs, self.surroundings, memory, time, motion, self.has_relative_time)
 
     def _ports(self, name: str) -> dict[str, str]:
         """Return a mapping from the ports of a part to addresses of gas nodes.
@@ -180,13 +194,22 @@ class _Tracer:
             "memory_start": memory_start,
             "update": self._update(scopes, connected, fired),
         }
+        inputs = []
+        for name, item in self.inputs:
+            default, low, high = (
+                f"{name}.{value}" if isinstance(value, str) else value for value in (item.default, item.low, item.high)
+            )
+            delay = f"{name}.{item.delay}" if item.delay else ""
+            slope_of = self._shown(f"{name}.{item.slope_of}") if item.slope_of else ""
+            address = self._shown(f"{name}.{item.name}")
+            inputs.append(InputInfo(address, item.unit, item.kind, default, low, high, delay, slope_of))
         return Model(
             states=tuple(
                 StateInfo(self._shown(f"{name}.{s.name}"), s.unit, s.nominal, s.tolerance, s.floor, s.positive)
                 for name, s in self.states
             ),
             n_quadratures=len(quadratures),
-            inputs=tuple(self._input_info(name, item) for name, item in self.inputs),
+            inputs=tuple(inputs),
             parameters=self.names,
             outputs=tuple((name, unit) for name, (_, unit) in outputs.items()),
             flows=tuple(flows),
@@ -204,9 +227,9 @@ class _Tracer:
         )
 
     def _shown(self, address: str) -> str:
-        """Return the public address of an element of a compound part.
+        """Return the public address of an element of the circuit.
 
-        A compound part is made of member parts, and its elements can have another address inside it.
+        For elements inside compound parts, the equations use other addresses.
         """
         return self.shown.get(address, address)
 
@@ -238,9 +261,9 @@ class _Tracer:
     def _balances(
         self, scopes: Mapping[str, Scope], passages: Mapping[str, PassageFlows]
     ) -> tuple[dict[str, GasBalance], list[FlowInfo], list[StoreInfo], list[Any]]:
-        """Return the gas balances of all gas nodes, with flows and rates of integrals.
+        """Return the gas balances of all gas nodes, with their flows and the rates of integrals.
 
-        A flow has integrals of mass and enthalpy. A gas node with a mass has integrals of heat and work.
+        Each flow has an integral of mass and one of enthalpy. A gas node with a mass has integrals of heat and work.
         """
         arriving: dict[str, list[tuple[Any, Any]]] = defaultdict(list)
         flows, stores = [], []
@@ -282,8 +305,9 @@ class _Tracer:
                 if source not in all_outputs:
                     address = f"connections.{self._shown(target)}"
                     near = NameSuggestion(source, shown)
-                    errors.add("fields.not_an_option", address, value=source, meaning="output", near=near)
-        connected = self._resolve({t: self.ca.SX(all_outputs[source][0]) for t, source in self.connections.items()})
+                    errors.add("fields.not_an_option", address, value=source, meaning="output", suggestion=near)
+        expressions = {t: self._limited(t, all_outputs[source][0]) for t, source in self.connections.items()}
+        connected = self._resolve(expressions)
         with ErrorCollector() as errors:
             for target, source in self.connections.items():
                 # All values are in SI: equal quantities have equal units.
@@ -302,8 +326,27 @@ class _Tracer:
             slopes[address] = self._substitute(self.ca.jtimes(expressions[base], x, rates), connected)
         return [*connected, *self._resolve(slopes)]
 
+    def _limited(self, target: str, output: Any) -> casadi.SX:
+        """Return the value of a connected input, clipped to the limits of the input.
+
+        A limit that the source cannot exceed is omitted.
+        """
+        (name, _, local), (owner, _, own) = (end.rpartition(".") for end in (self.connections[target], target))
+        lowest, highest = self.parts[name].output_ranges().get(local, (-math.inf, math.inf))
+        item = next(item for item in self.parts[owner].inputs() if item.name == own)
+        value: casadi.SX = self.ca.SX(output)
+        if isinstance(item.low, str):
+            value = self.ca.fmax(value, self.number[f"{owner}.{item.low}"])
+        elif item.low > (lowest if isinstance(lowest, float) else -math.inf):
+            value = self.ca.fmax(value, item.low)
+        if isinstance(item.high, str):
+            value = self.ca.fmin(value, self.number[f"{owner}.{item.high}"])
+        elif item.high < (highest if isinstance(highest, float) else math.inf):
+            value = self.ca.fmin(value, item.high)
+        return value
+
     def _resolve(self, expressions: Mapping[str, Any]) -> list[tuple[Any, Any]]:
-        """Substitute symbols of connected inputs until no expression contains such a symbol."""
+        """Substitute symbols of connected inputs in expressions until none of these symbols remains."""
         ca = self.ca
         dependencies = {
             target: [address for address in expressions if ca.depends_on(expression, self.joined[address])]
@@ -321,7 +364,10 @@ class _Tracer:
         return resolved
 
     def _substitute(self, expression: casadi.SX, connected: Sequence[tuple[Any, Any]]) -> casadi.SX:
-        """Return an expression in which connected inputs are replaced by their expressions."""
+        """Return an expression in which symbols of connected inputs are replaced by expressions.
+
+        `connected` contains pairs of such a symbol and its expression.
+        """
         if not connected or expression.is_empty():
             return expression
         symbols, values = zip(*connected, strict=True)
@@ -329,10 +375,10 @@ class _Tracer:
         return substituted
 
     def _update(self, scopes: Mapping[str, Scope], connected: Sequence[tuple[Any, Any]], fired: Any) -> casadi.SX:
-        """Return the discrete states after a sample instant.
+        """Return expressions for the discrete states after a sample instant.
 
-        `fired` contains 1 for each timer that is due. The timers act one after the other, each on the result of the
-        previous one.
+        `fired` contains a symbol for each timer, which is 1 if the timer is due. The timers act one after the other,
+        each on the result of the previous one.
         """
         ca = self.ca
         index = {name: k for k, name in enumerate(self.memory_names)}
@@ -340,8 +386,12 @@ class _Tracer:
         for k, (name, timer) in enumerate(self.timers):
             new = self.parts[name].update(timer.name, scopes[name])
             assert timer.name in new, f"{name}.{timer.name} does not set itself"
-            values = self._substitute(ca.vertcat(*new.values()), connected)
+            labels = scopes[name].labels if self.has_relative_time else {}
+            values = self._substitute(ca.vertcat(*new.values(), *(value for value, _ in labels.values())), connected)
             values = ca.substitute([values], [self.z], [now])[0]
+            for i, (label, (_, meaning)) in enumerate(labels.items(), len(new)):
+                self.labels[f"{name}.{label}"] = values[i], meaning
+            labels.clear()
             elements = [now[i] for i in range(now.shape[0])]
             for i, local in enumerate(new):
                 j = index[f"{name}.{local}"]
@@ -390,12 +440,3 @@ class _Tracer:
                 shown = [f"{name}.{local}" for local in part.outside()]  # type: ignore[attr-defined]
                 result |= {address: all_outputs[address_of[address]] for address in shown}
         return result
-
-    def _input_info(self, name: str, item: Any) -> InputInfo:
-        default, low, high = (
-            f"{name}.{value}" if isinstance(value, str) else value for value in (item.default, item.low, item.high)
-        )
-        delay = f"{name}.{item.delay}" if item.delay else ""
-        slope_of = self._shown(f"{name}.{item.slope_of}") if item.slope_of else ""
-        address = self._shown(f"{name}.{item.name}")
-        return InputInfo(address, item.unit, item.kind, default, low, high, delay, slope_of)

@@ -80,7 +80,7 @@ def check_kinds(circuit: Any) -> None:
 
 
 def check_count(parts: Any) -> None:
-    """Raise InputError if a circuit has too many parts.
+    """Raise InputError if a circuit file has too many parts.
 
     The check takes place before the parts are created.
     """
@@ -112,7 +112,7 @@ def check_wiring(errors: ErrorCollector, wiring: Wiring) -> None:
                 if owner not in wiring or owner_port not in wiring[owner].ports:
                     ports = [f"{n}.{local}" for n, other in wiring.items() if n != name for local in other.ports]
                     near = NameSuggestion(store, ports)
-                    errors.add("fields.not_an_option", address, value=store, meaning="port", near=near)
+                    errors.add("fields.not_an_option", address, value=store, meaning="port", suggestion=near)
                 elif (joint := wiring[owner].ports[owner_port]) not in (name, f"{name}.{cell}"):
                     facts = {"end": store, "tube": name, "store": joint, "owner": owner, "port": owner_port}
                     errors.add("tube.not_met", address, **facts)
@@ -124,7 +124,7 @@ def check_wiring(errors: ErrorCollector, wiring: Wiring) -> None:
                 errors.add(code, address, store=store, kind=wiring[store].kind.kind, stores=members)
             elif store not in stores and store != AMBIENT:
                 suggestion = NameSuggestion(store, {*stores, AMBIENT})
-                errors.add("fields.not_an_option", address, value=store, meaning="gas node", near=suggestion)
+                errors.add("fields.not_an_option", address, value=store, meaning="gas node", suggestion=suggestion)
         # A gas node that a part joins at both ends of a flow path. All paths of a valve with three ports end at the
         # outlet, of a valve with five ports at a or b.
         ends = list(part.ports.values())
@@ -139,7 +139,7 @@ def check_wiring(errors: ErrorCollector, wiring: Wiring) -> None:
 
 
 def connect_tube_cells(parts: Mapping[str, Part]) -> dict[str, Part]:
-    """Return all parts, with ports at tube ends connected to the end cells.
+    """Return all parts, in which ports that name a tube are connected to one of its end cells.
 
     An end cell is the first or the last cell of a tube.
     """
@@ -165,16 +165,16 @@ def check_bodies(errors: ErrorCollector, wiring: Wiring) -> None:
                 errors.add("wiring.no_body", address, body=part.body, kind=wiring[part.body].kind.kind)
             else:
                 suggestion = NameSuggestion(part.body, bodies)
-                errors.add("fields.not_an_option", address, value=part.body, meaning="body", near=suggestion)
+                errors.add("fields.not_an_option", address, value=part.body, meaning="body", suggestion=suggestion)
         elif name in bodies and name not in driven:
             errors.add("wiring.unmoved", f"parts.{name}")
 
 
 def find_drives(wiring: Wiring, connections: Mapping[str, str], inputs: Mapping[str, Input]) -> dict[str, list[str]]:
-    """Return the addresses of the inputs that can move each body.
+    """Return the addresses of the inputs that can move each body, by body.
 
-    An input acts through connections, and from each part on the gas nodes at its ports. It does not act on the supply
-    of its part, nor on a reservoir, whose pressure is prescribed.
+    The effect of an input continues through connections, through gas nodes at the ports of parts, and through
+    actuators. A part has no effect on its supply, nor on a reservoir, whose pressure is prescribed.
     """
     successors: dict[str, set[str]] = {name: set() for name in wiring}
     for target, source in connections.items():
@@ -211,7 +211,9 @@ def check_connections(
             errors.add("wiring.signal_only", f"connections.{target}")
         elif item is None:
             suggestion = NameSuggestion(target, inputs)
-            errors.add("names.unknown", f"connections.{target}", meaning="an input of this circuit", near=suggestion)
+            errors.add(
+                "names.unknown", f"connections.{target}", meaning="an input of this circuit", suggestion=suggestion
+            )
         elif not isinstance(source, str) or source.partition(".")[0] not in parts:
             example = f"{next(iter(parts), 'part')}.pressure"
             errors.add("wiring.no_output", f"connections.{target}", source=source, example=example)
@@ -258,7 +260,7 @@ def check_starts(
 ) -> None:
     """Collect an error for each actuator that cannot reach the initial position of its body.
 
-    `signals` and `section` are the signals and the ambient section of the circuit.
+    `signals` are the signals of the circuit. `section` is the beginning of the addresses in the errors.
     """
     for name, part in parts.items():
         body = parts.get(part.body_name() or "")
@@ -272,4 +274,4 @@ def check_starts(
 def unknown_input(address: str, inputs: Collection[str]) -> InputError:
     """Return the error for a signal whose address is not an input."""
     suggestion = NameSuggestion(address, inputs)
-    return InputError("names.unknown", f"signals.{address}", meaning="an input of this circuit", near=suggestion)
+    return InputError("names.unknown", f"signals.{address}", meaning="an input of this circuit", suggestion=suggestion)

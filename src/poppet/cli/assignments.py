@@ -12,7 +12,7 @@ from fnmatch import fnmatchcase
 from typing import TYPE_CHECKING
 
 from poppet.core.codes import Note
-from poppet.core.errors import InputError, collect
+from poppet.core.errors import InputError, raise_errors
 
 if TYPE_CHECKING:
     from poppet.circuit.circuit import BaseCircuit
@@ -20,9 +20,9 @@ if TYPE_CHECKING:
 
 
 def read_value(text: str) -> float | str:
-    """Convert the text of a value to a float if it is a plain number.
+    """Convert the text of a value to a float if it contains a number only.
 
-    Such a number is in SI units. Any other text is returned without its quotes.
+    The number is then in SI units. Any other text is returned without surrounding quotes.
 
     Examples
     --------
@@ -39,7 +39,9 @@ def read_value(text: str) -> float | str:
 
 
 def read_assignments(texts: Sequence[str], option: str = "--set") -> dict[str, float | str]:
-    """Return a mapping from addresses to values for a repeated option such as --set.
+    """Return the values of a repeated option such as --set ADDRESS=VALUE by address.
+
+    A value is a float in SI units, or a text with a unit. `option` is the name of the option in errors.
 
     Examples
     --------
@@ -56,22 +58,22 @@ def read_assignments(texts: Sequence[str], option: str = "--set") -> dict[str, f
             problems.append(InputError("cli.assigned_twice", option=option, address=address))
         else:
             values[address] = read_value(value)
-    collect(problems)
+    raise_errors(problems)
     return values
 
 
 def split_list(text: str | None) -> list[str]:
-    """Split a text at its commas into list entries."""
+    """Return the entries of a text that are separated by commas; an empty list for None."""
     return [entry.strip() for entry in (text or "").split(",") if entry.strip()]
 
 
 def change_circuit(
     circuit: BaseCircuit, values: Mapping[str, float | str], result: str | None = None
 ) -> tuple[BaseCircuit, list[Note]]:
-    """Return a changed copy of a circuit, and notes on the changes.
+    """Return a copy of a circuit with other values, and notes on the changes.
 
-    The parameters in the result file `result` are applied first, then `values`. The notes concern unreliable
-    parameters, and signals that were removed because they drove a changed input.
+    The estimates in the result file `result` are applied first, then `values` by address. The notes are about
+    unreliable estimates, and about signals that were removed because they drove an input in `values`.
     """
     from dataclasses import replace
 
@@ -101,7 +103,7 @@ def load_circuit(options: Namespace, path: str | None = None) -> tuple[BaseCircu
 
 @dataclass(frozen=True)
 class OutputSelection:
-    """Outputs and units that the options --select and --units select."""
+    """Outputs that the option --select names, and units that the option --units names."""
 
     patterns: tuple[str, ...] = ()  # names or patterns; empty for all outputs
     units: tuple[str, ...] = ()  # each for all outputs of its quantity
@@ -131,7 +133,10 @@ class OutputSelection:
         return recording.converted(dict(self.unit_by_name)) if self.unit_by_name else recording
 
     def plot_units(self, recordings: Sequence[Recording]) -> dict[str, str] | tuple[str, ...] | None:
-        """Return the selected units as an argument of `plot_recordings`."""
+        """Return the selected units as the argument `units` of `plot_recordings`.
+
+        The result is None if no unit is selected.
+        """
         from poppet.core.units import same_dimension
 
         if not self.unit_by_name:

@@ -16,7 +16,7 @@ from poppet.cli.commands import COMMANDS
 from poppet.cli.main import FAILED, INTERRUPTED
 from poppet.cli.progress import BenchProgress, PointProgress
 from poppet.cli.summary import require_matplotlib, write_result
-from poppet.core.errors import InputError, collect
+from poppet.core.errors import InputError, raise_errors
 from poppet.core.note_groups import grouped
 from poppet.core.number_format import aligned
 
@@ -28,20 +28,20 @@ CIRCUIT_OPTIONS = ("valve", "volume", "supply", "sweep_time", "frequencies", "va
 
 
 def run_bench_command(options: argparse.Namespace) -> int:
-    """Determine the characteristic values of a valve.
+    """Run the command `bench`: determine the characteristic values of a valve.
 
-    The input is a circuit, recordings or a result file.
+    The input is a circuit file, a file of recordings or a result file. The result is the exit code.
     """
     from dataclasses import replace
 
-    from poppet.bench.iso10094.bench_result import compared
+    from poppet.bench.iso10094.bench_result import compare_bench_results
 
     if bool(options.file) == bool(options.recording):
         raise InputError("cli.bench.both" if options.file else "cli.bench.neither")
     if options.recording and not options.compare:  # the comparison may be a circuit
         declared = {option.name: option for option in COMMANDS["bench"].options if option.name in CIRCUIT_OPTIONS}
         unused = [option.names[-1] for name, option in declared.items() if getattr(options, name)]
-        collect([InputError("cli.bench.of_circuit", option=name) for name in unused])
+        raise_errors([InputError("cli.bench.of_circuit", option=name) for name in unused])
     require_matplotlib(options.report)
     # Both files are read before the first run: an error in the second must not cost a bench of the first.
     run = _result_provider(options, Path(options.file or options.recording), options.values, is_comparison=False)
@@ -52,7 +52,7 @@ def run_bench_command(options: argparse.Namespace) -> int:
         result = run(progress)
         comparison = run_comparison(progress) if result.outcome != "interrupted" else None
     if comparison is not None:
-        result = replace(result, comparison=compared(result, comparison))
+        result = replace(result, comparison=compare_bench_results(result, comparison))
 
     def write_report(path: Path) -> None:
         from poppet.report.bench.bench_report import write_bench
@@ -66,14 +66,14 @@ def run_bench_command(options: argparse.Namespace) -> int:
 def _result_provider(
     options: argparse.Namespace, path: Path, values: list[str], *, is_comparison: bool
 ) -> Callable[[BenchProgress], BenchResult]:
-    """Return a function that provides the bench result for a file.
+    """Return a function that returns the bench result for a file; its argument shows the progress.
 
     The file at `path` can be a result file, a list of recordings, or a circuit, on which the function runs the tests.
-    `values` are changed parameters.
+    `values` are texts ADDRESS=VALUE with changed parameters of the circuit.
     """
     from poppet.bench.iso10094.bench_result import is_result, read_bench_result
     from poppet.bench.iso10094.run_bench import run_recordings
-    from poppet.bench.iso10094.valve_recordings import recorded
+    from poppet.bench.iso10094.valve_recordings import read_valve_recordings
     from poppet.core.toml_file import TomlFile
 
     tables: dict[str, Any] = {}
@@ -88,7 +88,9 @@ def _result_provider(
         result = read_bench_result(path)
     elif is_recorded:
         with file.errors():
-            valve = recorded(file.content, path, full_scale=options.full_scale, rated_flow=_rated_flow(options))
+            valve = read_valve_recordings(
+                file.content, path, full_scale=options.full_scale, rated_flow=_rated_flow(options)
+            )
         # Default: all tests with recordings.
         tests = _tests(options) if options.tests else [test for test, records in valve.records.items() if records]
         result = run_recordings(
@@ -104,32 +106,32 @@ def _prepare_circuit(
     options: argparse.Namespace, path: Path, values: list[str], *, is_comparison: bool
 ) -> Callable[[BenchProgress], BenchResult]:
     from poppet.bench.iso10094.evaluation import BenchSettings
-    from poppet.bench.iso10094.rig import rig_of, valve_of
+    from poppet.bench.iso10094.rig import build_rig, find_valve
     from poppet.bench.iso10094.run_bench import run_bench
-    from poppet.bench.iso10094.scale import listed, pressure, pressure_range
+    from poppet.bench.iso10094.scale import read_pressure, read_pressure_range, read_quantity_list
     from poppet.circuit.file import load
 
     identified = None if is_comparison else options.result
     circuit, notes = change_circuit(load(path), read_assignments(values), identified)
     ambient = circuit.surroundings.pressure
-    rig = rig_of(
+    rig = build_rig(
         circuit,
         # The valve of a comparison may have another name.
-        valve_of(circuit, None if is_comparison and options.valve not in circuit.parts else options.valve),
-        full_scale=pressure_range(options.full_scale, ambient, "--full-scale") if options.full_scale else None,
-        supply=pressure(options.supply, ambient, "--supply") if options.supply else None,
+        find_valve(circuit, None if is_comparison and options.valve not in circuit.parts else options.valve),
+        full_scale=read_pressure_range(options.full_scale, ambient, "--full-scale") if options.full_scale else None,
+        supply=read_pressure(options.supply, ambient, "--supply") if options.supply else None,
     )
     conditions = {"circuit": str(path), "valve": rig.valve} | ({"changed": list(values)} if values else {})
     rig.title = f"{rig.title}, {', '.join(values)}" if values else rig.title
     notes += rig.notes
     fields: dict[str, Any] = {"rated_flow": _rated_flow(options)}
     if options.volume:
-        fields["volumes"] = listed(options.volume, "m^3", "--volume")
+        fields["volumes"] = read_quantity_list(options.volume, "m^3", "--volume")
     if options.frequencies:
-        fields["frequencies"] = listed(options.frequencies, "Hz", "--frequencies")
+        fields["frequencies"] = read_quantity_list(options.frequencies, "Hz", "--frequencies")
     if options.sweep_time:
         # One value: a comma does not separate values here.
-        (fields["sweep_time"],) = listed(options.sweep_time.replace(",", ""), "s", "--sweep-time")
+        (fields["sweep_time"],) = read_quantity_list(options.sweep_time.replace(",", ""), "s", "--sweep-time")
     settings, tests = BenchSettings(**fields), _tests(options)
     return lambda progress: run_bench(rig, settings, tests, say=progress, notes=notes, conditions=conditions)
 
@@ -157,8 +159,8 @@ def _tests(options: argparse.Namespace) -> list[str]:
 def bench_summary(result: BenchResult) -> str:
     """Return a bench result as text for a terminal.
 
-    The text contains the characteristic values and the notes. A second column contains the values of the reference
-    valve, if there is one.
+    The text contains the characteristic values and the notes. If the result is compared with another one, a second
+    column contains its values.
     """
     lines = [result.title]
     compared_rows = result.comparison.get("figures", {})
@@ -186,9 +188,9 @@ def bench_summary(result: BenchResult) -> str:
 
 
 def find_bench_limits(options: argparse.Namespace) -> int:
-    """Determine which part of a valve limits the bandwidth.
+    """Run the command `bench limits`: determine which part of a valve limits its bandwidth.
 
-    The analysis varies load volume, amplitude, spring rates and damping.
+    The analysis varies load volume, amplitude, spring rates and damping. The result is the exit code.
     """
     from poppet.bench.limits.maps import DONE, find_limits, limits_plan
 
@@ -215,11 +217,11 @@ def find_bench_limits(options: argparse.Namespace) -> int:
 def limits_summary(result: Any) -> str:
     """Return the dynamic limits of a valve as text for a terminal.
 
-    The text contains a table of bandwidths with the limiting parts, and the findings.
+    The text contains a table of bandwidths by volume and amplitude, each with the limiting part, and the findings.
     """
     plan = result.plan
     head = ["-3 dB [Hz]", *(f"{a / 1e3:.3g} kPa" for a in plan.amplitudes)]
-    bandwidths, parts = result.grid("gain_frequency"), result.grid("limiting")
+    bandwidths, parts = result.bandwidth_map("gain_frequency"), result.bandwidth_map("limiting")
     rows = [
         [f"{v * 1e3:.3g} l", *(f"{f:.3g} {part}" for f, part in zip(*row, strict=True))]
         for v, *row in zip(plan.volumes, bandwidths, parts, strict=True)

@@ -13,7 +13,8 @@ from pathlib import Path
 from poppet.cli.assignments import load_circuit
 from poppet.cli.parser import output_path
 from poppet.cli.summary import print_notes
-from poppet.core.errors import InputError, NameSuggestion, collect
+from poppet.core.codes import Note
+from poppet.core.errors import InputError, NameSuggestion, raise_errors
 from poppet.core.number_format import aligned
 from poppet.core.provenance import LEAST_CERTAIN_FIRST as KINDS
 
@@ -22,7 +23,7 @@ TEMPLATES = {path.stem: path for path in sorted(Path(__file__).with_name("templa
 
 
 def check_files(options: argparse.Namespace) -> None:
-    """Report all errors in circuit files, without a simulation."""
+    """Run the command `check`: report all errors in circuit files, without a simulation."""
     from poppet.circuit.file import load
     from poppet.circuit.stop_conditions import parse_stop_condition
     from poppet.circuit.trace import trace
@@ -48,7 +49,9 @@ def check_files(options: argparse.Namespace) -> None:
             if "ensemble" in circuit.origin[0]:
                 from poppet.ensemble import plan_of
 
-                notes += plan_of(circuit).notes
+                plan = plan_of(circuit, allow_python=True)  # executes nothing
+                functions = plan.python_functions
+                notes += [*plan.notes, *([Note("ensemble.executes", functions=functions)] if functions else ())]
         except InputError as error:
             problems.append(TomlFile.read(file).located(error))
             continue
@@ -63,11 +66,11 @@ def check_files(options: argparse.Namespace) -> None:
         text = ", ".join(f"{count} {name}{'s' * (count != 1)}" for name, count in counts.items())
         print(f"{file}: no errors; {text}.")
         print_notes(notes)
-    collect(problems)
+    raise_errors(problems)
 
 
 def write_template(options: argparse.Namespace) -> None:
-    """Write a template of a circuit file, or list the available templates."""
+    """Run the command `new`: write a template of a circuit file, or list all templates."""
     name = options.template
     if name is None:
         width = max(map(len, TEMPLATES))
@@ -76,7 +79,7 @@ def write_template(options: argparse.Namespace) -> None:
         return
     if name not in TEMPLATES:
         near = NameSuggestion(name, TEMPLATES)
-        raise InputError("fields.not_an_option", "template", value=name, meaning="template", near=near)
+        raise InputError("fields.not_an_option", "template", value=name, meaning="template", suggestion=near)
     # The parser has checked an `--output`; the default name is checked here.
     target: Path = options.output or output_path(f"{name}.toml", (".toml",))
     if target.exists() and not options.force:
@@ -89,10 +92,12 @@ def write_template(options: argparse.Namespace) -> None:
 
 
 def show_parameters(options: argparse.Namespace) -> None:
-    """Print all parameters of a circuit, grouped by the source of their values."""
+    """Run the command `show`: print all parameters of a circuit, grouped by the kind of their source."""
     if options.kind is not None and options.kind not in KINDS:
         near = NameSuggestion(options.kind, KINDS)
-        raise InputError("fields.not_an_option", "--kind", value=options.kind, meaning="kind of source", near=near)
+        raise InputError(
+            "fields.not_an_option", "--kind", value=options.kind, meaning="kind of source", suggestion=near
+        )
 
     circuit, _ = load_circuit(options)
     kinds = KINDS if options.kind is None else (options.kind,)
@@ -129,7 +134,7 @@ def show_parameters(options: argparse.Namespace) -> None:
 
 
 def draw_schematic(options: argparse.Namespace) -> None:
-    """Draw the schematic of the circuit in a file."""
+    """Run the command `draw`: write the schematic of a circuit to a picture file."""
     from poppet.circuit.file import load
     from poppet.report.circuit.schematic import draw_circuit
 
@@ -139,7 +144,7 @@ def draw_schematic(options: argparse.Namespace) -> None:
 
 
 def write_schema(options: argparse.Namespace) -> None:
-    """Write the JSON schema of circuit files, which editors use to check a file."""
+    """Run the command `schema`: write the JSON schema of circuit files, with which editors check a file."""
     from poppet.core.files import write_whole
     from poppet.ensemble.ensemble_schema import file_schema
 

@@ -6,7 +6,7 @@ import argparse
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from poppet.cli.assignments import load_circuit, read_assignments, read_value
+from poppet.cli.assignments import load_circuit, read_assignments
 from poppet.cli.main import FAILED
 from poppet.cli.parser import output_path
 from poppet.cli.progress import Spinner
@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 
 
 def execute(options: argparse.Namespace) -> int:
-    """Run a `control` command: tune a controller, or compare several controllers."""
+    """Run the command `control tune` or `control compare`, and return the exit code."""
     return _tune(options) if options.action == "tune" else _compare(options)
 
 
@@ -43,22 +43,26 @@ def _tune(options: argparse.Namespace) -> int:
     from poppet.report.control_report import margin_table, verification_table, write_tuning
 
     (circuit,) = _load_circuits(options).values()
-    points = [*map(read_value, options.at)] or None
-    settings = {"form": options.form, "sensitivity": options.sensitivity, "at": points}
+    # Texts, not numbers: a value without a unit is rejected unless it is dimensionless.
+    settings = {"form": options.form, "sensitivity": options.sensitivity, "at": options.at or None}
     # The library has the default values.
     settings = {name: value for name, value in settings.items() if value is not None}
     require_matplotlib(options.report)
     with Spinner("The gains are computed", is_quiet=options.quiet) as progress:
-        settings |= {"amplitudes": [*map(read_value, options.amplitude)], "progress": progress}
+        settings |= {"amplitudes": options.amplitude, "progress": progress}
         tuning = (schedule if options.schedule else tune)(circuit, options.controller, **settings)
     print_notes(tuning.notes)
     without = f"{Path(options.files[0]).name} without {tuning.controller}."
     if tuning.is_verified:
-        verification = [f"Bounded: {tuning.bounded}, {tuning.held}, {without}", "", verification_table(tuning).text()]
+        verification = [
+            f"Bounded: {tuning.bound_text}, {tuning.command_text}, {without}",
+            "",
+            verification_table(tuning).text(),
+        ]
     else:
         overshoot = 100.0 * max(point.overshoot for point in tuning.points)
         verification = [
-            f"Bounded: {tuning.bounded}, {tuning.held}, small steps of {without}",
+            f"Bounded: {tuning.bound_text}, {tuning.command_text}, small steps of {without}",
             f"Overshoot of a small step {overshoot:.2g} %. Limits and dead zones of the valves are not in it.",
         ]
     print("\n".join([tuning.text(), margin_table(tuning).text(), "", *verification]))

@@ -25,7 +25,7 @@ _SECOND_UNITS = {"C": "dm^3/(s bar)", "qNn": "m^3/s ANR", "area": "m^2"}
 
 
 def execute(options: argparse.Namespace) -> None:
-    """Run the command `convert`: convert a value to another unit or flow capacity."""
+    """Run the command `convert`: print a value in another unit, or as another flow capacity such as Kv."""
     from poppet.core.units import counted_at, with_state
 
     # A regular expression, because `float` would also accept `nan`, `inf` and `1_000`.
@@ -68,9 +68,9 @@ def execute(options: argparse.Namespace) -> None:
 
 
 def _capacity_of(unit: str) -> str | None:
-    """Return the kind of flow capacity, such as `C`, for a unit or name.
+    """Return the kind of flow capacity (`C`, `Kv`, `Cv`, `qNn` or `area`) for its name or a unit.
 
-    The result is None if the text is neither.
+    The result is None if the text is no name and no unit of a flow capacity.
     """
     from poppet.core.units import counted_at, same_dimension
 
@@ -84,10 +84,10 @@ def _capacity_of(unit: str) -> str | None:
 
 
 def _convert_unit(number: float, unit: str, to: str, ambient: float | None) -> list[str]:
-    """Convert a value to another unit, and return the lines to print.
+    """Convert a value from one unit to another, and return the lines to print.
 
-    `unit` is the present unit, and `to` the requested one. `ambient` is the ambient pressure for gauge values; None
-    selects the default.
+    `number` is the value in the unit `unit`, and `to` the requested unit. `ambient` is the absolute ambient pressure
+    for gauge values [Pa]; None selects 1 bar.
     """
     from poppet.core.units import ANR, NORMAL, check_unit, convert, counted_at, same_dimension
 
@@ -111,10 +111,7 @@ def _convert_unit(number: float, unit: str, to: str, ambient: float | None) -> l
 
 
 def _is_gauge(unit: str) -> bool:
-    """Return True if the unit is that of a gauge pressure.
-
-    The conversion then depends on the ambient pressure.
-    """
+    """Return True for a unit of gauge pressures, whose conversion depends on the ambient pressure."""
     from poppet.core.units import convert, same_dimension
 
     return same_dimension(unit, "Pa") and convert(0.0, unit, "Pa", ambient_pressure=1e5) != 0.0
@@ -131,7 +128,7 @@ class _Context(NamedTuple):
 
     @classmethod
     def read(cls, options: argparse.Namespace) -> _Context:
-        """Read the context from the options of the command."""
+        """Read and check the options of the command line."""
         from poppet import library
         from poppet.core.tables import Field
         from poppet.core.units import quantity
@@ -152,7 +149,7 @@ class _Context(NamedTuple):
         return cls(ratio, ambient, options.definition, gas.name, constants)
 
     def keywords(self, capacity: str) -> dict[str, Any]:
-        """Return the keyword arguments of the conversion function of a flow capacity."""
+        """Return the keyword arguments for the conversion function of a kind of flow capacity, such as `Kv`."""
         if capacity in ("Kv", "Cv"):
             return {"definition": self.definition}
         if capacity == "area":
@@ -161,9 +158,9 @@ class _Context(NamedTuple):
         return {"atmosphere": self.ambient} if capacity == "qNn" and self.ambient is not None else {}
 
     def factors_from_air(self, capacity: str) -> tuple[float, float]:
-        """Return the factor and the shift that convert C and b from air or water to the selected gas.
+        """Return factor and shift that convert C and b to the selected gas, see `iso6358.factors_from_air`.
 
-        They are 1 and 0 if no conversion is required.
+        They are 1 and 0 if the gas is air, or if the kind of flow capacity does not refer to air or water.
         """
         from poppet.laws import iso6358
 
@@ -174,7 +171,8 @@ class _Context(NamedTuple):
 def _convert_capacity(number: float, source: tuple[str, str], target: tuple[str, str], context: _Context) -> list[str]:
     """Convert a value between two kinds of flow capacity, and return the lines to print.
 
-    The value is first converted from `source` to C and b, and then to `target`.
+    `source` and `target` contain the kind, such as `Kv`, and the unit. The value is first converted to sonic
+    conductance and critical pressure ratio.
     """
     from poppet.core.units import ANR, convert
     from poppet.laws import iso6358
@@ -213,9 +211,10 @@ def _convert_capacity(number: float, source: tuple[str, str], target: tuple[str,
 
 
 def _convert_to_conductance(capacity: str, value: float, context: _Context) -> Conductance:
-    """Convert a flow capacity in SI units to C and b, with a note.
+    """Convert a flow capacity in SI units to sonic conductance and critical pressure ratio, with a note.
 
-    `capacity` is the kind of flow capacity, such as `Kv`. The note describes the conversion.
+    They are valid for the selected gas. `capacity` is the kind of flow capacity, such as `Kv`. The note describes the
+    conversion.
     """
     from poppet.laws import iso6358
 

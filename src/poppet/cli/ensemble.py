@@ -19,7 +19,10 @@ if TYPE_CHECKING:
 
 
 def run_ensemble(options: argparse.Namespace) -> int:
-    """Run the circuit of a file many times with uncertain parameters."""
+    """Run the command `ensemble`: run a circuit many times with uncertain parameters.
+
+    The result is the exit code.
+    """
     from poppet.core.toml_file import TomlFile
     from poppet.ensemble import plan_of, run_plan
 
@@ -27,7 +30,7 @@ def run_ensemble(options: argparse.Namespace) -> int:
     circuit, notes = load_circuit(options)
     settings = {key: getattr(options, key) for key in ("runs", "seed") if getattr(options, key) is not None}
     try:
-        plan = plan_of(circuit, **settings)
+        plan = plan_of(circuit, allow_python=options.allow_python, **settings)
     except InputError as error:
         raise TomlFile.read(options.file).located(error) from None
     # The notes of the nominal run are likely to apply to the other runs.
@@ -53,7 +56,7 @@ def run_ensemble(options: argparse.Namespace) -> int:
 
 
 def ensemble_summary(ensemble: Ensemble) -> str:
-    """Return the tables of yields and metrics of an ensemble as text."""
+    """Return the tables of yields and metrics of an ensemble as text for a terminal."""
     from poppet.report.ensemble_report import metric_table, yield_table
 
     lines = [ensemble.plan.circuit.title] if ensemble.plan.circuit.title else []
@@ -63,7 +66,10 @@ def ensemble_summary(ensemble: Ensemble) -> str:
 
 
 def find_size(options: argparse.Namespace) -> int:
-    """Find the smallest or largest value of a parameter that meets the requirements."""
+    """Run the command `size`: find the smallest or largest parameter value that meets the requirements.
+
+    The result is the exit code.
+    """
     from poppet.core.toml_file import TomlFile
     from poppet.core.units import quantity
     from poppet.ensemble import size
@@ -84,6 +90,7 @@ def find_size(options: argparse.Namespace) -> int:
                 largest=options.largest,
                 share=share,
                 sizes=options.size,
+                allow_python=options.allow_python,
                 progress=progress,
             )
     except InputError as error:

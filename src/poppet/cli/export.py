@@ -18,21 +18,21 @@ from poppet.deploy.targets import TARGETS, CircuitSource
 
 
 def list_targets(options: argparse.Namespace) -> int:
-    """Print the names and descriptions of all export targets."""
+    """Run the command `export` without a target: print the names and descriptions of all targets."""
     from poppet.cli.commands import COMMANDS
 
     targets = {target.command: target.summary for target in TARGETS.values()}
     targets["export check"] = COMMANDS["export check"].summary
     if options.target:
         name = f"export {options.target}"
-        raise InputError("names.unknown", name, meaning="a command of poppet", near=NameSuggestion(name, targets))
+        raise InputError("names.unknown", name, meaning="a command of poppet", suggestion=NameSuggestion(name, targets))
     width = max(map(len, targets))
     print("\n".join(f"poppet {name:<{width}}  {summary}" for name, summary in targets.items()))
     return WRONG_INPUT
 
 
 def write_target(options: argparse.Namespace) -> None:
-    """Export a circuit to the target that the command names."""
+    """Run the command `export TARGET`: export a circuit to a target such as `c` or `fmu`."""
     target = TARGETS[options.command.rpartition(" ")[2]]
     if options.output is None and not target.is_printable:
         raise InputError("deploy.no_folder_named")
@@ -60,7 +60,10 @@ def write_target(options: argparse.Namespace) -> None:
 
 
 def check_targets(options: argparse.Namespace) -> int:
-    """Run a circuit with every export target, and compare the results with those of the kernel."""
+    """Run the command `export check`: compare the runs of all export targets with a simulation.
+
+    The result is the exit code.
+    """
     from poppet.circuit.file import load
     from poppet.deploy.fmu.importers import fmi_version, read_circuit
     from poppet.deploy.parity.parity_table import compare_targets, not_run_notes, results_table, write_parity

@@ -17,7 +17,7 @@ FINDINGS = 3
 
 
 def execute(options: argparse.Namespace) -> int:
-    """Run the command `identify`, and print or write its result."""
+    """Run the command `identify`, print or write its result, and return the exit code."""
     Field(unit="1", low=0.0, meaning="number of bootstrap fits").read(options.bootstrap, "--bootstrap")
     require_matplotlib(options.report)
     method = METHODS[options.method]

@@ -19,6 +19,7 @@ from poppet.cli.commands import COMMANDS, all_commands
 from poppet.cli.parser import Command, CommandParser
 from poppet.core.command_options import Option
 from poppet.core.errors import InputError, NameSuggestion, PoppetError
+from poppet.core.note_groups import explain_command
 from poppet.core.number_format import printable
 from poppet.core.plugins import PluginWarning, import_object
 
@@ -34,7 +35,7 @@ PROGRAM = Command(
 def run(arguments: Sequence[str] | None = None) -> int:
     """Run poppet with command-line arguments, and return the exit code.
 
-    By default, the arguments are those of the running program.
+    By default, the arguments are those in `sys.argv`.
 
     Examples
     --------
@@ -71,8 +72,7 @@ def run(arguments: Sequence[str] | None = None) -> int:
     except InputError as error:
         _print_error(str(error), error.exit_code)
         # For a mistyped command line, --help is better than `explain`.
-        codes = dict.fromkeys(problem.code for problem in error.problems if not problem.code.startswith("cli."))
-        hint = f"poppet explain {' '.join(list(codes)[:3])}" if codes else ""
+        hint = explain_command(problem.code for problem in error.problems if not problem.code.startswith("cli."))
         return _print_error(hint, error.exit_code, "more: ")
     except PoppetError as error:
         return _print_error(str(error), error.exit_code)
@@ -91,7 +91,7 @@ def run(arguments: Sequence[str] | None = None) -> int:
 
 
 def command_parser(name: str) -> CommandParser:
-    """Return the parser of a command."""
+    """Return the parser of the arguments of the command `name`."""
     # `identify` has the methods of other packages.
     is_built_in = name in COMMANDS and name != "identify"
     return CommandParser(name, COMMANDS[name] if is_built_in else all_commands()[name])
@@ -136,7 +136,9 @@ def _dispatch(arguments: list[str]) -> int:
         return WRONG_INPUT
     name, rest = split_command(arguments)
     if name not in COMMANDS and name not in (commands := all_commands()):
-        raise InputError("names.unknown", name, meaning="a command of poppet", near=NameSuggestion(name, commands))
+        raise InputError(
+            "names.unknown", name, meaning="a command of poppet", suggestion=NameSuggestion(name, commands)
+        )
     parser = command_parser(name)
     try:
         options = parser.read(rest)

@@ -9,16 +9,16 @@ from typing import TYPE_CHECKING, Any, NamedTuple, NoReturn
 
 from poppet.core.codes import Note
 from poppet.core.command_options import QUIET, Option
-from poppet.core.errors import InputError, NameSuggestion, collect
+from poppet.core.errors import InputError, NameSuggestion, raise_errors
 
 if TYPE_CHECKING:
     from pathlib import Path
 
 
 class Command(NamedTuple):
-    """Declaration of one command of the program.
+    """Declaration of one command of the program, such as `simulate`.
 
-    The parser, the help, the documentation and some tests are made from this declaration.
+    The parser, the help text and the tables in the documentation are generated from the declarations.
     """
 
     summary: str
@@ -36,7 +36,7 @@ class Command(NamedTuple):
 class CommandParser(argparse.ArgumentParser):
     """Parser of the arguments of one command.
 
-    If the name of the command is empty, it parses the arguments of the program itself.
+    If the name of the command is empty, it parses the arguments of the program without a command, such as --version.
     """
 
     def __init__(self, name: str, command: Command) -> None:
@@ -59,9 +59,9 @@ class CommandParser(argparse.ArgumentParser):
             groups[option.group].add_argument(*(option.names or [option.name]), **option.argparse_keywords())
 
     def read(self, arguments: Sequence[str]) -> argparse.Namespace:
-        """Parse the arguments of the command.
+        """Parse and check the arguments of the command.
 
-        The names of output files are checked before the command starts.
+        The checks include the names of output files, so the command does not fail after a long computation.
         """
         new_names = {old: option.names[-1] for option in self.options for old in option.old_names}
         names = self._option_string_actions
@@ -77,7 +77,7 @@ class CommandParser(argparse.ArgumentParser):
             # Before argparse, which would first report an argument that is missing because of the misspelling.
             elif name.startswith("--") and name not in names:
                 near = NameSuggestion(name, [option for option in names if option.startswith("--")])
-                raise InputError("names.unknown", name, meaning=f"an option of `{self.prog}`", near=near)
+                raise InputError("names.unknown", name, meaning=f"an option of `{self.prog}`", suggestion=near)
             present.append(f"{name}{equals}{value}")
         # `parse_args` would end the program with its own message.
         options, rest = self.parse_known_args(present)
@@ -87,15 +87,15 @@ class CommandParser(argparse.ArgumentParser):
         return options
 
     def _check(self, options: argparse.Namespace) -> None:
-        """Raise an error for options that do not fit together.
+        """Raise an error if options contradict each other or an output file would overwrite another file.
 
-        These are options of another action of the command, and output files that would overwrite another file.
+        An option contradicts the selected action of a command if it is valid for another action only.
         """
         from os.path import realpath
 
         action = getattr(options, self.options[0].name, "") if self.options else ""
         facts: dict[str, Any] = {"command": self.command, "action": action}
-        collect(
+        raise_errors(
             [
                 InputError("cli.option.misplaced", option=option.names[-1], actions=option.actions, **facts)
                 for option in self.options
@@ -125,16 +125,16 @@ class CommandParser(argparse.ArgumentParser):
 
 
 def output_path(text: str, formats: Sequence[str]) -> Path:
-    """Return the path of an output file, after a check of the format.
+    """Check the name of an output file, and return its path.
 
-    `formats` are the valid file extensions. The check takes place before any computation.
+    `formats` contains the valid file extensions. The folder must exist. The check takes place before any computation.
     """
     from pathlib import Path
 
     path = Path(text)
     if path.suffix.lower() not in formats:
         code = "files.suffix" if path.suffix else "cli.output.no_suffix"
-        raise InputError(code, path=str(path), suffix=path.suffix, near=NameSuggestion(path.suffix, formats))
+        raise InputError(code, path=str(path), suffix=path.suffix, suggestion=NameSuggestion(path.suffix, formats))
     if not path.parent.is_dir():
         raise InputError("files.no_folder", path=str(path), folder=str(path.parent))
     if path.is_dir():

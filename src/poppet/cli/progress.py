@@ -19,9 +19,9 @@ RUN_KINDS = {"runs": "runs", "tornado": "more for the tornado", "indices": "more
 
 
 class _Display:
-    """Line on the standard error that shows the progress of a command.
+    """Line on the terminal that shows the progress of a command.
 
-    Nothing is shown if the standard error is not a terminal, or with the option --quiet.
+    Nothing is shown if the standard error is not a terminal, or if the option --quiet is set.
     """
 
     def __init__(self, *, is_quiet: bool = False) -> None:
@@ -83,10 +83,10 @@ class RunProgress(_Display):
 
 
 class PointProgress(_Display):
-    """Progress of the computation of a map, shown as the number of computed points."""
+    """Progress of a computation at many points, shown as the number of computed points."""
 
     def __call__(self, done: int, total: int, following: str) -> None:
-        """Show the number of computed points, and the point that is computed next."""
+        """Show the number of computed points, and the text `following` on the point that is computed next."""
         self._show(f"{done} of {total}, {following}; Ctrl-C keeps the computed points", done, total)
 
 
@@ -98,15 +98,15 @@ class FitProgress(_Display):
         self._show(f"{count} evaluations, cost {cost:.6g}; Ctrl-C keeps the best point")
 
     def stages(self, stage: str, done: int, total: int) -> None:
-        """Show the progress of a stage after the search, and the elapsed time.
+        """Show the progress of a stage after the search, such as the bootstrap, and the elapsed time.
 
-        `stage` describes the stage. `done` and `total` count its fits.
+        `stage` is the name of the stage. `done` and `total` are the numbers of its completed fits and of all its fits.
         """
         self._show(f"{done} of {total} {stage}, {self.elapsed:.0f} s; Ctrl-C keeps the fit")
 
 
 class BenchProgress(_Display):
-    """Progress of a bench, shown as the name of the current test."""
+    """Progress of the tests of a valve, shown as the name of the current test."""
 
     def __init__(self, *, is_quiet: bool = False) -> None:
         super().__init__(is_quiet=is_quiet)
@@ -121,7 +121,7 @@ class BenchProgress(_Display):
 class Spinner(_Display):
     """Text with a spinner, for a computation that does not report progress.
 
-    A timer starts the display.
+    It appears if the computation takes longer than a second.
     """
 
     def __init__(self, text: str, *, is_quiet: bool = False) -> None:
@@ -157,9 +157,9 @@ class EnsembleProgress(_Display):
         self._kind, self._n_stored, self._kind_start = "", 0, self.start_time
 
     def __call__(self, done: int, total: int, kind: str) -> None:
-        """Show the number of completed runs of one kind.
+        """Show the number of completed runs of one kind, such as `runs`, and the runs per second.
 
-        The rate excludes runs that were stored before the start.
+        The runs per second exclude runs that an earlier command has stored.
         """
         if kind != self._kind:
             self._kind, self._n_stored, self._kind_start = kind, done, time.monotonic()

@@ -13,7 +13,7 @@ from poppet.core.errors import InputError, NameSuggestion
 
 
 def show_library(options: argparse.Namespace) -> None:
-    """Print the data sets, characteristics and gases of the library, or one of them in detail."""
+    """Run the command `library`: list the contents of the parameter library, or print one entry."""
     from poppet import library
 
     if options.name is not None:
@@ -25,9 +25,9 @@ def show_library(options: argparse.Namespace) -> None:
 
 
 def explain_codes(options: argparse.Namespace) -> None:
-    """Print the cause, an example and the remedy of message codes.
+    """Run the command `explain`: print cause, example and remedy of the messages with given codes.
 
-    The first part of a code lists all codes that begin with it. Without codes, the topics are listed.
+    For the first part of a code, all codes that begin with it are listed. Without codes, all first parts are listed.
     """
     from poppet.core.explanations import example_texts, renamed_codes, stored_examples
     from poppet.core.message_format import every_code, plain, template, topics
@@ -47,14 +47,14 @@ def explain_codes(options: argparse.Namespace) -> None:
             if example is not None and "{" in "".join(parts.values()):
                 lines.append(f"  example:  {' '.join(example_texts(new, example).values())}")
             if "hint" in parts:
-                remedy = plain(parts["hint"]).replace("<near>", "Use one of the suggested names.")
+                remedy = plain(parts["hint"]).replace("<suggestion>", "Use one of the suggested names.")
                 lines.append(f"  remedy:   {remedy}")
             blocks.append("\n".join(lines))
         elif members:
             title = f": {titles[name]}" if name in titles else ""
             blocks.append("\n".join([f"{name}{title}, {len(members)} codes", *(f"  {code}" for code in members)]))
         else:
-            raise InputError("cli.code", code=name, near=NameSuggestion(name, codes if "." in name else titles))
+            raise InputError("cli.code", code=name, suggestion=NameSuggestion(name, codes if "." in name else titles))
     if not options.codes:
         width = max(map(len, titles))
         blocks = ["\n".join(f"{topic:<{width}}  {title}" for topic, title in titles.items())]
@@ -62,7 +62,7 @@ def explain_codes(options: argparse.Namespace) -> None:
 
 
 def reproduce_paper(options: argparse.Namespace) -> None:
-    """Reproduce the figures and statements of Varga & Keski-Honkola 2012."""
+    """Run the command `paper`: reproduce the figures and statements of Varga & Keski-Honkola 2012."""
     folder = Path(options.output)
     if folder.exists() and not folder.is_dir():
         raise InputError("paper.folder_is_file", path=str(folder))

@@ -41,7 +41,7 @@ _RUN_OPTIONS = {
 
 
 def execute(options: argparse.Namespace) -> int:
-    """Run the command `simulate`, and print or write the recording."""
+    """Run the command `simulate`, print or write the recording, and return the exit code."""
     import numpy as np
 
     from poppet.circuit.file import load
@@ -106,7 +106,7 @@ def execute(options: argparse.Namespace) -> int:
 
 
 def plot_files(options: argparse.Namespace) -> None:
-    """Plot the recordings of several files in common axes."""
+    """Run the command `plot`: plot the recordings of several files in common axes."""
     from poppet.parts import KINDS
     from poppet.timeseries.plotting.plots import plot_recordings
     from poppet.timeseries.recording import Recording
@@ -138,7 +138,7 @@ def plot_files(options: argparse.Namespace) -> None:
 
 
 def linearise_file(options: argparse.Namespace) -> None:
-    """Print the linear model of a circuit, and write it to a file if one is specified."""
+    """Run the command `linearise`: print the linear model of a circuit, or also write it to a file."""
     from poppet.report.result_tables import mode_table
     from poppet.timeseries.recording import Recording
 

@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
 
 def in_usual_units(recording: Recording) -> Recording:
-    """Return the recording in practical units, such as bar."""
+    """Return a copy of the recording in practical units, such as bar."""
     units = zip(recording.names, recording.units, strict=True)
     return recording.converted({name: USUAL[unit] for name, unit in units if unit in USUAL})
 
@@ -33,7 +33,7 @@ def output_table(recording: Recording) -> str:
 
 
 def balance_sentence(recording: Recording) -> str:
-    """Return a sentence on the errors of the mass and energy balances."""
+    """Return a sentence on the residuals of the mass and energy balances of a simulation."""
     # An empty gas node without flow has no allowed residual.
     balances = [balance for balance in recording.residuals if balance.allowed > 0.0]
     if not balances:
@@ -60,7 +60,7 @@ def run_summary(recording: Recording) -> str:
 
 
 def load_summary(recording: Recording) -> str:
-    """Return the tables of strokes and energy of a simulation with mechanical loads."""
+    """Return the tables of strokes and energies of a simulation with moved bodies as text."""
     from poppet.report.result_tables import ENERGY, STROKES, energy_table, stroke_table
 
     metrics = recording.figures
@@ -69,7 +69,7 @@ def load_summary(recording: Recording) -> str:
 
 
 def extent(recording: Recording) -> str:
-    """Return the size of a recording as text: rows, outputs and time span."""
+    """Return the extent of a recording as text: number of rows and outputs, and time span."""
     span = f", {recording.time[0]:.6g} ... {recording.time[-1]:.6g} s" if recording.time.size else ""
     return f"{recording.time.size} row{'s' * (recording.time.size != 1)}, {len(recording)} series{span}"
 
@@ -84,16 +84,16 @@ def print_notes(notes: Iterable[Note]) -> None:
 
 
 def print_written(*paths: Path | None) -> None:
-    """Print the names of the files that a command has written."""
+    """Print the names of the files that a command has written; None is ignored."""
     for path in paths:
         if path is not None:
             print(f"{path}: written.")
 
 
 def require_matplotlib(*paths: Path | None) -> None:
-    """Raise an error if a figure is requested and Matplotlib is not installed.
+    """Raise an error if any path of a figure is given and Matplotlib is not installed.
 
-    The check is made before the computation.
+    Commands call it before their computation.
     """
     if any(paths):
         from poppet.timeseries.plotting.figures import style
@@ -104,9 +104,10 @@ def require_matplotlib(*paths: Path | None) -> None:
 def write_result(
     options: argparse.Namespace, result: Any, text: str, write_report: Callable[[Path], Any], *files: Path | None
 ) -> None:
-    """Write a result and its report to the files that the options specify.
+    """Write a result and its report to the files that the options specify, and print a text.
 
-    `text` is printed, followed by the names of the files. `write_report` is the function that writes the report.
+    `write_report` writes the report to a path. After `text`, the names of all written files are printed, including
+    `files`.
     """
     if options.output:
         result.save(options.output)

@@ -80,17 +80,17 @@ class Comparison:
 
     @property
     def kinds(self) -> dict[str, StepMetric]:
-        """Mapping from the name of each metric to its unit and its meaning."""
+        """Unit and meaning of each metric, by the name of the metric."""
         return metrics_in(*self.units)
 
     @property
     def draws(self) -> int:
-        """Number of runs with random plant parameters for each controller."""
+        """Number of runs with random plant parameters per controller."""
         return len(next(iter(self.responses.values()))) - 1
 
     @property
     def failed(self) -> dict[str, int]:
-        """Mapping from the name of each controller to its number of failed runs."""
+        """Number of failed runs of each controller, by the name of the controller."""
         return {name: int(np.sum(np.isnan(rows[:, -1]))) for name, rows in self.responses.items()}
 
     def summary(self) -> dict[str, dict[str, tuple[float, float, float]]]:
@@ -201,7 +201,7 @@ def compare(
         for address, size in ranges.items():
             if address not in numbers:
                 near = NameSuggestion(address, numbers)
-                errors.add("names.unknown", address, meaning="a parameter of this circuit", near=near)
+                errors.add("names.unknown", address, meaning="a parameter of this circuit", suggestion=near)
             elif address.startswith(f"{controller_name}.") and address not in sensor:
                 errors.add("control.vary.of_controller", address)
             elif first.parameters.get(address, 0.0) == 0.0:  # the range is relative to the value
@@ -264,9 +264,9 @@ class _Contender:
 
 
 def _properties_to_compare(circuit: BaseCircuit, plant: Plant) -> dict[str, Any]:
-    """Return all properties of a circuit that must be equal in a comparison.
+    """Return the properties of a circuit that must be equal in all compared circuits.
 
-    Parameter values and the controller itself are not included.
+    The result maps names of properties to values. Parameter values and the controller itself are not included.
     """
     return {
         "parts": [part.structure() for name, part in circuit.parts.items() if name != plant.controller],

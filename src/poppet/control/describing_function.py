@@ -74,7 +74,7 @@ class MeasuredPlant(LoopPlant):
     Parameters
     ----------
     known_frequencies : (n,) array
-        Increasing frequencies [Hz].
+        Increasing measured frequencies [Hz].
     responses : (n,) array
         Complex responses, measurement per command, SI.
     sample_time : float
@@ -82,13 +82,13 @@ class MeasuredPlant(LoopPlant):
     stabilised_by : Gains
         Gains of the controller during the measurement, with which the loop is stable.
     sticks_above : bool, optional
-        True if the measured body sticks at higher frequencies, so that the loop must not act there.
+        True if the measured body sticks above the highest measured frequency, where the response is then unknown.
 
     Notes
     -----
     Magnitude and phase are interpolated by monotone cubics over the logarithm of the frequency. Above the measured
-    range the phase is constant and the magnitude keeps its last slope. Below the range the plant is a gain or
-    integrators.
+    range, the phase is constant and the magnitude keeps its last slope. Below the range, the plant is a gain or a chain
+    of integrators.
     """
 
     known_frequencies: Array
@@ -124,9 +124,10 @@ class MeasuredPlant(LoopPlant):
 
     @cached_property
     def _stable_loop(self) -> tuple[Complex, Complex, float]:
-        """Data for the stability test of a loop.
+        """Reference data for the stability test, from the loop during the measurement.
 
-        These are coarse frequency points, the plant response at these points, and the phase change of a stable loop.
+        They are coarse points of the z plane, the plant response at these points, and the change in the angle of 1 + L
+        [rad], where L is the open-loop response.
         """
         z = self.at(self.frequencies[::-_EVERY][::-1])
         response = self.response(z)
@@ -140,11 +141,11 @@ class MeasuredPlant(LoopPlant):
         change = _phase_change(response * gains.response(z, self.sample_time))
         return abs(change - phase_change - integral_turn) < 0.5 * np.pi
 
-    def covers(self, gains: Gains, bound: float) -> bool:
-        """Return True if Ms and Mt keep the bound outside the measured frequencies.
+    def keeps_bound_outside(self, gains: Gains, bound: float) -> bool:
+        """Return True if Ms and Mt keep the bound outside the measured frequency range.
 
-        Ms and Mt are the peaks of the sensitivity functions. The check uses only the magnitude of the open loop, so it
-        is valid for any phase.
+        Ms and Mt are the maxima of the sensitivity and of the complementary sensitivity. The check uses only the
+        magnitude of the open-loop response, so it is valid for any phase.
 
         Parameters
         ----------
@@ -166,16 +167,16 @@ class MeasuredPlant(LoopPlant):
 def _phase_change(loop: Complex) -> float:
     """Return the change in the angle of 1 + L over the frequency range [rad].
 
-    `loop` contains the frequency response L of the open loop.
+    `loop` contains the open-loop response L at increasing frequencies.
     """
     angle = np.unwrap(np.angle(1.0 + loop))
     return float(angle[-1] - angle[0])
 
 
 class Sticking(NamedTuple):
-    """Limits of amplitude and speed below which the measured body sticks.
+    """Limits of amplitude and velocity below which the measured body sticks.
 
-    Without sticking friction, both limits are zero, and `outputs` is empty.
+    Without sticking friction, both limits are zero and `outputs` is empty.
     """
 
     outputs: tuple[str, ...] = ()  # position of the body
@@ -183,17 +184,17 @@ class Sticking(NamedTuple):
     velocity: float = 0.0  # velocity of full friction, SI
 
     def slides(self, amplitude: float, angular_frequency: float) -> bool:
-        """Return True if a body that follows a sine slides, and does not stick.
+        """Return True if a body in sinusoidal motion slides and does not stick.
 
-        The amplitude must be much larger than the deflection of the bristles, and the speed must be well above that of
-        full friction.
+        `amplitude` is that of the position. It must exceed 20 deflections of the bristles of the friction model, and
+        the velocity amplitude must exceed 5 times the velocity of full friction.
         """
         return amplitude > _SLIDES * self.deflection and amplitude * angular_frequency > _FAST * self.velocity
 
 
 @dataclass(frozen=True, eq=False)
 class SettledPlant:
-    """Plant at a steady state, to whose command sines are added.
+    """Plant near a steady state, for measurements with sines that are added to its command.
 
     A weak controller keeps the plant near this state.
     """
@@ -207,11 +208,11 @@ class SettledPlant:
     sticking: Sticking
     stuck: set[int] = field(default_factory=set)  # periods of the present sweep in which the body sticks [samples]
 
-    def answer(self, samples: int, size: float) -> tuple[complex, complex] | None:
+    def respond_to_sine(self, samples: int, size: float) -> tuple[complex, complex] | None:
         """Return the plant response to a sine, and the complex amplitude of the command.
 
-        `samples` is the period of the sine in samples, and `size` is its amplitude. The plant response is the ratio of
-        measurement to command. The result is None if the run fails, if the response is not sinusoidal, or if the
+        `samples` is the period of the added sine in samples, and `size` its amplitude. The plant response is the ratio
+        of measurement to command. The result is None if the run fails, if the response is not sinusoidal, or if the
         measured body does not slide.
         """
         decimation = max(1, math.ceil(samples / _ROWS))
@@ -224,7 +225,7 @@ class SettledPlant:
                 run = driven.simulate(count * period, step)
             except SimulationError:
                 return None
-            outputs = [self.loop.shown, f"{name}.command", *self.sticking.outputs]
+            outputs = [self.loop.sensor_output, f"{name}.command", *self.sticking.outputs]
             series = np.stack([run[output] for output in outputs])[:, : count * rows]
             quarters = series[:2].reshape(2, 4, -1)
             third, last = (y / u for y, u in (_fit_sine(quarters[:, k], rows)[0] for k in (2, 3)))
@@ -245,8 +246,8 @@ class SettledPlant:
 def _fit_sine(series: Array, rows: int) -> tuple[Complex, float]:
     """Fit a sine to each series, and return complex amplitudes and a distortion.
 
-    `rows` is the period of the sine in rows. The distortion is that of the first series: the amplitude of the residuals
-    relative to that of the sine.
+    `series` has shape (series, rows), and `rows` is the period of the sine in rows. The distortion is that of the first
+    series: the amplitude of the residuals relative to that of the sine.
     """
     k = np.arange(series.shape[1])
     angle, drift = 2.0 * np.pi * k / rows, k / k.size - 0.5
@@ -261,7 +262,7 @@ def _fit_sine(series: Array, rows: int) -> tuple[Complex, float]:
 
 @dataclass(frozen=True, eq=False)
 class MeasuredLoop(Plant):
-    """Loop whose plant is measured with sines that are added to the command.
+    """Control loop whose plant is measured with sines that are added to the command.
 
     `amplitudes` contains the amplitudes of the sines. The plant has one frequency response for each amplitude.
     """
@@ -274,7 +275,7 @@ class MeasuredLoop(Plant):
 
     @property
     def vent_factor(self) -> float:
-        """Opening of the vent valve per negative command during the measurement."""
+        """Opening of the vent valve per unit of negative command during the measurement."""
         return self.loop.numbers.get("vent_factor", 1.0)
 
     def sampled(  # type: ignore[override]  # no state space
@@ -282,8 +283,8 @@ class MeasuredLoop(Plant):
     ) -> LoopPlant:
         return point.models[branch]  # type: ignore[return-value]
 
-    def named(self, amplitude: float) -> str:
-        """Return an amplitude of the command as text in a readable unit."""
+    def sine_label(self, amplitude: float) -> str:
+        """Return a label of a sine from its amplitude, such as `sines of 0.05`."""
         unit = COMMANDS[command_of(self.part)].unit
         shown_unit = readable_unit_of(unit)
         suffix = "" if shown_unit == "1" else f" {shown_unit}"
@@ -293,7 +294,7 @@ class MeasuredLoop(Plant):
         target = self.read(value)
         settled = self.settle(target)
         self.settled[settled.value] = settled
-        models: Mapping[str, Any] = {self.named(size): self._sweep(settled, size) for size in self.amplitudes}
+        models: Mapping[str, Any] = {self.sine_label(size): self._sweep(settled, size) for size in self.amplitudes}
         return OperatingPoint(settled.value, settled.command, models, {name: {} for name in models})
 
     def verify(
@@ -301,10 +302,11 @@ class MeasuredLoop(Plant):
     ) -> Iterator[Verification]:
         """Yield a simulated setpoint step with the tuned gains for each amplitude of the sines.
 
-        The runs start at the operating point `value`. `margins` contains the margins of the tuned loop.
+        The runs start at the operating point `value`, SI. `margins` maps labels of operating points to the margins of
+        the tuned loop.
         """
         for size in self.amplitudes:
-            label = point_label(self, value, self.named(size))
+            label = point_label(self, value, self.sine_label(size))
             self.report_progress(f"a step at {label}")
             steady_run, crossover = self.settled[value].rest, margins[label].crossover
             # A step within the deflection of the bristles would verify springs.
@@ -314,7 +316,7 @@ class MeasuredLoop(Plant):
     def settle(self, target: float) -> SettledPlant:
         """Run the loop to a steady state, then replace its controller by a weaker one.
 
-        `target` is the setpoint of the run. The weaker controller has a fraction of the gain and no integral part.
+        `target` is the setpoint of the run, SI. The weaker controller has 15 % of the gain and no integral part.
         """
         name, circuit, numbers = self.controller, self.loop.circuit, self.loop.numbers
         part: Any = self.loop.part  # a PID
@@ -325,18 +327,18 @@ class MeasuredLoop(Plant):
         controlled = replace(circuit, signals={**signals, f"{name}.setpoint": Constant(target)})
         duration = max(float(controlled.run.duration or 0.0), 1000.0 * self.loop.sample_time)  # type: ignore[arg-type]
         previous, steady_run = np.inf, None
-        self.report_progress(f"the loop comes to rest at {'{value:.4g} {unit}'.format(**self.shown(target))}")
+        self.report_progress(f"the loop comes to rest at {'{value:.4g} {unit}'.format(**self.readable_value(target))}")
         # Until the mean command in the second half of a run is constant.
         for _ in range(_RUNS):
             steady_run = controlled.simulate(duration, start=steady_run)
             is_late = steady_run.time > 0.5 * duration
-            outputs = self.loop.shown, f"{name}.command"
+            outputs = self.loop.sensor_output, f"{name}.command"
             value, command = (float(np.mean(steady_run[output][is_late])) for output in outputs)
             if abs(command - previous) <= _QUIET * min(self.amplitudes):
                 break
             previous = command
         else:
-            raise SimulationError(Note("tuning.not_held", self.measurement, **self.shown(target)))
+            raise SimulationError(Note("tuning.not_held", self.measurement, **self.readable_value(target)))
         gains = part.gains_at(Scope(numbers, {}, {}, circuit.surroundings), value, value)
         derivative_time = float(gains["derivative_time"])
         filter_time = numbers["derivative_filter"] if derivative_time > 0.0 else self.loop.sample_time
@@ -352,7 +354,7 @@ class MeasuredLoop(Plant):
         return SettledPlant(driven, steady_run, value, command, weak_gains, self.loop, self.sticking)
 
     def _sweep(self, settled: SettledPlant, size: float) -> MeasuredPlant:
-        """Measure the frequency response of the plant with sines of one amplitude, `size`.
+        """Measure the frequency response of the plant with sines of the amplitude `size`.
 
         The shortest period has four samples. The longest belongs to the lowest relevant frequency.
         """
@@ -361,7 +363,7 @@ class MeasuredLoop(Plant):
         relevant: list[int] = []  # periods with a relevant phase, from high frequencies
         failures, time, samples = 0, self.loop.sample_time, 4
         while samples * time <= _LASTS or (relevant and failures == 0):
-            answer = self._answer(settled, samples, size, responses)
+            answer = self._measure_response(settled, samples, size, responses)
             if answer is None:
                 failures += 1
                 if len(relevant) >= _ENOUGH and failures >= _LOST:
@@ -374,7 +376,7 @@ class MeasuredLoop(Plant):
                     break
             samples = _round_period(max(samples + 1, _FINER * samples))
         if len(responses) < _FEWEST or len(relevant) < _ENOUGH:
-            raise SimulationError(Note("tuning.not_followed", self.measurement, by=self.named(size)))
+            raise SimulationError(Note("tuning.not_followed", self.measurement, by=self.sine_label(size)))
         # Between neighbours with a large phase difference and a relevant magnitude.
         smallest_relevant = _SMALL * max(map(abs, responses.values()))
         finer = [
@@ -384,7 +386,7 @@ class MeasuredLoop(Plant):
             and max(abs(responses[low]), abs(responses[high])) > smallest_relevant
         ]
         for period in [period for period in finer if period not in responses]:
-            answer = self._answer(settled, period, size, responses)
+            answer = self._measure_response(settled, period, size, responses)
             responses |= {} if answer is None else {period: answer}
         order = sorted(responses, reverse=True)
         frequencies = 1.0 / (time * np.array(order))
@@ -393,17 +395,17 @@ class MeasuredLoop(Plant):
         sticks_above = min(settled.stuck, default=order[-1]) < order[-1]
         return MeasuredPlant(frequencies, measured, time, settled.weak_gains, sticks_above)
 
-    def _answer(
+    def _measure_response(
         self, settled: SettledPlant, samples: int, size: float, responses: Mapping[int, complex]
     ) -> complex | None:
-        """Return the plant response to a sine of a given amplitude in the command.
+        """Return the complex plant response to a command with a sine of the amplitude `size`.
 
-        `size` is this amplitude. The added sine is corrected until the command has this amplitude. `samples` is the
-        period in samples, and `responses` contains the responses measured so far by period. The result is None if there
-        is no sinusoidal response.
+        `samples` is the period in samples. The added sine is corrected until the command has this amplitude.
+        `responses` maps measured periods to responses, from which the first amplitude is estimated. The result is None
+        without a sinusoidal response.
         """
         frequency = 1.0 / (samples * self.loop.sample_time)
-        self.report_progress(f"{frequency:.3g} Hz by {self.named(size)}")
+        self.report_progress(f"{frequency:.3g} Hz by {self.sine_label(size)}")
         z = np.exp(2j * np.pi * np.array([1.0 / samples]))
         hold_response = settled.weak_gains.response(z, self.loop.sample_time)[0]
         # Estimate of the response at this period: a power law through the two nearest measured periods.
@@ -414,7 +416,7 @@ class MeasuredLoop(Plant):
             estimate = first * (second / first) ** (math.log(samples / nearest[0]) / math.log(nearest[1] / nearest[0]))
         amplitude = size * float(abs(1.0 + estimate * hold_response))
         for _ in range(_TRIES):
-            answer = settled.answer(samples, amplitude)
+            answer = settled.respond_to_sine(samples, amplitude)
             if answer is None:
                 return None
             if abs(abs(answer[1]) / size - 1.0) <= _SIZE:
@@ -426,18 +428,18 @@ class MeasuredLoop(Plant):
 def make_measured_loop(
     circuit: BaseCircuit, controller: str | None, amplitudes: Sequence[Any], progress: ProgressCallback | None
 ) -> MeasuredLoop:
-    """Return the plant of a controller for measurements with sines of the given sizes.
+    """Return the loop of a controller for measurements with sines of given amplitudes.
 
     Parameters
     ----------
     circuit : Circuit
         Circuit with the controller.
     controller : str or None
-        Name of the controller.
+        Name of the controller; None if the circuit has only one.
     amplitudes : sequence of float or str
-        Sizes of the sines in the unit of the command.
+        Amplitudes of the sines in the unit of the command.
     progress : callable or None
-        Function of a text that describes the current run.
+        Function that is called with a text about the current run.
 
     Returns
     -------
@@ -446,7 +448,7 @@ def make_measured_loop(
     Raises
     ------
     InputError
-        As `plant_of`; and if a size is not positive or exceeds the limits of the command.
+        As `plant_of`; and if an amplitude is not positive or exceeds the limits of the command.
     """
     loop = loop_of(circuit, controller)
     unit = COMMANDS[command_of(loop.part)].unit
@@ -477,6 +479,6 @@ def make_measured_loop(
 
 
 def _round_period(samples: float) -> int:
-    """Return the nearest period, in samples, that contains a whole number of stored rows."""
+    """Return the nearest period, in samples, that is a whole number of stored rows."""
     decimation = max(1, math.ceil(samples / _ROWS))
     return decimation * round(samples / decimation)

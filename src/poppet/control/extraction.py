@@ -31,13 +31,13 @@ def plant_of(circuit: BaseCircuit, controller: str | None = None) -> Plant:
     Returns
     -------
     Plant
-        Circuit without the controller, and its connections.
+        Circuit with a free command in place of the controller.
 
     Raises
     ------
     InputError
-        If there is no such controller, or it is not connected; if a circuit has further sampled parts and its
-        controller commands openings for a pressure.
+        If there is no such controller, or it is not connected. Also if a pressure controller commands openings and the
+        circuit has further sampled parts.
 
     Notes
     -----
@@ -71,7 +71,10 @@ def plant_of(circuit: BaseCircuit, controller: str | None = None) -> Plant:
 
 
 class Loop(NamedTuple):
-    """Controller and its circuit, from which the outer loops of the controller are removed."""
+    """Controller with its circuit, from which outer loops are removed.
+
+    An outer loop commands only this controller, for example its setpoint.
+    """
 
     circuit: BaseCircuit
     controller: str
@@ -82,7 +85,7 @@ class Loop(NamedTuple):
 
     @property
     def numbers(self) -> dict[str, float]:
-        """Mapping from the name of each parameter of the controller to the SI value."""
+        """Parameters of the controller in SI units, by name."""
         return self.part.parameters(self.circuit.surroundings)
 
     @property
@@ -91,13 +94,13 @@ class Loop(NamedTuple):
         return self.numbers["sample_time"]
 
     @property
-    def shown(self) -> str:
-        """Address of the output that contains the measured value of the sensor."""
+    def sensor_output(self) -> str:
+        """Address of the output with the value that the sensor of the controller measures."""
         return f"{self.controller}.sensor_{self.part.controls}"
 
 
 def loop_of(circuit: BaseCircuit, controller: str | None = None) -> Loop:
-    """Return the loop of the named controller.
+    """Return the loop of the controller with a given name.
 
     The name is optional if the circuit has only one sampled controller.
     """
@@ -107,8 +110,8 @@ def loop_of(circuit: BaseCircuit, controller: str | None = None) -> Loop:
     if controller not in controllers:
         suggestion = NameSuggestion(controller or "", controllers)
         if controllers and controller:
-            raise InputError("names.unknown", controller, meaning="a controller of this circuit", near=suggestion)
-        raise InputError(f"plant.{'several_controllers' if controllers else 'no_controller'}", near=suggestion)
+            raise InputError("names.unknown", controller, meaning="a controller of this circuit", suggestion=suggestion)
+        raise InputError(f"plant.{'several_controllers' if controllers else 'no_controller'}", suggestion=suggestion)
     measurement = circuit.connections.get(f"{controller}.measurement")
     commands: dict[str, tuple[str, ...]] = {}
     for target, source in circuit.connections.items():
@@ -164,7 +167,7 @@ def release_command(circuit: BaseCircuit, controller: str, *, keeps: bool) -> Ba
 def _remove_outer_loops(circuit: BaseCircuit, controller: str) -> BaseCircuit:
     """Return the circuit without the outer loops of a controller.
 
-    An outer controller commands only `controller`, or another outer controller.
+    An outer controller commands only `controller`, or only other outer controllers.
     """
     targets_of: dict[str, set[str]] = {}
     for target, source in circuit.connections.items():

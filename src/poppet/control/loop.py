@@ -125,7 +125,7 @@ class LoopPlant(ABC):
 
 @dataclass(frozen=True, eq=False)
 class SampledPlant(LoopPlant):
-    r"""Plant between two sample instants: :math:`x_{k+1} = A x_k + B u_k,\ y_k = C x_k`.
+    r"""Linear plant between sample instants: :math:`x_{k+1} = A x_k + B u_k,\ y_k = C x_k`.
 
     Parameters
     ----------
@@ -164,8 +164,8 @@ def sampled_plant(
 ) -> SampledPlant:  # fmt: skip
     """Convert a linear model to a sampled plant with hold, delay and sensor.
 
-    `weights` are the factors from the command to the inputs of the model, and `output` is the index of the measured
-    output.
+    `weights` maps each input of the model to its factor on the command, and `output` is the name of the measured
+    output. `sensor_lag` is the time constant of the sensor [s], and `delay` a number of samples.
     """
     from scipy.linalg import expm
 
@@ -280,12 +280,11 @@ def margins(plant: LoopPlant, gains: Gains, *, response: Complex | None = None) 
 
 
 def closed_loop(plant: SampledPlant, gains: Gains, setpoint_weight: float = 1.0) -> tuple[Array, Array, Array]:
-    """Return matrices of the closed loop from setpoint to measurement.
+    """Return the matrices of the closed loop from setpoint to measurement.
 
-    The loop is x+ = a x + b w with the measurement y x, where x+ is the state one sample later and w is the setpoint.
-
-    The states are those of the plant, delayed commands, the integral, the filtered derivative and the last measurement.
-    The result contains a, b and y.
+    The result contains a, (n, n), b, (n,), and y, (n,). The loop is x+ = a x + b w, where x+ is the state one sample
+    later and w the setpoint; the measurement is y x. The states are those of the plant, delayed commands, the integral,
+    the filtered derivative and the last measurement.
     """
     n, d, time = len(plant.B), plant.delay, plant.sample_time
     k, filter_time = gains.gain, gains.derivative_filter
@@ -317,7 +316,7 @@ def closed_loop(plant: SampledPlant, gains: Gains, setpoint_weight: float = 1.0)
 def step_response(plant: SampledPlant, gains: Gains, setpoint_weight: float, samples: int) -> Array:
     """Return the response of the closed loop to a unit step of the setpoint.
 
-    The result contains the measurement at each of `samples` samples.
+    The result is the measurement at each of `samples` sample instants.
     """
     a, b, y = closed_loop(plant, gains, setpoint_weight)
     x, measured = np.zeros(len(b)), np.empty(samples)

@@ -45,8 +45,8 @@ _SEEN, _ANSWERS = 1e-12, 2000
 class ManualPlant(Plant):
     """Plant that contains its controller in manual mode.
 
-    The command of the plant is the manual command. `instance` contains the controller, and `commands` contains the
-    connections of the controller in the circuit.
+    The manual command of the controller is the command of the plant. `instance` includes the controller, and `commands`
+    describes its connections in the circuit.
     """
 
     @property
@@ -56,7 +56,7 @@ class ManualPlant(Plant):
     def sampled(self, point: OperatingPoint, branch: str, factor: float = 1.0) -> SampledPlant:
         model = point.models[branch]
         assert isinstance(model, SampledModel)
-        column, row = model.inputs.index(self._hand), model.outputs.index(self._shown)
+        column, row = model.inputs.index(self._hand), model.outputs.index(self._sensor_output)
         if model.D[row, column] != 0.0:
             raise InputError("plant.direct", self.measurement, inputs=tuple(self.targets))
         size = model.sizes
@@ -68,7 +68,7 @@ class ManualPlant(Plant):
         return SampledPlant(a[np.ix_(relevant, relevant)], b[relevant], c[relevant], model.sample_time)
 
     @property
-    def _shown(self) -> str:
+    def _sensor_output(self) -> str:
         return f"{self.controller}.sensor_{self.part.controls}"
 
     def operating_point(self, value: Any) -> OperatingPoint:
@@ -79,23 +79,28 @@ class ManualPlant(Plant):
         time = self.part.parameters(instance.surroundings)["sample_time"]
         if abs(point.clock.sample_time - time) > 1e-9 * time:
             raise InputError("plant.other_period", self.controller, sample_time=time, period=point.clock.sample_time)
-        trim = _Trim(instance, point, self._hand, self._shown, self.part)
+        trim = _SteadyStateSearch(instance, point, self._hand, self._sensor_output, self.part)
         low, high = trim.limits
         causes: list[Note] = []
         for v, command in self._search_starts(trim, causes):
-            operating_state = trim.follow(v, command, target)
+            operating_state = trim.find(v, command, target)
             if operating_state is not None and low <= operating_state[1] <= high:
                 v, command = operating_state
                 break
         else:
-            moves = (self._answer(trim.model(point.start, 0.0, direction)) != 0.0 for direction in (1.0, -1.0))
+            moves = (
+                self._value_after_step(trim.linear_model(point.start, 0.0, direction)) != 0.0
+                for direction in (1.0, -1.0)
+            )
             if self.part.is_of_openings and not any(moves):
                 raise self._dead_zone_error("plant.dead_zone", "positive", target)
-            raise SimulationError(Note("plant.not_trimmed", self.measurement, why=causes, **self.shown(target)))
+            raise SimulationError(
+                Note("plant.not_trimmed", self.measurement, why=causes, **self.readable_value(target))
+            )
         models: dict[str, LinearModel] = {}
         for branch in self.sides if self.part.is_of_openings else ("command", "back"):
-            model = trim.model(v, command, -1.0 if branch in ("vent", "back") else 1.0)
-            answer = self._answer(model)
+            model = trim.linear_model(v, command, -1.0 if branch in ("vent", "back") else 1.0)
+            answer = self._value_after_step(model)
             if branch == "back":
                 z = np.exp(2j * np.pi * np.geomspace(1e-4, 0.4, 9))
                 forward, back = (self._plant_of(side).response(z) for side in (models["command"], model))
@@ -109,8 +114,8 @@ class ManualPlant(Plant):
     def _plant_of(self, model: LinearModel) -> SampledPlant:
         return self.sampled(OperatingPoint(0.0, 0.0, {"": model}, {}), "")
 
-    def _answer(self, model: SampledModel) -> float:
-        """Return the measured value at sample 2000 after a unit step of the command.
+    def _value_after_step(self, model: SampledModel) -> float:
+        """Return the measured value 2000 samples after a unit step of the command.
 
         The result is 0 if the value is not larger than rounding errors.
         """
@@ -123,12 +128,15 @@ class ManualPlant(Plant):
         return answer if abs(answer) > _SEEN * scale else 0.0
 
     def _dead_zone_error(self, code: str, branch: str, target: float) -> InputError:
-        return InputError(code, self.measurement, inputs=tuple(self.targets), branch=branch, **self.shown(target))
+        return InputError(
+            code, self.measurement, inputs=tuple(self.targets), branch=branch, **self.readable_value(target)
+        )
 
-    def _search_starts(self, trim: _Trim, causes: list[Note]) -> Iterator[tuple[Array, float]]:
-        """Yield start points of the search: pairs of state vector and command.
+    def _search_starts(self, trim: _SteadyStateSearch, causes: list[Note]) -> Iterator[tuple[Array, float]]:
+        """Yield start points for the search of a steady state: state vector and command.
 
-        `trim` is the search. If a start point has no steady state, the reason is added to the list `causes`.
+        If the steady state of the circuit at a typical command cannot be found, the reason is added to the list
+        `causes`.
         """
         low, high = trim.limits
         bias = self.part.parameters(self.instance.surroundings)["bias"]
@@ -147,9 +155,9 @@ class ManualPlant(Plant):
 
 
 def _reachable_states(edges: NDArray[np.bool_], start: NDArray[np.bool_]) -> NDArray[np.bool_]:
-    """Return a mask of all states that can be reached from the states in `start`.
+    """Return a mask of all states that can be reached from some states.
 
-    `edges[i, j]` is True if state j directly affects state i.
+    `start` is the mask of these states. `edges[i, j]` is True if state j directly affects state i.
     """
     reached = start
     while not np.array_equal(reached, further := reached | edges @ reached):
@@ -157,11 +165,8 @@ def _reachable_states(edges: NDArray[np.bool_], start: NDArray[np.bool_]) -> NDA
     return reached
 
 
-class _Trim:
-    """Search for the command at which the measurement has a given steady value.
-
-    The search also returns the steady state.
-    """
+class _SteadyStateSearch:
+    """Search for the steady state and the command that give a requested measurement."""
 
     def __init__(self, instance: Instance, point: SampledPoint, manual_input: str, output: str, part: Any) -> None:
         self.instance, self.point, self.column = instance, point, point.input_names.index(manual_input)
@@ -175,26 +180,26 @@ class _Trim:
         self.limits = (-low, high) if part.is_of_openings else (low, high)
 
     def at(self, command: float) -> SampledPoint:
-        """Return a copy of the circuit point in which the command has another value."""
+        """Return a copy of the operating point with another command."""
         point = copy(self.point)
         point.u = self.point.u.copy()
         point.u[self.column] = command
         return point
 
-    def shown(self, v: Array, command: float) -> float:
-        """Return the measured value for the state vector `v` and a command."""
+    def measured_value(self, v: Array, command: float) -> float:
+        """Return the measured value in SI units for the state vector `v` and a command."""
         return float(self.at(command).between(v).outputs[self.row])
 
-    def follow(self, v: Array, command: float, target: float) -> tuple[Array, float] | None:
-        """Search for the steady state with the measured value `target`.
+    def find(self, v: Array, command: float, target: float) -> tuple[Array, float] | None:
+        """Return the state vector and the command of the steady state with the measurement `target`.
 
-        The search starts at the state `v`. It uses intermediate targets if a single step fails. The result contains
-        state vector and command. It is None if the search fails.
+        The search starts at the state `v`. It uses intermediate targets if a single step fails. The result is None if
+        the search fails.
         """
         operating_state = self._solve(v, command, target)
         if operating_state is not None:
             return operating_state
-        begin = self.shown(v, command)
+        begin = self.measured_value(v, command)
         for fraction in np.linspace(0.0, 1.0, _STAGES + 1):
             operating_state = self._solve(v, command, begin + fraction * (target - begin))
             if operating_state is None:
@@ -203,7 +208,7 @@ class _Trim:
         return operating_state
 
     def _solve(self, v: Array, command: float, target: float) -> tuple[Array, float] | None:
-        """Solve for the steady state with the measured value `target` by Newton's method.
+        """Solve for the steady state with the measurement `target` by Newton's method.
 
         The result contains state vector and command. It is None if the method does not converge.
         """
@@ -222,15 +227,15 @@ class _Trim:
         is_positive = np.append(self.point.positive, False)
         w = refine_steady_state(scaled, np.append(v, command), size, is_positive, conserves=True)
         point = self.at(float(w[-1]))
-        if abs(self.shown(w[:-1], float(w[-1])) - target) > _MET * self.size or not point.is_at_rest(w[:-1]):
+        if abs(self.measured_value(w[:-1], float(w[-1])) - target) > _MET * self.size or not point.is_at_rest(w[:-1]):
             return None
         # A residual of the nudge counts as zero.
         return w[:-1], float(w[-1]) if abs(w[-1]) > _NONE * self.command_size else 0.0
 
-    def model(self, v: Array, command: float, sign: float) -> SampledModel:
-        """Return the linear model at a steady state for small commands of one sign.
+    def linear_model(self, v: Array, command: float, sign: float) -> SampledModel:
+        """Return the linear model at a steady state for small command changes of one sign.
 
-        `sign` selects the side because valves and inner loops have kinks.
+        The sign matters because valves and inner loops have kinks.
         """
         nudged = sign * NUDGE
         if self.is_of_openings:
@@ -245,8 +250,8 @@ class _Trim:
     def _run(self, v: Array, command: float, duration: float) -> tuple[SampledPoint, Array]:
         """Simulate the circuit with a constant command, starting at the state `v`.
 
-        The result contains the operating point and the final state. A run longer than a sample has a duration of whole
-        samples.
+        The result contains the operating point and the final state vector. A duration longer than one sample is rounded
+        to whole samples.
         """
         point = self.at(command)
         (x, p), begin = point.at_clock(v), point.clock.start

@@ -22,10 +22,7 @@ OPEN = 1e-3
 
 @dataclass(frozen=True)
 class StepMetric:
-    """Unit and meaning of one metric of a step response.
-
-    A smaller value of the metric is better.
-    """
+    """Unit and meaning of one metric of a step response; smaller values are better."""
 
     unit: str
     meaning: str
@@ -44,7 +41,7 @@ METRICS = {
 
 
 def readable_unit_of(unit: str) -> str:
-    """Return the unit in which values of an SI unit are displayed, such as bar."""
+    """Return the unit in which values are displayed, such as bar for Pa."""
     return _READ.get(unit) or USUAL.get(unit, unit)
 
 
@@ -78,7 +75,10 @@ def metrics_in(unit: str, command_unit: str = "1") -> dict[str, StepMetric]:
 
 
 def readable_metric_unit(metric: StepMetric, unit: str, command_unit: str = "1") -> str:
-    """Return the display unit of a metric for given SI units of a loop."""
+    """Return the display unit of a metric.
+
+    `unit` and `command_unit` are the SI units of the measured quantity and of the command.
+    """
     readable_units = {unit: readable_unit_of(unit), command_unit: readable_unit_of(command_unit)}
     if metric.unit in readable_units:
         return readable_units[metric.unit]
@@ -126,8 +126,18 @@ def step_metrics(
     step_times = np.zeros_like(time)
     step_times[starts] = time[starts]
     elapsed = time - np.maximum.accumulate(step_times)
-    ranges = pairwise([*starts, len(time)])
-    steps = [_metrics_of_step(time[a:b], measured[a:b], float(measured[a - 1]), float(setpoint[a])) for a, b in ranges]
+    steps = []  # rise time [s], settling time [s] and overshoot [%] of each step
+    for first, end in pairwise([*starts, len(time)]):
+        initial, t = float(measured[first - 1]), time[first:end]
+        progress = (measured[first:end] - initial) / (float(setpoint[first]) - initial)
+        if not np.all(np.isfinite(progress)):
+            steps.append((np.inf, np.inf, np.inf))
+            continue
+        rise_time = _time_of_first_crossing(t, progress, 0.9) - _time_of_first_crossing(t, progress, 0.1)
+        unsettled_rows = np.flatnonzero(np.abs(progress - 1.0) > SETTLED)
+        settled_row = int(unsettled_rows[-1]) + 1 if unsettled_rows.size else 0
+        settling_time = float(t[settled_row] - t[0]) if settled_row < len(t) else np.inf
+        steps.append((rise_time, settling_time, 100.0 * max(0.0, float(np.max(progress)) - 1.0)))
     rises, settlings, overshoots = zip(*steps, strict=True) if steps else ((0.0,), (0.0,), (0.0,))
     metrics = {
         "IAE": _integral(time, error),
@@ -146,21 +156,6 @@ def step_metrics(
 
 def _integral(time: Array, values: Array) -> float:
     return float(np.sum(0.5 * (values[1:] + values[:-1]) * np.diff(time)))
-
-
-def _metrics_of_step(time: Array, measured: Array, initial: float, final: float) -> tuple[float, float, float]:
-    """Return rise time [s], settling time [s] and overshoot [%] of one step.
-
-    `initial` and `final` are the setpoints before and after the step.
-    """
-    progress = (measured - initial) / (final - initial)
-    if not np.all(np.isfinite(progress)):
-        return np.inf, np.inf, np.inf
-    rise_time = _time_of_first_crossing(time, progress, 0.9) - _time_of_first_crossing(time, progress, 0.1)
-    unsettled_rows = np.flatnonzero(np.abs(progress - 1.0) > SETTLED)
-    settled_row = int(unsettled_rows[-1]) + 1 if unsettled_rows.size else 0
-    settling_time = time[settled_row] - time[0] if settled_row < len(time) else np.inf
-    return rise_time, float(settling_time), 100.0 * max(0.0, float(np.max(progress)) - 1.0)
 
 
 def _time_of_first_crossing(time: Array, progress: Array, level: float) -> float:

@@ -43,11 +43,11 @@ class OperatingPoint:
     command : float
         Command at the steady state; a positive opening fills.
     models : dict
-        Mapping from each side of the command to the linear model for commands of its sign. The sides are `fill` and
-        `vent`, or `command` and, for a valve with two sides, `back`. The side of the steady command has the model of
-        the steady state. The other side has the model of a small command at the same state.
+        Linear model for each side (sign) of the command. The sides are `fill` and `vent`, or `command` and, if a
+        decreasing command has another effect, `back`. The side of the steady command has the model at the steady state.
+        The other side has the model for a small command at the same state.
     weights : dict
-        Mapping from each side to a mapping from the address of each driven input to the sign of the command.
+        For each side, a mapping from the address of each driven input to its factor on the command, +1 or -1.
     """
 
     value: float
@@ -58,7 +58,7 @@ class OperatingPoint:
 
 @dataclass(frozen=True, eq=False)
 class Plant:
-    """Circuit without one controller, whose inputs the controller would drive.
+    """Circuit without one controller, with the inputs that this controller would drive.
 
     Parameters
     ----------
@@ -93,7 +93,7 @@ class Plant:
 
     @property
     def sides(self) -> tuple[str, ...]:
-        """Names of the sides on which the command acts, such as `fill` and `vent`."""
+        """Names of the sides (signs) of the command, such as `fill` and `vent`."""
         if not self.part.is_of_openings:
             return ("command",)
         outputs = {"fill": "fill_command", "vent": "vent_command", "command": "command", "back": "command"}
@@ -115,7 +115,7 @@ class Plant:
         field = Field(unit=self.part.unit, kind=QUANTITIES[self.part.controls].kind)
         return float(field.read(value, "operating point", self.instance.surroundings.pressure))
 
-    def shown(self, value: float) -> dict[str, Any]:
+    def readable_value(self, value: float) -> dict[str, Any]:
         """Convert an SI value of the measured quantity to a readable unit.
 
         Parameters
@@ -126,7 +126,7 @@ class Plant:
         Returns
         -------
         dict
-            `value` and its `unit`.
+            The converted `value` and its `unit`.
         """
         unit = readable_unit_of(self.part.unit)
         return {"value": convert(value, self.part.unit, unit), "unit": unit}
@@ -219,15 +219,14 @@ class Plant:
             if not effect > 0.0:
                 code = "beyond_exhaust" if branch == "vent" else "beyond_supply"
                 code = f"plant.{code if effect else 'dead_zone'}"
-                facts = {"inputs": tuple(inputs), "branch": branch, **self.shown(model.y[index])}
+                facts = {"inputs": tuple(inputs), "branch": branch, **self.readable_value(model.y[index])}
                 raise InputError(code, self.measurement, **facts)
         return OperatingPoint(steady.y[self.measurement], command, models, weights)
 
     def _with_initial_value(self, target: float) -> Instance:
-        """Return the plant with an initial pressure that leads to a given measurement.
+        """Return the plant with an initial pressure from which the measurement settles at `target`.
 
-        `target` is this measurement, and the command is zero. If a leak determines the steady state, the initial
-        pressure has no effect.
+        The command is zero. If a leak determines the steady state, the initial pressure has no effect.
         """
         if not self.begins:
             return self.instance
@@ -255,8 +254,8 @@ class Plant:
 
 
 def point_label(plant: Plant, value: float, branch: str) -> str:
-    """Return a label of an operating point, for example `2 bar, fill`.
+    """Return a label of an operating point and a side, such as `2 bar, fill`.
 
-    `branch` is the side of the command, for example `fill`.
+    `branch` is the side of the command.
     """
-    return f"{'{value:.4g} {unit}'.format(**plant.shown(value))}, {branch}"
+    return f"{'{value:.4g} {unit}'.format(**plant.readable_value(value))}, {branch}"

@@ -53,7 +53,10 @@ def gains_to_control(gains: Gains, sample_time: float) -> control.TransferFuncti
 
 
 def gains_from_control(system: Any) -> Gains:
-    """Convert a PID controller of python-control to the gains of the part `pid`."""
+    """Convert a PID controller of python-control to the gains of the part `pid`.
+
+    `system` is a discrete-time system; other systems are rejected.
+    """
     control = _package()
     sample_time = system.dt
     if not isinstance(sample_time, float) or sample_time <= 0.0:
@@ -89,7 +92,10 @@ def gains_from_control(system: Any) -> Gains:
 
 
 def model_from_control(system: Any) -> LinearModel:
-    """Convert a continuous-time state space of python-control to a linear model."""
+    """Convert a continuous-time state space of python-control to a linear model.
+
+    In names, two underscores become a dot, as in addresses.
+    """
     if system.dt:
         raise InputError("control.discrete", dt=system.dt)
     labels = system.state_labels, system.input_labels, system.output_labels

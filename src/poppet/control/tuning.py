@@ -61,21 +61,21 @@ class TunedPoint:
     gains : Gains
         Gains of the controller.
     vent_factor : float
-        Opening of the vent valve per negative command.
+        Opening of the vent valve per unit of negative command.
     setpoint_weight : float
         Factor on the setpoint in the proportional term: the largest of 1, 0.8, ..., 0 with an overshoot of at most 5 %.
     overshoot : float
         Maximum overshoot of all plants, as a fraction of the step.
     margins : dict
-        Mapping from the label of an operating point and a side, such as `2 bar, fill`, to the margins.
+        Margins by the label of an operating point and a side, such as `2 bar, fill`.
     values : tuple of float
-        Operating points, SI.
+        Values of the measurement at the operating points, SI.
     commands : tuple of float
         Commands at these operating points, SI; positive openings fill.
     plants : dict
-        Mapping from the label of an operating point and a side to the plant.
+        Plants by the label of an operating point and a side.
     verified : tuple of Verification
-        Verifications of a tuning by sines.
+        Simulated setpoint steps that verify a tuning by sines; empty for other tunings.
     """
 
     gains: Gains
@@ -90,9 +90,9 @@ class TunedPoint:
 
     @property
     def sides(self) -> tuple[str, ...]:
-        """Names of the sides for which the margins keep the bound at all operating points.
+        """Names of the sides (signs) of the command at which the margins keep the bound.
 
-        If the plant was measured with sines, the amplitudes of the sines replace the sides.
+        For a plant that was measured with sines, the names are labels of the sines instead.
         """
         return tuple(dict.fromkeys(name.partition(", ")[2] for name in self.margins))
 
@@ -113,7 +113,7 @@ class Tuning:
     points : tuple of TunedPoint
         One point for fixed gains, several for a schedule.
     sensitivity : float
-        Bound of Ms and Mt.
+        Bound of Ms and Mt, the maxima of the sensitivity functions.
     form : str
         `pi`, `pid` or `p`.
     quantity, command_quantity : str
@@ -121,8 +121,8 @@ class Tuning:
     notes : tuple of Note
         Notes on the plant, and on the runs that verify the gains.
     working_step : Verification or None
-        Run with the largest setpoint step from an operating point to a level of the setpoint's signal. It is None
-        without such a signal, or if the run failed.
+        Run with the largest setpoint step from an operating point to a level of the setpoint signal in the circuit. It
+        is None if the circuit has no such signal, or if the run failed.
     """
 
     controller: str
@@ -145,11 +145,8 @@ class Tuning:
         return bool(self.points[0].verified)
 
     @property
-    def bounded(self) -> str:
-        """Text on the bound of the sensitivities, and where the loop keeps it.
-
-        It names the sides of the command and the operating points.
-        """
+    def bound_text(self) -> str:
+        """Text with the bound of Ms and Mt, and the sides and operating points."""
         sides = " and ".join(_SIDES.get(side, f"by {side}") for side in self.points[0].sides)
         unit = QUANTITIES[self.quantity].unit
         readable_unit = readable_unit_of(unit)
@@ -158,7 +155,7 @@ class Tuning:
         return f"Ms, Mt <= {self.sensitivity:g} {sides} at {values} {readable_unit}"
 
     @property
-    def held(self) -> str:
+    def command_text(self) -> str:
         """Text with the constant commands that keep the plant at the operating points."""
         commands = [command for point in self.points for command in point.commands]
         if not any(commands):
@@ -169,9 +166,9 @@ class Tuning:
         return f"held by a command of {values}{'' if readable_unit == '1' else f' {readable_unit}'}"
 
     def fields(self) -> dict[str, Any]:
-        """Return the tuned fields of the `pid` part, with the sources of the values.
+        """Return the tuned fields of the `pid` part.
 
-        The numbers have the tuning as their source.
+        The source of each number is this tuning.
 
         Returns
         -------
@@ -179,7 +176,7 @@ class Tuning:
             Mapping from the name of each field to a number or a schedule. None means that the field is removed.
         """
         basis = "answers to sines" if self.is_verified else "linear models"
-        source = Source("fitted", note=f"tuned on {basis} for {self.bounded}")
+        source = Source("fitted", note=f"tuned on {basis} for {self.bound_text}")
 
         def number(value: float, unit: str) -> Number:
             return Number(float(value), unit, source)
@@ -259,17 +256,17 @@ def tune(
     controller : str, optional
         Name of the controller; required if there are several.
     at : sequence of float or str, optional
-        Operating points of the measurement; default the levels of the setpoint steps.
+        Values of the measurement at the operating points (default: the levels of the setpoint steps).
     form : str, optional
         `pi`, `pid` or `p`.
     sensitivity : float, optional
-        Bound M of Ms and Mt: 1.4 is cautious, 2 is fast.
+        Bound M of Ms and Mt, the maxima of the sensitivity functions: 1.4 is cautious, 2 is fast.
     amplitudes : sequence of float or str, optional
-        Sizes of sines in the command, in its unit, for plants without a useful linear model. The responses to the
-        sines, with dead zones and friction, replace the linear models, and the bound is kept for each size. A setpoint
-        step verifies the gains; `notes` has its deficiencies. Use the smallest relevant command and a large one.
+        Amplitudes of sines in the command, in its unit, for plants without a useful linear model. The responses to the
+        sines include dead zones and friction and replace the linear models. The bound is kept for each amplitude. Use
+        the smallest relevant command and a large one. Setpoint steps verify the gains; `notes` reports problems.
     progress : callable, optional
-        Function of a text that describes the current run.
+        Function that is called with a text about the current run.
 
     Returns
     -------
@@ -279,14 +276,14 @@ def tune(
     Raises
     ------
     InputError
-        If the circuit, the form, the bound or a size is invalid.
+        If the circuit, the form, the bound or an amplitude is invalid.
     SimulationError
         If no gains keep the bound, the initial controller does not reach a steady state, or a response is not a sine.
 
     Notes
     -----
-    With `amplitudes` the controller of the circuit acts during the measurement with a fraction of its gain and without
-    its integral. Its initial gains must lead to a steady state.
+    With `amplitudes`, the controller of the circuit is active during the measurement, with a fraction of its gain and
+    without its integral. Its initial gains must lead to a steady state.
     """
     plant, points = _prepare(circuit, controller, at, form, sensitivity, amplitudes, progress)
     tuning = _make_tuning(plant, (_tune_points(plant, points, form, sensitivity),), sensitivity, form)
@@ -304,15 +301,15 @@ def schedule(
     circuit : Circuit
         Circuit with a `pid`.
     controller : str, optional
-        Name of the controller.
+        Name of the controller; required if there are several.
     at : sequence of float or str, optional
-        At least two operating points; default the levels of the setpoint steps.
+        Values of the measurement at two or more operating points (default: the levels of the setpoint steps).
     form : str, optional
         `pi` or `pid`; the velocity form of a schedule needs an integral.
     sensitivity : float, optional
-        Bound M of Ms and Mt.
+        Bound M of Ms and Mt, as in `tune`.
     amplitudes, progress
-        As `tune`.
+        As in `tune`.
 
     Returns
     -------
@@ -322,7 +319,7 @@ def schedule(
     Raises
     ------
     InputError
-        As `tune`; and for fewer than two operating points, or a form without integral.
+        As in `tune`; and for fewer than two operating points, or a form without integral.
     """
     plant, points = _prepare(circuit, controller, at, form, sensitivity, amplitudes, progress)
     if form == "p":
@@ -338,7 +335,10 @@ def schedule(
 
 
 def _add_working_step(plant: Plant, circuit: BaseCircuit, tuning: Tuning) -> Tuning:
-    """Add a simulated setpoint step of usual size to a tuning, with its notes."""
+    """Return the tuning with a simulated large setpoint step and its notes.
+
+    The step is the largest one from an operating point to a level of the setpoint signal.
+    """
     by_value = {value: point for point in tuning.points for value in point.values}
     value, step = largest_step(circuit, tuning.controller, list(by_value))
     if step == 0.0:
@@ -355,7 +355,7 @@ def _make_tuning(plant: Plant, points: tuple[TunedPoint, ...], bound: float, for
     notes = [note for point in points for verification in point.verified for note in verification.notes(name)]
     for point in points:
         for label, plant_at in point.plants.items():
-            if isinstance(plant_at, MeasuredPlant) and not plant_at.covers(point.gains, bound):
+            if isinstance(plant_at, MeasuredPlant) and not plant_at.keeps_bound_outside(point.gains, bound):
                 lowest, highest = plant_at.known_frequencies[[0, -1]].tolist()
                 notes.append(Note("tuning.beyond", name, at=label, lowest=lowest, highest=highest))
     return Tuning(name, points, bound, form, part.controls, command_of(part), (*plant.notes, *notes))
@@ -367,7 +367,7 @@ def _prepare(
 ) -> tuple[Plant, list[OperatingPoint]]:  # fmt: skip
     if form not in FORMS:
         near = NameSuggestion(form, FORMS)
-        raise InputError("fields.not_an_option", "form", value=form, meaning="form of controller", near=near)
+        raise InputError("fields.not_an_option", "form", value=form, meaning="form of controller", suggestion=near)
     limits = NumberRange(unit="1", low=MIN_BOUND, high=MAX_BOUND)
     limits.check_range("sensitivity", bound, f"{bound:g}", "bound of Ms and Mt")
     measured = make_measured_loop(circuit, controller, amplitudes, progress) if amplitudes else None
@@ -401,7 +401,7 @@ def _tune_points(
         for point in points
         for branch in point.models
     }
-    loops = _Loops(list(plants.values()), bound)
+    loops = _GainSearch(list(plants.values()), bound)
     gains, loop_margins = loops.reduce_gain(loops.best(form, filter_time))
     by_name = dict(zip(plants, loop_margins, strict=True))
     values, commands = zip(*((point.value, point.command) for point in points), strict=True)
@@ -429,10 +429,10 @@ def _weights(gains: Gains) -> tuple[float, ...]:
     return _WEIGHTS if gains.integral_time > 0.0 else (1.0,)
 
 
-class _Loops:
-    """Loops of one controller with several plants, for which common gains are searched.
+class _GainSearch:
+    """Search for gains of one controller that are suitable for several plants.
 
-    `bound` is the largest permitted sensitivity.
+    `bound` is the largest permitted value of Ms and Mt, the maxima of the sensitivity functions.
     """
 
     def __init__(self, plants: Sequence[LoopPlant], bound: float) -> None:
@@ -457,8 +457,8 @@ class _Loops:
     def best(self, form: str, filter_time: float | None) -> Gains:
         """Return the gains with the largest integral gain that keep the bound.
 
-        A proportional controller has the largest proportional gain instead. `form` is the form of the controller.
-        `filter_time` is the filter time of the derivative; None derives it from the derivative time.
+        For `form` `p`, the proportional gain is the largest. `filter_time` is that of the derivative [s]; None selects
+        an eighth of the derivative time, but at least one sample.
         """
         if form == "p":
             return Gains(self.largest_gain(Gains(1.0)))
@@ -481,9 +481,9 @@ class _Loops:
         return best_gains
 
     def reduce_gain(self, gains: Gains) -> tuple[Gains, list[Margins]]:
-        """Reduce the gain until the margins on the dense frequency grid keep the bound.
+        """Reduce the gain until the margins at all frequencies keep the bound.
 
-        Return the gains and the margins of each loop.
+        The result contains the gains, and the margins of the loop with each plant.
         """
         if gains.gain <= 0.0:
             raise SimulationError(Note("tuning.no_gains", bound=self.bound))
@@ -498,7 +498,8 @@ class _Loops:
     def peaks(self, unit: Gains, gains: NDArray[np.float64]) -> NDArray[np.float64]:
         """Return the maximum of Ms and Mt over all plants for each of several gains.
 
-        `unit` is the controller with a gain of 1, and `gains` contains the factors by which its gain is multiplied.
+        Ms and Mt are the maxima of the sensitivity functions. `unit` is the controller with a gain of 1, and `gains`
+        contains the factors on this gain.
         """
         unit_response, k = unit.response(self.z, self.time), gains[:, None]
         worst = np.zeros(len(gains))

@@ -31,9 +31,9 @@ class Verification:
     Parameters
     ----------
     at : str
-        Label of the operating point and the size of the sines, such as `100 mm, sines of 0.05`.
+        Label of the run, such as `100 mm, sines of 0.05`: the operating point, and the sines or the size of the step.
     step : float
-        Size of the step, SI. For a step to sines, the proportional part responds with the size of the sine.
+        Size of the step, SI.
     overshoot : float
         Maximum of both steps [%].
     settling_time : float
@@ -42,7 +42,7 @@ class Verification:
     swing : float
         Amplitude of the oscillation in the last quarter of a step, as a fraction of the step.
     growth : float
-        Ratio of the amplitudes of the oscillation in the last and the third quarter of a step.
+        Ratio of the amplitudes of the oscillation in the last and in the third quarter of a step.
     time, setpoint, measured : (n,) array
         Times [s], setpoint and measurement [SI]; the first row is the one before the first step.
     """
@@ -58,7 +58,7 @@ class Verification:
     measured: Array = field(repr=False, compare=False)
 
     def notes(self, address: str) -> tuple[Note, ...]:
-        """Return a note if the verified response oscillates, overshoots or does not settle.
+        """Return a note if the response oscillates, overshoots too much or does not settle.
 
         Parameters
         ----------
@@ -68,6 +68,7 @@ class Verification:
         Returns
         -------
         tuple of Note
+            One note, or none.
         """
         facts: dict[str, Any] = {"at": self.at, "swing": 100.0 * self.swing, "overshoot": self.overshoot}
         code = ""
@@ -86,9 +87,9 @@ def verify_step(
 ) -> Verification:  # fmt: skip
     """Simulate a tuned loop with a setpoint step and the reverse step.
 
-    The run starts from `steady_run`, the run to the steady state at the setpoint `value`. None starts at the initial
-    state of the circuit. `step` is the size of the step. `crossover` is the crossover frequency [Hz], which determines
-    the duration.
+    The run continues `steady_run`, a run to the steady state at the setpoint `value`; None starts at the initial state
+    of the circuit. `step` is the size of the step, and `label` describes the run. The crossover frequency `crossover`
+    [Hz] determines the duration.
     """
     part = circuit.parts[controller]
     sample_time = part.parameters(circuit.surroundings)["sample_time"]
@@ -107,9 +108,10 @@ def verify_step(
     metrics = step_metrics(time, setpoint, measured, run[f"{controller}.command"][rows])
 
     def swing(quarter: int) -> float:
-        """Return half the range of the response in one quarter of the time, without drift.
+        """Return the amplitude of the oscillation in one quarter of a step.
 
-        The result is the larger value of both steps.
+        It is half the range of the response after subtraction of a straight line. The result is the larger value of
+        both steps.
         """
         starts = (begin + quarter * _ROWS // 4 for begin in (0, _ROWS))
         quarters = [measured[k : k + _ROWS // 4] for k in starts]

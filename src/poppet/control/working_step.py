@@ -23,10 +23,10 @@ _CODES = ("tuning.grows", "tuning.swings")
 
 
 def largest_step(circuit: BaseCircuit, controller: str, values: Sequence[float]) -> tuple[float, float]:
-    """Return the largest step from an operating point to a level of the setpoint.
+    """Return the largest step from an operating point to a level of the setpoint signal.
 
-    The levels are those of the setpoint signal in the circuit. The result contains the operating point, one of
-    `values`, and the size of the step. The size is zero if there is no such signal.
+    The result contains the operating point, one of `values`, and the size of the step, SI. The size is zero if the
+    circuit has no setpoint signal with levels.
     """
     signal = circuit.signals.get(f"{controller}.setpoint")
     levels = np.asarray(signal.values, dtype=float).tolist() if isinstance(signal, Steps | Points) else []
@@ -37,13 +37,13 @@ def largest_step(circuit: BaseCircuit, controller: str, values: Sequence[float])
 def verify_working_step(
     plant: Plant, circuit: BaseCircuit, step: tuple[float, float], gains: Gains, crossover: float
 ) -> tuple[Verification | None, tuple[Note, ...]]:
-    """Simulate a tuned loop with a setpoint step of usual size.
+    """Simulate a tuned loop with a setpoint step of the size that occurs in operation.
 
-    `step` contains the operating point and the size of the step, SI. The result contains the verification and its
-    notes. A loop with a linear plant starts at the initial state of the circuit.
+    `step` contains the operating point and the size of the step, SI. The result contains the verification, or None if
+    the run fails, and its notes. A loop with a linear plant starts at the initial state of the circuit.
     """
     value, size = step
-    label = point_label(plant, value, "a step of {value:.4g} {unit}".format(**plant.shown(size)))
+    label = point_label(plant, value, "a step of {value:.4g} {unit}".format(**plant.readable_value(size)))
     steady_run = plant.settled[value].rest if isinstance(plant, MeasuredLoop) else None
     if steady_run is None and plant.begins:
         circuit = circuit.with_values({plant.begins: value})

@@ -21,7 +21,7 @@ class Note:
     address : str, optional
         Address of the subject: a dotted path, or the name of a test or channel.
     **facts
-        Values, names and lists of them that the text shows: plain values that files can contain.
+        Values that the text shows: numbers, texts, other notes, or lists of these.
 
     Examples
     --------
@@ -48,7 +48,10 @@ class Note:
         return hash((self.code, self.address))
 
     def plain(self) -> dict[str, Any]:
-        """Return code, address and facts of the note as a table that files can contain."""
+        """Return the note as a dictionary that TOML and JSON files can contain.
+
+        The keys are `code`, `address` and the names of the facts.
+        """
         return {"code": self.code, "address": self.address, **plain(self.facts)}
 
     def within(self, owner: str) -> Note:
@@ -62,9 +65,9 @@ class Note:
 
 
 def plain(value: Any) -> Any:
-    """Convert a fact of a message to types that files can contain.
+    """Convert a value to types that TOML and JSON files can contain.
 
-    Numbers, texts, lists, tables and notes are supported. An object of any other type becomes text.
+    Arrays, tuples and sets become lists, and notes become dictionaries. An object of any other type becomes text.
     """
     if isinstance(value, Mapping):
         return {str(key): plain(member) for key, member in value.items()}
@@ -77,21 +80,20 @@ def plain(value: Any) -> Any:
 
 
 def notes_of(arguments: Iterable[Note | str | Mapping[str, Any]]) -> tuple[Note, ...]:
-    """Convert texts and tables to notes.
+    """Convert texts and dictionaries to notes; notes are unchanged.
 
-    A text is a message of a user. A table is the result of `Note.plain`.
+    A text becomes the complete text of a note. A dictionary is the result of `Note.plain`.
     """
-    return tuple(map(_note, arguments))
-
-
-def _note(argument: Note | str | Mapping[str, Any]) -> Note:
-    if isinstance(argument, Note):
-        return argument
-    if isinstance(argument, str):
-        return Note("said", text=argument)
-    # Files contain lists in place of tuples, and TOML cannot contain None.
-    facts = {k: tuple(v) if isinstance(v, list) else v for k, v in argument.items() if k not in ("code", "address")}
-    code = argument["code"]
-    return Note(
-        code, argument.get("address", ""), **(dict.fromkeys(message_format.facts_of(code) - {"address"}) | facts)
-    )
+    notes = []
+    for argument in arguments:
+        if isinstance(argument, Note):
+            notes.append(argument)
+        elif isinstance(argument, str):
+            notes.append(Note("said", text=argument))
+        else:
+            # Files contain lists in place of tuples, and TOML cannot contain None.
+            code, address = argument["code"], argument.get("address", "")
+            facts = dict.fromkeys(message_format.facts_of(code) - {"address"})
+            facts |= {key: tuple(value) if isinstance(value, list) else value for key, value in argument.items()}
+            notes.append(Note(code, address, **{k: v for k, v in facts.items() if k not in ("code", "address")}))
+    return tuple(notes)

@@ -9,7 +9,7 @@ from typing import Any, NamedTuple
 
 
 class Option(NamedTuple):
-    """Declaration of one option or argument of a command."""
+    """Declaration of one option or positional argument on the command line."""
 
     # `FILE`, `[FILE]` if it is optional, `FILE ...` for several;
     # `--quiet`, `-o, --output FILE`, and `--set ADDRESS=VALUE ...` if it may be repeated
@@ -25,7 +25,7 @@ class Option(NamedTuple):
 
     @property
     def names(self) -> list[str]:
-        """Names of the option, such as `-o` and `--output`; empty for an argument."""
+        """Names of the option, such as `-o` and `--output`; empty for a positional argument."""
         return [name.rstrip(",") for name in self.usage.split() if name.startswith("-")]
 
     @property
@@ -41,19 +41,19 @@ class Option(NamedTuple):
 
     @property
     def name(self) -> str:
-        """Name of the attribute with the parsed value: `output`, `file`, `files`."""
+        """Name of the attribute that contains the parsed value, for example `output`."""
         name = self.names[-1][2:] if self.names else self.metavar.lower() + "s" * self.is_repeated
         return str(self.keywords.get("dest", name.replace("-", "_")))
 
     @property
     def meaning(self) -> str:
-        """Help text of the option, with its choices, actions and file formats."""
+        """Help text of the option, with its choices, file formats and the actions to which it applies."""
         text = "; ".join(filter(None, [self.help, *(f"{name}: {text}" for name, text in self.choices.items())]))
         text = f"{', '.join(self.actions)}: {text}" if self.actions else text
         return f"{text}: {' or '.join(', '.join(self.formats).rsplit(', ', 1))}" if self.formats else text
 
     def argparse_keywords(self) -> dict[str, Any]:
-        """Return the keyword arguments that declare the option in `argparse`."""
+        """Return the keyword arguments of `argparse.ArgumentParser.add_argument` for the option."""
         keywords: dict[str, Any] = {"help": self.meaning.replace("%", "%%")}  # argparse formats help texts with %
         if not self.metavar:
             return keywords | {"action": "store_true", **self.keywords}

@@ -61,27 +61,27 @@ class InputError(PoppetError, ValueError):
 
     @property
     def problems(self) -> tuple[InputError, ...]:
-        """Tuple of all single errors.
+        """Single errors that this error consists of.
 
-        For a single error, the tuple contains only this error. A subclass with several errors returns all of them.
+        A single error contains only itself. A collection (`InputErrors`) contains several errors.
         """
         return (self,)
 
     @property
     def given(self) -> str:
-        """Text of the invalid input, for example `name = value unit`."""
+        """First part of the error text: the invalid input and its address."""
         text = self._text("given")
         is_named = not self.place or "address" in message_format.facts_of(self.code, "given")
         return text if is_named else f"{self.place}: {text}"
 
     @property
     def reason(self) -> str:
-        """Text of the reason why the input is invalid, with the limit."""
+        """Second part of the error text: the reason why the input is invalid."""
         return self._text("reason")
 
     @property
     def hint(self) -> str:
-        """Text of the corrective action."""
+        """Last part of the error text: the corrective action."""
         return self._text("hint")
 
     @property
@@ -109,7 +109,10 @@ class InputError(PoppetError, ValueError):
         return self
 
     def located(self, *, address: str | None = None, file: str | None = None, line: int | None = None) -> InputError:
-        """Set address, file and line of all single errors without them; return the error."""
+        """Add address, file and line where they are missing, and return the error.
+
+        This applies to each single error of a collection. Values that are already set are unchanged.
+        """
         for problem in self.problems:
             problem.address = problem.address or address
             problem.file = problem.file or file
@@ -151,10 +154,10 @@ class MissingDependencyError(InputError):
 
 @contextmanager
 def needed(package: str, purpose: str, extra: str) -> Iterator[None]:
-    """Convert an ImportError inside a `with` block to an error with installation advice.
+    """Replace an ImportError in a `with` block by an error with installation advice.
 
-    `package` is the optional package, `purpose` describes what requires it, and `extra` is the installation option of
-    poppet that includes it.
+    `package` is the optional package, and `purpose` describes what requires it. `extra` is the installation option of
+    poppet that includes the package.
     """
     try:
         yield
@@ -186,7 +189,7 @@ MAX_ERRORS = 100
 
 
 class _TooManyErrors(InputError):
-    """Error that ends a check when the maximum number of errors is reached."""
+    """Error that ends a check after the maximum number of errors."""
 
 
 class ErrorCollector:
@@ -197,7 +200,7 @@ class ErrorCollector:
     >>> valid_names = ("volume", "thermal")
     >>> with ErrorCollector() as errors:
     ...     for name in ("volum", "termal"):
-    ...         errors.add("fields.unknown", name, table="part", near=NameSuggestion(name, valid_names))
+    ...         errors.add("fields.unknown", name, table="part", suggestion=NameSuggestion(name, valid_names))
     Traceback (most recent call last):
     poppet.core.errors.InputErrors: volum is not a valid field of a part. Did you mean volume?
     termal is not a valid field of a part. Did you mean thermal?
@@ -207,7 +210,7 @@ class ErrorCollector:
         self.collected: list[InputError] = []
 
     def add(self, code: str, address: str | None = None, /, **facts: Any) -> None:
-        """Add an error; the arguments are those of `InputError`."""
+        """Add an error, which is created with the arguments of `InputError`."""
         self.extend([InputError(code, address, **facts)])
 
     def extend(self, problems: Iterable[InputError]) -> None:
@@ -238,7 +241,7 @@ class ErrorCollector:
         elif isinstance(error, InputError):
             self.collected += error.problems
         if error is None or isinstance(error, InputError):
-            collect(self.collected)
+            raise_errors(self.collected)
 
 
 class SimulationError(PoppetError):
@@ -247,9 +250,9 @@ class SimulationError(PoppetError):
     Parameters
     ----------
     note : Note or str
-        Time and cause of the end, and a remedy.
+        Time and cause of the failure, and a remedy.
     recording : Recording, optional
-        Rows up to the end of the run.
+        Results up to the end of the run.
     """
 
     def __init__(self, note: Note | str, recording: Any = None) -> None:
@@ -261,20 +264,20 @@ class SimulationError(PoppetError):
         return str(self.note)
 
 
-def collect(problems: Sequence[InputError]) -> None:
-    """Raise all errors in a list together.
+def raise_errors(problems: Sequence[InputError]) -> None:
+    """Raise a single error, or one `InputErrors` that contains several errors.
 
-    A single error is raised unchanged. If the list is empty, the function does nothing.
+    If the list is empty, the function does nothing.
     """
     if problems:
         raise (problems[0] if len(problems) == 1 else InputErrors(problems)) from None
 
 
 def relocated(error: InputError, address_in_file: Callable[[str], str]) -> InputError:
-    """Change the addresses of an error to those in another file, and return the error.
+    """Convert the addresses of an error to those in the file of the user, and return the error.
 
-    `address_in_file` converts the address of a parameter to its address in that file. Errors with a file are
-    unchanged.
+    For example, `tank.volume` becomes `recordings.fill.start.tank.volume`. The function `address_in_file` converts one
+    address. Errors whose file is already set are unchanged.
     """
     for problem in error.problems:
         if problem.file is None:

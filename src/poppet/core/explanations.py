@@ -23,9 +23,9 @@ def renamed_codes() -> dict[str, str]:
 
 
 def stored_examples() -> dict[str, dict[str, Any]]:
-    """Return one example for each message code that has one.
+    """Return the stored examples of messages, by message code.
 
-    The keys are message codes. Each example contains an address and facts, from which the text can be rendered.
+    Each example contains an address and facts for the text of the message. Some codes have no example.
     """
     examples: dict[str, dict[str, Any]] = json.loads(EXAMPLES.read_text(encoding="utf-8"))
     return examples
@@ -34,7 +34,8 @@ def stored_examples() -> dict[str, dict[str, Any]]:
 def example_texts(code: str, example: Mapping[str, Any]) -> dict[str, str]:
     """Return the texts of a message with the facts of a stored example.
 
-    An error has three texts with the keys `given`, `reason` and `hint`. A note has one text with an empty key.
+    An error has the three texts `given`, `reason` and `hint`, which are the keys. A note has one text, whose key is
+    empty.
     """
     facts = {name: _with_original_types(value) for name, value in example.get("facts", {}).items()}
     if "cause" in example:
@@ -47,9 +48,9 @@ def example_texts(code: str, example: Mapping[str, Any]) -> dict[str, str]:
 
 
 def _with_original_types(value: Any) -> Any:
-    """Convert a fact from a file back to its original types.
+    """Restore the types of a fact that was read from a JSON file.
 
-    Files contain lists instead of tuples, and tables instead of notes.
+    Lists become tuples, and dictionaries with a message code become notes.
     """
     if isinstance(value, dict):
         if "code" in value and "address" in value:

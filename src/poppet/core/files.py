@@ -68,5 +68,5 @@ def by_suffix(path: Path, choices: Mapping[str, Choice]) -> Choice:
     """
     suffix = path.suffix.lower()
     if suffix not in choices:
-        raise InputError("files.suffix", path=str(path), suffix=path.suffix, near=NameSuggestion(suffix, choices))
+        raise InputError("files.suffix", path=str(path), suffix=path.suffix, suggestion=NameSuggestion(suffix, choices))
     return choices[suffix]

@@ -44,7 +44,8 @@ def _templates(topic: str) -> dict[str, Any]:
 def template(code: str) -> Template:
     """Return the template of the message with a given code.
 
-    The template of a note is a text. The template of an error is a table with the texts `given`, `reason` and `hint`.
+    The template of a note is a text. The template of an error is a dictionary with the texts `given`, `reason` and
+    `hint`.
     """
     topic, *keys = code.split(".")
     node: Template = _templates(topic)
@@ -56,7 +57,7 @@ def template(code: str) -> Template:
 
 
 class _Formatter(string.Formatter):
-    """String formatter with the additional format specifications of message templates."""
+    """String formatter for message templates, with additional format specifications."""
 
     def format_field(self, value: Any, spec: str) -> str:
         if spec.startswith("|"):
@@ -102,7 +103,7 @@ def sentence(code: str, facts: Mapping[str, Any], part: str = "") -> str:
 
 @cache
 def facts_of(code: str, part: str = "") -> frozenset[str]:
-    """Return the names of all facts that the text of a message contains.
+    """Return the names of all facts, the values that a message text contains.
 
     For an error, `part` selects one of its texts: `given`, `reason` or `hint`. By default, all three are included.
     """
@@ -123,7 +124,7 @@ def _fields(text: str) -> list[tuple[str, str]]:
 def plain(text: str) -> str:
     """Return a template in readable form.
 
-    Facts become `<name>`, and optional texts are in brackets.
+    Placeholders of facts become `<name>`, and optional texts are in brackets.
 
     Examples
     --------

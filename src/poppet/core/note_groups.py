@@ -22,6 +22,29 @@ SIZES = {
 """Mapping from message codes to the fact that measures the severity of a note."""
 
 
+MAX_EXPLAINED = 3
+"""Maximum number of codes in the command that explains messages."""
+
+
+def explain_command(codes: Iterable[str]) -> str:
+    """Return the command that explains the first of the given message codes.
+
+    Texts of users, which have the code `said`, are omitted. The result is empty if no code remains.
+
+    Examples
+    --------
+    >>> explain_command(["finding.capped", "said", "finding.capped", "finding.room"])
+    'poppet explain finding.capped finding.room'
+    """
+    unique_codes = [code for code in dict.fromkeys(codes) if code != "said"]
+    return f"poppet explain {' '.join(unique_codes[:MAX_EXPLAINED])}" if unique_codes else ""
+
+
+def code_of(note: Note) -> str:
+    """Return the code of a note, or of the notes that are combined into it."""
+    return str(note.facts.get("kind", note.code)) if note.code.startswith("several.") else note.code
+
+
 def grouped(notes: Iterable[Note | str]) -> list[Note]:
     """Combine three or more notes with the same code into one note.
 
@@ -40,8 +63,9 @@ def grouped(notes: Iterable[Note | str]) -> list[Note]:
 
     Examples
     --------
-    >>> print(*grouped([Note("bench.unrecorded.flow", name) for name in "abcdefg"]))
-    a: the flow was not recorded. There are 6 more notes of this kind, on b, c, d and 3 others.
+    >>> print(*grouped([Note("bench.doubtful", name) for name in "abcdefg"]))
+    The measurement uncertainty of a could not be determined.
+    Number of further notes of this kind: 6, on b, c, d and 3 others.
     """
     unique_notes = list(dict.fromkeys(notes_of(notes)))
     kinds: dict[str, list[Note]] = {}

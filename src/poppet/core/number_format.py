@@ -55,7 +55,7 @@ def printable(text: str) -> str:
 
 
 def readable_unit(unit: str, *sizes: float) -> str:
-    """Return a unit for display in which the largest of several values is readable.
+    """Return the display unit that suits the largest of several values.
 
     `unit` is the SI unit of the values.
 
@@ -71,7 +71,7 @@ def readable_unit(unit: str, *sizes: float) -> str:
 
 
 def pretty(unit: str) -> str:
-    """Return a unit in print notation, with raised exponents.
+    """Return a unit in print notation, with symbols such as ³ and °.
 
     Examples
     --------
@@ -82,15 +82,18 @@ def pretty(unit: str) -> str:
 
 
 def with_unit(text: str, unit: str) -> str:
-    """Return a text followed by its unit in print notation."""
+    """Return the text of a value with its unit in print notation.
+
+    A dimensionless value has no unit in the text.
+    """
     return text if unit in ("1", "") else f"{text} {pretty(unit)}"
 
 
 def digits_of(value: float, largest: float) -> str:
     """Return a value as text with five significant digits.
 
-    `largest` is the largest value of the series to which the value belongs. A value below the rounding error of
-    `largest` is shown as 0.
+    `largest` is the largest absolute value of the series that contains the value. If the value is only a rounding error
+    compared with `largest`, the text is 0.
 
     Examples
     --------
@@ -101,9 +104,9 @@ def digits_of(value: float, largest: float) -> str:
 
 
 def decimals(error: float) -> int | None:
-    """Return the number of decimals that shows two significant digits of an uncertainty.
+    """Return the number of decimals that shows two significant digits of `error`.
 
-    The result is None if the uncertainty is below 1e-6, at least 1e6, or not a number.
+    The result is None if `error` is below 1e-6, at least 1e6, or not a number.
 
     Examples
     --------
@@ -174,9 +177,10 @@ def interval(low: float, high: float, unit: str, shown_in: str) -> str:
 
 
 def scaled(difference: float, unit: str, shown_in: str) -> float:
-    """Convert a value to another unit with the same zero point.
+    """Convert a difference of two values to another unit.
 
-    Because the zero points are equal, differences are converted in the same way.
+    `unit` and `shown_in` must have the same zero point, so degC is not supported. A value that is not finite is
+    unchanged.
     """
     if unit == shown_in or not math.isfinite(difference):
         return difference

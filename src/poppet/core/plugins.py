@@ -57,9 +57,9 @@ class Registry(UserDict[str, T]):
     built_in : mapping of str
         Built-in objects. A text `package.module:name` is imported when it is requested.
     accepts : callable, optional
-        Return True if a name and the object of a plugin are valid.
+        Function that returns True if the name and the object of a plugin are valid. By default, all are valid.
     prefix : str, optional
-        First character of every name; entry points may omit it.
+        First character of every name. The names of entry points can omit it.
 
     Examples
     --------
@@ -99,7 +99,7 @@ class Registry(UserDict[str, T]):
         return len(self.data)
 
     def _extend(self) -> None:
-        """Add the objects of all plugins when they are first needed.
+        """Add the objects of all plugins at the first call; later calls do nothing.
 
         A warning is issued for each plugin that is ignored.
         """

@@ -43,7 +43,9 @@ class Source:
     def __post_init__(self) -> None:
         if self.kind not in SOURCE_KINDS:
             suggestion = NameSuggestion(str(self.kind), SOURCE_KINDS)
-            raise InputError("fields.not_an_option", "kind", value=self.kind, meaning="kind of source", near=suggestion)
+            raise InputError(
+                "fields.not_an_option", "kind", value=self.kind, meaning="kind of source", suggestion=suggestion
+            )
 
     def __str__(self) -> str:
         text = f"{self.kind}: {self.locator}" if self.locator else self.kind
@@ -89,7 +91,7 @@ class Number:
     def __post_init__(self) -> None:
         if self.reference not in REFERENCES:
             suggestion = NameSuggestion(str(self.reference), filter(None, REFERENCES))
-            facts: dict[str, Any] = {"meaning": "reference of a pressure", "near": suggestion}
+            facts: dict[str, Any] = {"meaning": "reference of a pressure", "suggestion": suggestion}
             raise InputError("fields.not_an_option", "reference", value=self.reference, **facts)
 
     def __float__(self) -> float:
@@ -108,7 +110,7 @@ class Number:
         Returns
         -------
         float
-            The value, absolute, in the unit of the number.
+            Value in `unit`, absolute.
         """
         if self.reference != "gauge":
             return float(self.value)
@@ -118,7 +120,7 @@ class Number:
         return float(result)
 
     def display(self) -> str:
-        """Return the text that the user wrote, or value and unit."""
+        """Return the text of the user, or value and unit if there is no text."""
         if self.text:
             try:
                 float(self.text)
@@ -132,7 +134,7 @@ class Number:
 
 
 def assumed(value: float, unit: str, note: str, *, reference: Reference = "") -> Number:
-    """Return an assumed value, which reports mark as assumed.
+    """Return a value whose source is an assumption; `note` contains its reason.
 
     Examples
     --------

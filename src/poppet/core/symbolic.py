@@ -16,12 +16,12 @@ import numpy as np
 
 
 def is_symbolic(*values: Any) -> bool:
-    """Return True if any value is a CasADi symbol."""
+    """Return True if any argument is a CasADi symbol or expression."""
     return any(type(value).__module__.startswith("casadi") for value in values)
 
 
 def is_array(*values: Any) -> bool:
-    """Return True if any value is a NumPy array, a list or a tuple."""
+    """Return True if any argument is a NumPy array, a list or a tuple."""
     return any(isinstance(value, (np.ndarray, list, tuple)) for value in values)
 
 

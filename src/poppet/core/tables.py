@@ -40,9 +40,9 @@ class NumberRange:
 
     @cached_property
     def ends(self) -> tuple[float, float]:
-        """Smallest and largest valid value, with regard to the plausibility limits of the unit.
+        """Smallest and largest valid value, limited to the plausible values of the unit.
 
-        The plausibility limits are those of `poppet.core.units.sizes_of`.
+        The function `poppet.core.units.sizes_of` returns these plausible values.
         """
         smallest, largest = sizes_of(self.unit)
         return smallest if self.above == 0.0 else self.low, min(self.high, largest)
@@ -91,7 +91,10 @@ class Field(NumberRange):
     example: str = ""  # TOML text that the message about a missing field shows
 
     def read(self, raw: Any, address: str, ambient_pressure: float = 0.0) -> Any:
-        """Convert the raw value of the field to SI; a gauge pressure becomes absolute."""
+        """Check the raw value of a field, and return it in SI units.
+
+        A gauge pressure becomes absolute. A field without a unit is not converted.
+        """
         name = address.rpartition(".")[2]
         meaning = self.meaning or name.replace("_", " ")
         if raw in self.choices:
@@ -103,7 +106,7 @@ class Field(NumberRange):
             return value
         if self.choices:
             suggestion = NameSuggestion(str(raw), self.choices)
-            raise InputError("fields.not_an_option", address, value=raw, meaning=meaning, near=suggestion)
+            raise InputError("fields.not_an_option", address, value=raw, meaning=meaning, suggestion=suggestion)
         if self.type == "table" and not isinstance(raw, Mapping):
             raise InputError("fields.no_table", address, value=raw)
         if self.type in _TYPES:
@@ -163,7 +166,7 @@ def read_fields(
     prefix = f"{address}." if address else ""
     unknown = [key for key in raw if key not in fields]
     for key in unknown:
-        errors.add("fields.unknown", f"{prefix}{key}", table=table, near=NameSuggestion(key, fields))
+        errors.add("fields.unknown", f"{prefix}{key}", table=table, suggestion=NameSuggestion(key, fields))
     values = {}
     for key, field in fields.items():
         if key in raw and not (field.type == "table" and field.is_required and raw[key] == {}):
@@ -178,7 +181,7 @@ def read_fields(
 
 
 def missing_field(address: str, field: Field) -> InputError:
-    """Return the error for a required field that the table does not contain."""
+    """Return the error for a required field that a table does not contain."""
     meaning = field.meaning or address.rpartition(".")[2].replace("_", " ")
     unit = "" if field.unit == "1" else field.unit
     facts: dict[str, Any] = {"meaning": meaning, "unit": "" if field.example else unit, "plain": field.unit == "1"}

@@ -88,10 +88,10 @@ def _lines(path: str, table: Mapping[str, Any]) -> list[str]:
 
 
 def _needs_own_header(path: str, value: Any) -> bool:
-    """Return True if a value is written under a TOML header of its own.
+    """Return True if TOML writes a value below a header such as [run].
 
-    This applies to tables, and at the top level of the file to lists of tables. All other values are written in one
-    line.
+    This applies to tables and, if `path` is empty, to lists of tables. `path` is the address of the table that contains
+    the value. All other values are written in one line.
     """
     if isinstance(value, Mapping) or path:
         return isinstance(value, Mapping)
@@ -101,7 +101,7 @@ def _needs_own_header(path: str, value: Any) -> bool:
 def _basic_types(value: Any, *, as_text: bool = False) -> Any:
     """Convert the values of nested tables to basic Python types.
 
-    If `as_text` is True, infinite values and NaN become text.
+    If the keyword `as_text` is True, infinite values and NaN become text.
     """
     if isinstance(value, Mapping):
         # TOML cannot contain None.
@@ -135,6 +135,6 @@ def value_text(value: Any) -> str:
 def _toml_string(text: str) -> str:
     """Return a text as a TOML string in quotes, with escaped special characters.
 
-    The notation is that of JSON, in which the character DEL is escaped as well.
+    The notation is that of JSON, except that the character DEL is also escaped.
     """
     return json.dumps(text, ensure_ascii=False).replace("\x7f", "\\u007f")

@@ -33,9 +33,9 @@ class TomlFile:
     >>> file = TomlFile("[parts.tank]\\nvolume = 1.0\\n", "bench.toml")
     >>> with file.errors() as errors:
     ...     if "volume" in file.content["parts"]["tank"]:
-    ...         errors.add("fields.unknown", "parts.tank.volume", table="part", near="Remove it.")
+    ...         errors.add("fields.unknown", "parts.tank.volume", table="part", suggestion="Remove this entry.")
     Traceback (most recent call last):
-    poppet.core.errors.InputError: bench.toml:2: parts.tank.volume is not a valid field of a part. Remove it.
+    poppet.core.errors.InputError: bench.toml:2: parts.tank.volume is not a valid field of a part. Remove this entry.
     """
 
     text: str
@@ -53,9 +53,9 @@ class TomlFile:
 
     @property
     def content(self) -> dict[str, Any]:
-        """Tables of the file, in which no key and no text contains a control character.
+        """Tables of the file, after a check for control characters.
 
-        A control character raises an error.
+        A control character in a key or text raises an error.
         """
         tables = self.tables
         for address, text in _texts(tables):
@@ -67,7 +67,7 @@ class TomlFile:
     def tables(self) -> dict[str, Any]:
         """Tables of the file, without a check for control characters.
 
-        Result files repeat texts of other files, which can contain such characters.
+        Result files can contain such characters, because they repeat texts of other files.
         """
         # A table takes memory for each enclosing table: 50,000 dotted names in 100 kB took 8 GB.
         if _TOO_DEEP.search(self.text):
@@ -90,7 +90,7 @@ class TomlFile:
 
     @contextmanager
     def errors(self) -> Iterator[ErrorCollector]:
-        """Collect the errors in a block, and raise them together with their lines."""
+        """Collect the errors of a `with` block, and raise them together with their lines."""
         try:
             with ErrorCollector() as collector:
                 yield collector
@@ -109,9 +109,10 @@ class TomlFile:
         return problems[0] if len(problems) == 1 else InputErrors(problems)
 
     def line_of(self, address: str | None) -> int | None:
-        """Return the line of an address.
+        """Return the line number of an address.
 
-        If the address has no line, the result is that of its enclosing table, or None.
+        If the address has no line of its own, the result is the line of its enclosing table. If there is none, the
+        result is None.
         """
         while address:
             start = f"{address}."
@@ -138,8 +139,8 @@ class TomlFile:
 class _Lines:
     """Line numbers of the tables and keys in a TOML text.
 
-    `of` maps the paths of tables and keys to line numbers. `twice` maps line numbers to names that occur repeatedly.
-    Invalid TOML can be read too, because repeated names make it invalid.
+    `of` maps the dotted paths of tables and keys to line numbers. `twice` maps line numbers to names that are defined
+    twice. The text can be invalid TOML.
     """
 
     def __init__(self, text: str) -> None:
@@ -192,21 +193,6 @@ def _dotted(text: str) -> str:
     return ".".join(a or b or c for a, b, c in _PIECE.findall(text))
 
 
-def _similar_files(path: Path, table: str) -> NameSuggestion:
-    """Return a suggestion for the name of a file that does not exist.
-
-    The suggestion contains files in the same folder that have a similar name and contain the table `table`.
-    """
-    names = []
-    for file in path.parent.glob(f"*{path.suffix}"):
-        with suppress(OSError, UnicodeDecodeError):
-            if not 0 < file.stat().st_size < LARGEST:
-                continue
-            if not table or TomlFile(file.read_text(encoding="utf-8-sig"), file.name).line_of(table):
-                names.append(file.name)
-    return NameSuggestion(path.name, names)
-
-
 def read_text(path: Path, table: str = "") -> str:
     """Return the content of a text file that the user has specified.
 
@@ -219,10 +205,19 @@ def read_text(path: Path, table: str = "") -> str:
         with path.open("rb") as file:
             data = file.read(LARGEST + 1)  # devices have no size
     except FileNotFoundError:
-        suggestion = _similar_files(path, table)
+        names = []
+        for similar in path.parent.glob(f"*{path.suffix}"):
+            with suppress(OSError, UnicodeDecodeError):
+                if not 0 < similar.stat().st_size < LARGEST:
+                    continue
+                if not table or TomlFile(similar.read_text(encoding="utf-8-sig"), similar.name).line_of(table):
+                    names.append(similar.name)
+        suggestion = NameSuggestion(path.name, names)
         is_lost = not suggestion.names
         new = is_lost and table == "parts"
-        raise InputError("toml.no_file", path=name, near="" if is_lost else suggestion, lost=is_lost, new=new) from None
+        raise InputError(
+            "toml.no_file", path=name, suggestion="" if is_lost else suggestion, lost=is_lost, new=new
+        ) from None
     except OSError as error:
         raise InputError("toml.unreadable", path=name, why=error.strerror) from None
     if len(data) > LARGEST:

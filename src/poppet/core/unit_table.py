@@ -20,7 +20,7 @@ Dimension = tuple[Fraction, ...]  # exponents of m, kg, s, K, A, rad; the angle 
 
 @dataclass(frozen=True, slots=True)
 class Unit:
-    """Unit with SI value = scale * (value + offset).
+    """Unit of measurement: value in SI = scale * (value + offset).
 
     Parameters
     ----------
@@ -29,7 +29,7 @@ class Unit:
     scale : Fraction
         Factor to the SI unit.
     offset : Fraction, optional
-        Zero of the scale above absolute zero, in degrees of the scale.
+        Value that is added before the multiplication, for example 273.15 for degC.
     """
 
     dimension: Dimension
@@ -256,4 +256,8 @@ def _unknown_symbol_error(text: str, symbol: str) -> UnitError:
         return UnitError("unit.normal", base=symbol[1:], **facts)
     same_letters = [symbol_of_table for symbol_of_table in TABLE if symbol_of_table.lower() == symbol.lower()]
     similar = [_MEANT[symbol]] if symbol in _MEANT else same_letters or difflib.get_close_matches(symbol, TABLE)
-    return UnitError("unit.misspelt", near=tuple(similar), **facts) if similar else UnitError("unit.unknown", **facts)
+    return (
+        UnitError("unit.misspelt", suggestion=tuple(similar), **facts)
+        if similar
+        else UnitError("unit.unknown", **facts)
+    )

@@ -116,10 +116,10 @@ _ABBREVIATED: dict[str, tuple[str, _Mark]] = {
 
 @lru_cache(maxsize=4096)
 def _unit_and_mark(text: str) -> tuple[Unit, _Mark]:
-    """Return the unit in a text, and its mark, for example `gauge` or `normal`.
+    """Return the unit in a text, and its mark: gauge, absolute, ANR or another reference.
 
     The letter `g` marks a gauge pressure, and `N` the normal state of a volume flow. In other positions, `g` is a gram
-    and `N` a newton.
+    and `N` a newton. The mark is empty if the text contains none.
     """
     text = text.translate(SPELLINGS).strip()
     if text.casefold() in _ABBREVIATED:
@@ -268,10 +268,7 @@ def with_state(text: str) -> str:
 
 
 def _without_abbreviations(text: str) -> str:
-    """Return the text of a volume flow with usual unit symbols.
-
-    Abbreviations of instruments, such as `slpm`, are replaced.
-    """
+    """Replace an instrument abbreviation such as `slpm` in a volume flow by the unit, `l/min`."""
     number = _NUMBER.fullmatch(text)
     unit = (number[2] if number else text).strip()
     plain_unit = _ABBREVIATED.get(unit.casefold(), (unit, ""))[0]
@@ -288,8 +285,9 @@ def convert(value: FloatOrArray, from_unit: str, to_unit: str, *, ambient_pressu
     value : float or (...) array
         In `from_unit`.
     from_unit, to_unit : str
-        Units. An unmarked pressure is absolute; `g` marks gauge, `ANR` and `N` (normal) a volume flow. `Nl/min` is
-        short for `l/min N`; `slpm` raises an error because its reference state is ambiguous.
+        Units. An unmarked pressure is absolute; `g` marks a gauge pressure. `ANR` and `N` (normal) mark the reference
+        state of a volume flow. `Nl/min` is short for `l/min N`; `slpm` raises an error because its reference state is
+        ambiguous.
     ambient_pressure : float, optional
         Absolute pressure to which gauge values refer [Pa].
 
@@ -386,9 +384,10 @@ apply to values that must be above zero."""
 
 
 def sizes_of(unit: str) -> tuple[float, float]:
-    """Return the range of plausible magnitudes for an SI unit.
+    """Return the smallest and the largest plausible magnitude for an SI unit.
 
-    The range begins at the smallest positive value and ends at the largest absolute value that poppet accepts.
+    poppet rejects quantities above the largest magnitude. A quantity that must be positive is also rejected below the
+    smallest one.
 
     Parameters
     ----------
@@ -398,7 +397,7 @@ def sizes_of(unit: str) -> tuple[float, float]:
     Returns
     -------
     tuple of float
-        Both in that unit; 1e-30 and 1e30 for other units.
+        Smallest and largest magnitude, in the unit; 1e-30 and 1e30 if the unit has no defined range.
     """
     return _RANGES.get(unit, (SMALLEST, LARGEST))
 
@@ -419,8 +418,8 @@ def quantity(
     name : str, optional
         Name or address of the field, for messages.
     is_told : bool, optional
-        If True, `l/min` is read at ANR and `slpm` at 0 degC and 1.01325 bar, and the caller adds a note (`counted_at`).
-        If False, both raise an error.
+        True to accept flows without a reference state: `l/min` is read at ANR, `slpm` at 0 degC and 1.01325 bar. The
+        caller must then add a note. If False, such flows raise an error.
 
     Returns
     -------
@@ -438,10 +437,13 @@ def quantity(
 
     Notes
     -----
-    `pressure` accepts gauge (`6 bar g`, `6 bar(g)`, `6 barg`) and keeps the gauge value;
-    `pressure_difference` has no reference; `temperature` accepts degC and degF; `temperature_difference`
-    only K; `mass_flow` also accepts volume flows of air, `380 l/min ANR` or `N` (normal, also `380 Nl/min`);
-    `volume_flow_anr` accepts those two only.
+    Kinds of quantities:
+
+    - `pressure` accepts gauge pressures (`6 bar g`, `6 bar(g)`, `6 barg`) and returns the gauge value.
+    - `pressure_difference` has no reference.
+    - `temperature` accepts degC and degF, `temperature_difference` only K.
+    - `mass_flow` also accepts volume flows of air: `380 l/min ANR`, or `380 l/min N` and `380 Nl/min` (normal).
+    - `volume_flow_anr` accepts only such volume flows.
 
     Examples
     --------

@@ -88,7 +88,7 @@ def to_casadi(
         for address in numbers:
             if address not in fixed:
                 near = NameSuggestion(address, fixed)
-                errors.add("names.unknown", address, meaning="a parameter of the circuit", near=near)
+                errors.add("names.unknown", address, meaning="a parameter of the circuit", suggestion=near)
             elif fixed[address] not in ("", "delay"):
                 errors.add("tools.fixed", address)
     free = [*map(instance.place, numbers)]
@@ -98,7 +98,7 @@ def to_casadi(
         for name in inputs or ():
             if name not in instance.input_names:
                 near = NameSuggestion(name, instance.input_names)
-                errors.add("names.unknown", name, meaning="an input of this circuit", near=near)
+                errors.add("names.unknown", name, meaning="an input of this circuit", suggestion=near)
     driven = [*map(instance.input_names.index, instance.input_names if inputs is None else inputs)]
     sizes_by_symbol = (("x", n), ("u", len(driven)), ("p", len(free)))
     x_symbol, u_symbol, p_symbol = (ca.SX.sym(name, size) for name, size in sizes_by_symbol)
@@ -168,14 +168,14 @@ def to_control(
 
 
 def _without_controllers(circuit: BaseCircuit, controllers: str | Sequence[str]) -> BaseCircuit:
-    """Return a circuit without some of its controllers.
+    """Return the circuit without some of its controllers.
 
-    Inputs that these controllers drive become free inputs.
+    `controllers` are names. The inputs that these controllers drive become free inputs.
     """
     available = [name for name, part in circuit.parts.items() if isinstance(part, Controller)]
     for name in (controllers,) if isinstance(controllers, str) else controllers:
         if name not in available:
             near = NameSuggestion(name, available)
-            raise InputError("fields.not_an_option", "without", value=name, meaning="controller", near=near)
+            raise InputError("fields.not_an_option", "without", value=name, meaning="controller", suggestion=near)
         circuit = release_command(circuit, name, keeps=False)
     return circuit

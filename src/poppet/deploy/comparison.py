@@ -41,7 +41,7 @@ class ReferenceRun(NamedTuple):
 
     @property
     def gas(self) -> Flags:
-        """Mask of the outputs that are states of the gas: pressures and masses."""
+        """Mask of the outputs that are states of a gas: pressures and masses."""
         return self._outputs({state.name for state in self.problem.kernel.model.states if state.positive})
 
     @property
@@ -54,10 +54,7 @@ class ReferenceRun(NamedTuple):
 
 
 class RunComparison(NamedTuple):
-    """Differences between a run and the reference run.
-
-    They are relative to the typical size of each output.
-    """
+    """Differences between a run and the reference run, relative to the size of each output."""
 
     differences: Array  # (n_outputs, n_times)
     allowed: Array  # (n_outputs, n_times)
@@ -66,15 +63,15 @@ class RunComparison(NamedTuple):
     n_rows: int  # up to which the states of the gas are compared
 
     def max_differences(self, *, whole_run: bool = False) -> Array:
-        """Return the largest difference of each output at its compared times.
+        """Return the largest difference of each output at its compared times, (n_outputs,).
 
-        If `whole_run` is True, all times are included. The result is -1 for an output without such times.
+        If `whole_run` is True, the result refers to all times of the run. It is -1 for an output without such times.
         """
         cells = self.is_available if whole_run else self.is_compared
         return np.asarray(np.where(cells, self.differences, -1.0).max(axis=1, initial=-1.0))
 
     def max_ratios(self) -> Array:
-        """Return the largest ratio of difference to permitted difference for each output.
+        """Return the largest ratio of difference to permitted difference, (n_outputs,).
 
         The result is -1 for an output that is not compared at any time.
         """
@@ -83,16 +80,16 @@ class RunComparison(NamedTuple):
 
 
 def without_fused_operations(problem: Problem) -> Problem:
-    """Return the same run with a kernel without fused multiply-add operations (FMA).
+    """Return the definition of a run whose kernel has no fused operations (FMA).
 
-    The exported C code has no such operations either.
+    The kernel contains the compiled model functions. Like the exported C code, it then rounds after each operation.
     """
     kernel, p = compile_kernel(problem.kernel.model, fuses=False), problem.p.copy()
     return replace(problem, kernel=kernel, p=p, x0=kernel.start(p))
 
 
 def run_reference(problem: Problem, n_rows: int) -> ReferenceRun:
-    """Run a problem with poppet's own integrator, as reference for a comparison.
+    """Run a problem with poppet's own integrator, as the reference for comparisons.
 
     Only the first `n_rows` output times are kept. If a stop condition ends the run, the last time is omitted, because
     it depends on rounding.
@@ -108,10 +105,10 @@ def run_reference(problem: Problem, n_rows: int) -> ReferenceRun:
 
 
 def relative_differences(values: Array, reference: ReferenceRun) -> Array:
-    """Return the absolute differences of outputs from the reference, relative to their size.
+    """Return the absolute differences of outputs from the reference, divided by their size.
 
-    The shape is (n_outputs, n_times). A difference that is not finite becomes infinite. If the size of an output is 0,
-    its difference remains in SI units.
+    The result has shape (n_outputs, n_times). A difference that is not finite becomes infinite. If the size of an
+    output is 0, its difference is not divided.
     """
     n = min(values.shape[1], reference.values.shape[1])
     differences = np.abs(values[:, :n] - reference.values[:, :n])
@@ -122,8 +119,8 @@ def relative_differences(values: Array, reference: ReferenceRun) -> Array:
 def change_effects(reference: ReferenceRun, problems: Iterable[Problem]) -> Array:
     """Return the effect of small changes of the problem on each output.
 
-    `problems` are slightly changed copies of the problem. The value for an output at a time is the largest relative
-    difference up to that time. The shape is (n_outputs, n_times).
+    `problems` are slightly changed copies of the problem. The result has shape (n_outputs, n_times). Each value is the
+    largest relative difference of an output from the reference up to this time.
     """
     effects = np.zeros(reference.values.shape)
     for problem in problems:
@@ -137,7 +134,7 @@ def change_effects(reference: ReferenceRun, problems: Iterable[Problem]) -> Arra
 
 
 def rounding_changes(problem: Problem) -> list[Problem]:
-    """Return copies of a problem with changes as small as rounding errors.
+    """Return three copies of a problem with changes as small as rounding errors.
 
     Two copies have another start state, and one has another tolerance.
     """
@@ -146,9 +143,9 @@ def rounding_changes(problem: Problem) -> list[Problem]:
 
 
 def tolerance_changes(problem: Problem, limit: float) -> list[Problem]:
-    """Return copies of a problem with smaller tolerances.
+    """Return copies of a problem with tolerances that are fractions of `limit`.
 
-    The tolerances are fractions of `limit`. The errors of these runs represent those of another integration method.
+    The errors of these runs represent those of another integration method.
     """
     return [replace(problem, relative_tolerance=fraction * limit) for fraction in TOLERANCE_FRACTIONS]
 
@@ -158,9 +155,9 @@ def compare_runs(
 ) -> RunComparison:
     """Compare a run with the reference run of the kernel at each output time.
 
-    The allowed difference of an output is the larger of the limit and `MARGIN` times the effect of small changes. An
-    output is no longer compared after this effect is too large. If that output is a state of the gas, no output is
-    compared after that.
+    The kernel is poppet's own integrator. The permitted difference of an output is the larger of the limit and ten
+    times the effect of small changes of the problem. If this effect becomes too large, the output is not compared at
+    later times. If the output is a state of a gas, no output is compared at later times.
 
     Parameters
     ----------
@@ -169,11 +166,11 @@ def compare_runs(
     reference : ReferenceRun
         Run of the kernel.
     effects : ndarray, shape (n_outputs, n_times)
-        Effects of small changes.
+        Effects of small changes, from `change_effects`.
     limit : float
-        Allowed difference relative to the size of an output.
+        Permitted difference relative to the size of an output.
     is_available : ndarray of bool, shape (n_outputs, n_times)
-        Cells of the run.
+        True where the run has a value.
 
     Returns
     -------

@@ -57,9 +57,7 @@ def identifier(text: str) -> str:
 
 
 def identifiers(texts: Sequence[str]) -> list[str]:
-    """Convert texts to identifiers that differ from each other.
-
-    They also differ if upper and lower case are not distinguished.
+    """Convert texts to identifiers that differ from each other, even without regard to case.
 
     Examples
     --------
@@ -122,13 +120,14 @@ def write_export(path: Path, target: str, title: str, files: Mapping[str, str | 
     target, title : str
         Name of the target and title of the circuit, for the manifest of a folder.
     files : mapping
-        Path in the folder to content; a single entry if the output is a file.
+        Content by path in the folder; a single entry if the output is a file.
     is_folder : bool
         True if the output is a folder.
 
     Returns
     -------
     Path
+        The written file or folder.
     """
     if is_folder:
         manifest = {"target": target, "title": title, "poppet": __version__, "files": sorted(files)}
@@ -140,26 +139,27 @@ def write_export(path: Path, target: str, title: str, files: Mapping[str, str | 
 def write_folder(folder: Path, files: Mapping[str, str | bytes], manifest: str) -> Path:
     """Write a folder of files.
 
-    A new folder appears completely or not at all. In the folder of an earlier export, other files are kept. Each file
-    of the export is replaced as a whole, after all of them have been written.
+    A new folder appears completely or not at all. In the folder of an earlier export, the files of the export are
+    replaced after all of them have been written; other files are kept.
 
     Parameters
     ----------
     folder : Path
         Output folder; its parent exists.
     files : mapping
-        Path in the folder, with slashes, to content; text is written as UTF-8.
+        Content by path in the folder, with slashes; text is written as UTF-8.
     manifest : str
         TOML text that describes the export.
 
     Returns
     -------
     Path
+        The folder.
 
     Raises
     ------
     InputError
-        If the folder contains something else, or cannot be written.
+        If the folder contains anything but an earlier export, or cannot be written.
     """
     target = Path(os.path.realpath(folder))
     if not target.parent.is_dir():

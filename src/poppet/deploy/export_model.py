@@ -36,7 +36,7 @@ MAX_SEGMENTS = 100_000
 
 
 class ExportParameter(NamedTuple):
-    """Parameter of the exported model, an element of the vector p.
+    """Parameter of the exported model: one element of the vector p.
 
     Values are in SI units, and pressures and temperatures are absolute.
     """
@@ -47,6 +47,8 @@ class ExportParameter(NamedTuple):
     value: float
     low: float
     high: float
+    above: float | None  # the value must be greater than this limit; None if `low` is permitted
+    below: float | None  # the value must be less than this limit; None if `high` is permitted
     meaning: str
     # Reason for which the value must not change at run time: `tied` (other parameters depend on it), `delay` (it moves
     # the breakpoints of a signal), `derived` (it depends on other parameters), `driven` (a signal sets it), or empty.
@@ -59,7 +61,7 @@ class ExportParameter(NamedTuple):
 
 
 class ExportInput(NamedTuple):
-    """Input of the exported model, an element of the vector u.
+    """Input of the exported model: one element of the vector u.
 
     Values are in SI units, and pressures and temperatures are absolute.
     """
@@ -89,7 +91,7 @@ class ExportModel:
     """Circuit in the form that all export targets use.
 
     It contains names, units, indices and start values of all quantities. The field `problem` contains the signals and
-    tolerances.
+    tolerances of the run.
     """
 
     name: str  # an identifier
@@ -109,10 +111,7 @@ class ExportModel:
 
     @cached_property
     def functions(self) -> dict[str, casadi.Function]:
-        """CasADi functions of the model by name.
-
-        A printer (code generator) writes code from them.
-        """
+        """CasADi functions of the model by name, from which the targets print code."""
         return trace_functions(self.model)
 
 
@@ -133,7 +132,7 @@ def build_export_model(circuit: BaseCircuit, name: str = "") -> ExportModel:
     Raises
     ------
     InputErrors
-        If the circuit has no duration, or signals of more than 100,000 segments.
+        If the circuit has no duration, or its signals have more than 100,000 segments.
     """
     # Checks without cost come before the compilation.
     circuit.run.grid()
@@ -152,11 +151,31 @@ def build_export_model(circuit: BaseCircuit, name: str = "") -> ExportModel:
         inputs.append(
             ExportInput(item.name, input_name, item.unit, float(value), low, high, parameter, is_driven, slope_of)
         )
+    specs, numbers, tied = _parameter_specs(circuit), circuit.numbers(), find_tied(circuit)
+    delays = {item.delay for item in model.inputs if item.delay}
+    guided = {item.slope_of for item in model.inputs if item.slope_of in instance.signals}
+    parameters, values = [], problem.p[: len(model.parameters)]
+    for address, parameter_name, value in zip(model.parameters, identifiers(model.parameters), values, strict=True):
+        number, spec = numbers.get(address), specs.get(address) or NumberSpec("1", address)
+        if number is None:
+            fixed = "derived"
+        elif address in delays:
+            fixed = "delay"
+        elif address in guided:
+            fixed = "driven"
+        else:
+            fixed = "tied" if address in tied else ""
+        low, high = max(spec.ends[0], _next_float(spec.above, 1.0)), min(spec.ends[1], _next_float(spec.below, -1.0))
+        above = spec.above if low > spec.ends[0] else None
+        below = spec.below if high < spec.ends[1] else None
+        unit = number.unit if number else spec.unit
+        limits = low, high, above, below
+        parameters.append(ExportParameter(address, parameter_name, unit, float(value), *limits, spec.meaning, fixed))
     discrete_start = problem.p[len(model.parameters) :]
     states = zip(model.states, problem.x0[: len(model.states)], strict=True)
     return ExportModel(
         identifier(name or circuit.title or "model"), circuit.title, instance, problem,
-        _export_parameters(circuit, instance, problem),
+        tuple(parameters),
         tuple(inputs),
         _export_quantities((state.name, state.unit, value) for state, value in states),
         _export_quantities((*row, value) for row, value in zip(model.memory, discrete_start, strict=True)),
@@ -168,29 +187,6 @@ def _export_quantities(rows: Iterable[tuple[str, str, float]]) -> tuple[ExportQu
     rows = list(rows)
     names = identifiers([address for address, _, _ in rows])
     return tuple(ExportQuantity(a, name, unit, float(v)) for name, (a, unit, v) in zip(names, rows, strict=True))
-
-
-def _export_parameters(circuit: BaseCircuit, instance: Instance, problem: Problem) -> tuple[ExportParameter, ...]:
-    addresses = instance.model.parameters
-    specs, numbers = _parameter_specs(circuit), circuit.numbers()
-    delays = {item.delay for item in instance.model.inputs if item.delay}
-    guided = {item.slope_of for item in instance.model.inputs if item.slope_of in instance.signals}
-    tied = find_tied(circuit)
-    parameters = []
-    for address, name, value in zip(addresses, identifiers(addresses), problem.p[: len(addresses)], strict=True):
-        number, spec = numbers.get(address), specs.get(address) or NumberSpec("1", address)
-        if number is None:
-            fixed = "derived"
-        elif address in delays:
-            fixed = "delay"
-        elif address in guided:
-            fixed = "driven"
-        else:
-            fixed = "tied" if address in tied else ""
-        low, high = max(spec.ends[0], _next_float(spec.above, 1.0)), min(spec.ends[1], _next_float(spec.below, -1.0))
-        unit = number.unit if number else spec.unit
-        parameters.append(ExportParameter(address, name, unit, float(value), low, high, spec.meaning, fixed))
-    return tuple(parameters)
 
 
 def _parameter_specs(circuit: BaseCircuit) -> dict[str, NumberSpec]:
@@ -205,7 +201,7 @@ def _parameter_specs(circuit: BaseCircuit) -> dict[str, NumberSpec]:
 
 
 def _next_float(limit: float, direction: float) -> float:
-    """Return the floating-point number next to a limit that is not a valid value itself.
+    """Return the floating-point number next to a limit that is excluded from a range.
 
     `direction` is 1 for the next larger number and -1 for the next smaller one. An infinite limit is returned
     unchanged.
@@ -216,12 +212,12 @@ def _next_float(limit: float, direction: float) -> float:
 
 
 def find_tied(circuit: BaseCircuit) -> frozenset[str]:
-    """Return the addresses of parameters that cannot be changed alone.
+    """Return the addresses of parameters that cannot be changed alone (tied parameters).
 
-    Either other parameters or the structure depend on such a parameter, or no neighbouring value is valid. A parameter
-    of a part acts on the run-time values of this part alone. If a part declares neither derived values nor checks, all
-    its parameters are independent. In any other part, each parameter is changed within the part. The ambient conditions
-    and the gas act on all parts.
+    A parameter is tied if other parameters or the structure of the circuit depend on it, or if no neighbouring value is
+    valid. To find out, each parameter is changed slightly. A parameter of a part affects this part alone, so the change
+    is made within the part; parts without derived values and checks have no tied parameters. The ambient conditions and
+    the gas affect all parts.
     """
     specs, values = _parameter_specs(circuit), circuit.parameters
     tied, neighbours = set(), {}
@@ -258,7 +254,7 @@ def find_tied(circuit: BaseCircuit) -> frozenset[str]:
 def _values_within(values: Mapping[str, float], name: str) -> dict[str, float]:
     """Return the values of one part or section by their names inside it.
 
-    `values` contains all addresses. Only those that begin with `name` and a dot are selected.
+    `values` maps complete addresses to values. Those that begin with `name` and a dot are selected.
     """
     return {key.removeprefix(f"{name}."): value for key, value in values.items() if key.startswith(f"{name}.")}
 
@@ -268,7 +264,8 @@ def _tied_in_part(
 ) -> set[str]:
     """Return the names of the parameters of a part that cannot be changed alone.
 
-    `neighbours` contains a changed value of each parameter. `check` raises an error if the changed part is not valid.
+    `neighbours` maps each parameter to a slightly changed value. `check` raises an error if the changed part is not
+    valid.
     """
     tied: set[str] = set()
     values = part.parameters(surroundings)

@@ -28,7 +28,7 @@ class Stretch:
     begin, end : float
         Limits of the interval [s].
     memory : (n_memory,) array
-        Discrete states, SI; pass them to the next interval.
+        Discrete states, SI; the argument `memory` of the next interval.
     """
 
     begin: float
@@ -50,12 +50,12 @@ class Stretch:
         Returns
         -------
         (n,) array
-            SI per second.
+            Rates, SI per second.
         """
-        return rates(self._problem, self._segment, t, self._whole(x))[: len(x)]
+        return rates(self._problem, self._segment, t, self._with_quadratures(x))[: len(x)]
 
     def jac(self, t: float, x: Array) -> Array:
-        """Return the Jacobian of the rates.
+        """Return the Jacobian of the rates by the states.
 
         Parameters
         ----------
@@ -67,8 +67,9 @@ class Stretch:
         Returns
         -------
         (n, n) array
+            Derivatives; the row is the index of the rate.
         """
-        return jacobian(self._problem, self._segment, t, self._whole(x))[: len(x), : len(x)]
+        return jacobian(self._problem, self._segment, t, self._with_quadratures(x))[: len(x), : len(x)]
 
     def outputs(self, t: ArrayLike, x: Array) -> dict[str, Any]:
         """Return the outputs by address.
@@ -83,19 +84,19 @@ class Stretch:
         Returns
         -------
         dict
-            Address to a float or an (n_times,) array, SI.
+            Float or (n_times,) array of each output by address, SI.
         """
         times = np.atleast_1d(np.asarray(t, dtype=float))
         kernel = self._problem.kernel
         y = np.empty((times.size, len(kernel.model.outputs)))
         for row, time, state in zip(y, times, np.reshape(x, (len(x), times.size)).T, strict=True):
             u = inputs_at(self._problem, self._segment, time)
-            kernel.call("outputs", np.array([time]), self._whole(state), u, self._problem.p, row)
+            kernel.call("outputs", np.array([time]), self._with_quadratures(state), u, self._problem.p, row)
         columns = y.T if np.ndim(t) else y[0]
         return dict(zip(kernel.model.columns[0], columns, strict=True))
 
-    def _whole(self, x: Array) -> Array:
-        """Return the states, extended by zeros for the quadratures.
+    def _with_quadratures(self, x: Array) -> Array:
+        """Return the states, followed by zeros for the quadratures.
 
         Quadratures are integrals of flows, on which no rate depends.
         """
@@ -115,8 +116,8 @@ class Ode:
     units : dict
         SI unit of each state and output by address.
     scale : (n,) array
-        Absolute tolerance of each state per relative tolerance, SI. Pressures and masses differ by ten decades: no
-        single absolute tolerance suits both.
+        Ratio of the absolute tolerance of each state to the relative tolerance, SI. Pressures and masses differ by ten
+        decades: no single absolute tolerance suits both.
     breakpoints : (n_breakpoints,) array
         Times at which a signal jumps or has a kink, including 0 [s].
     end : float
@@ -181,7 +182,9 @@ class Ode:
         return {name: np.array([row[name] for row in rows]) for name in self._problem.kernel.model.columns[0]}
 
     def stretch(self, t: float, x: Array, memory: Array | None = None) -> Stretch:
-        """Return the interval from `t` to the next jump of a signal or change of a discrete state.
+        """Return the interval from `t` to the next discontinuity.
+
+        A discontinuity is a jump or kink of a signal, or a change of a discrete state.
 
         Parameters
         ----------

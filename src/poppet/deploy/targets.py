@@ -24,9 +24,9 @@ PART = Option("--part LIST", "sampled controllers to export, by name; `controlle
 
 
 class CircuitSource(NamedTuple):
-    """Origin of a circuit: text and name of its file, and changes made to it.
+    """Origin of a circuit: text and name of its file, and changes made after reading.
 
-    Targets use it to include the circuit file in the export.
+    Some targets include the circuit file in the export.
     """
 
     text: str = ""  # of the circuit file; empty if unknown

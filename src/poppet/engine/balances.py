@@ -5,7 +5,7 @@ The change of the content of a gas node or body must equal the sum of the integr
 
 from __future__ import annotations
 
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, TypeVar
 
 import numpy as np
 
@@ -23,13 +23,14 @@ FLOOR = {"mass": 0.0, "energy": 0.0, "motion": 1e-7}
 The speed of a slow body is accurate only to its absolute tolerance."""
 STORED = 1e-12
 """Limit of the error relative to the inventory, added to the others."""
+_ValueT = TypeVar("_ValueT", float, Array)
 UNITS = {"mass": "kg", "energy": "J", "motion": "J"}
 
 
 class Residual(NamedTuple):
-    """Error of one mass or energy balance over a run.
+    """Error of the mass or energy balance of one gas node or body over a run.
 
-    It contains the values that determine the largest permitted error.
+    The fields `through` and `inventory` determine the largest permitted error.
     """
 
     store: str
@@ -49,30 +50,30 @@ class Residual(NamedTuple):
 
     @property
     def allowed(self) -> float:
-        """Largest error of the balance that a correct run can have.
+        """Largest permitted error of the balance.
 
-        Gas: 1e-9 of the mass and 1e-7 of the energy that flowed, and 1e-12 of the inventory. Bodies: 1e-4 of the work
-        and 1e-7 J.
+        Gas: 1e-9 of the mass and 1e-7 of the energy that flowed, plus 1e-12 of the inventory. Bodies: 1e-4 of the work,
+        plus 1e-7 J and 1e-12 of the energy of the body.
         """
         return float(allowed(self.quantity, self.through, self.inventory))
 
     @property
     def is_kept(self) -> bool:
-        """True if the error of the balance is within its limit."""
+        """True if the error of the balance is at most `allowed`."""
         return self.error <= self.allowed
 
 
-def allowed(quantity: str, through: Any, inventory: Any) -> Any:
-    """Return the largest permitted error of a balance.
+def allowed(quantity: str, through: _ValueT, inventory: _ValueT) -> _ValueT:
+    """Return the largest permitted error of a balance, as `Residual.allowed` describes it.
 
-    The property `Residual.allowed` describes the limit. `through` is the integral of the absolute flows, and
-    `inventory` the content. Both can be numbers or arrays.
+    `quantity` is `mass`, `energy` or `motion`. `through` is the integral of the absolute flows, and `inventory` the
+    mass or energy of the gas node or body. Both can be numbers or arrays.
     """
     return ALLOWED[quantity] * through + FLOOR[quantity] + STORED * inventory
 
 
 def imbalance(balance: InventoryBalance, start: Any, end: Any, x: Any, through: Any) -> tuple[Any, Any]:
-    """Return the error and the throughput of one balance.
+    """Return the error of one balance, and the integral of its absolute flows.
 
     `start` and `end` are the inventories (masses or energies) at the start and the end of the run. `x` is the final
     state, and `through` the sum of |change| of each state. Elements can be numbers, or arrays with one element per run.

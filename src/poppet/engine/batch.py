@@ -37,7 +37,10 @@ _OUTCOMES = tuple(Outcome)
 
 
 class BatchRows(NamedTuple):
-    """Memory for the output rows of some runs of a batch, which is used repeatedly."""
+    """Output rows of some runs of a batch.
+
+    The next runs overwrite the arrays.
+    """
 
     runs: Integers  # (m,) indices of the runs in the batch
     time: Array  # (n_times,) the grid [s]
@@ -67,8 +70,8 @@ class BatchRun:
     def residuals(self) -> dict[str, Array]:
         """Return the relative balance errors of all runs, (n_runs,) for each balance.
 
-        The keys are names of balances, for example `tank mass`. A relative error is the error divided by its limit, so
-        values up to 1 are correct.
+        The keys are names of balances, for example `tank mass`. A relative error is the error divided by its permitted
+        maximum, so values up to 1 are correct.
         """
         e = self.ends
         result: dict[str, Array] = {}
@@ -81,10 +84,7 @@ class BatchRun:
 
 
 class Worker(Protocol):
-    """Interface of an object that computes some runs of a batch.
-
-    Each worker runs in one thread.
-    """
+    """Interface of an object that computes some runs of a batch in one thread."""
 
     max_runs: int  # of a slice
 
@@ -196,7 +196,7 @@ def usable_cores() -> int:
 
 
 class _Pool:
-    """Pool of threads, each with one worker.
+    """Pool of threads, each with one worker, which share the runs of a batch.
 
     Each worker computes some runs, and then takes the next ones.
     """
@@ -221,8 +221,8 @@ class _Pool:
             self._run_slices(self.workers[0])
             return
         with ThreadPoolExecutor(len(self.workers)) as threads:
-            futures = [threads.submit(self._run_slices, worker) for worker in self.workers]
             try:
+                futures = [threads.submit(self._run_slices, worker) for worker in self.workers]
                 while wait(futures, 0.1).not_done:
                     if progress is not None:
                         progress(self.n_completed)
@@ -260,7 +260,7 @@ class _Pool:
         self.reduced[runs] = results
 
     def repeat_stalled(self, run: int) -> tuple[Note, ...]:
-        """Repeat a stalled run, this time with other solvers, and return notes on the attempts.
+        """Repeat a stalled run with other solvers, and return notes on these attempts.
 
         `run` is the index of the run.
         """

@@ -19,11 +19,11 @@ NOTHING = np.zeros(0)
 
 
 class Call:
-    """Prepared call of the compiled integrator, with the arrays for its results.
+    """Prepared call of the compiled integrator for one problem, with the arrays for its results.
 
-    The arrays of the problem are not copied: if their owner changes values, the next `repeat` uses the new values. The
-    integrator writes the lengths of the accepted steps into `script`, up to its size. If `replay` is True, the
-    integrator takes these steps without error control. The result is then a smooth function of p.
+    The arrays of the problem are not copied, so `repeat` uses their present values. The integrator writes the lengths
+    of the accepted steps into the array `script`, up to its size. If `replay` is True, the integrator instead takes the
+    steps in `script`, without error control. The result is then a smooth function of p.
     """
 
     def __init__(self, problem: Problem, script: Array = NOTHING, *, replay: bool = False) -> None:
@@ -62,9 +62,9 @@ class Call:
             self._p[:] = self.problem.p
 
     def repeat(self) -> Outcome:
-        """Run the problem from its initial state, and overwrite the results of the last run.
+        """Run the problem from its initial state, and return the outcome.
 
-        Output rows that the run does not reach are NaN.
+        The results overwrite those of the last run. Output rows that the run does not reach are NaN.
         """
         self._reset()
         outcome: Outcome = _OUTCOMES[integrator()(self._address)]
@@ -94,7 +94,7 @@ class Call:
         return self.result(_OUTCOMES[status])
 
     def result(self, outcome: Outcome) -> RawRun:
-        """Return the results of the last run, whose outcome is given."""
+        """Return the results of the last run as an object, which contains the given outcome."""
         n, (accepted, attempts, rows, stop, _) = self.x.size, self.counts.tolist()
         time = self.problem.grid[:rows]
         # The last row of a stopped run is at the stop time, which is not in the grid.
@@ -106,10 +106,9 @@ class Call:
         )
 
     def _run_in_thread(self, integrate: Any, progress: Callable[[float], Any]) -> int:
-        """Run the integrator in another thread.
+        """Call the function `integrate` in another thread, and return its status.
 
-        `integrate` is the function that this thread calls. Meanwhile the calling thread reports progress and handles
-        Ctrl-C.
+        Meanwhile the calling thread reports progress and handles Ctrl-C.
         """
         import threading
 
@@ -145,12 +144,11 @@ class Call:
 
 
 class RepeatedCall:
-    """Repeated runs of one problem with little overhead.
-
-    The arrays remain in place, so their addresses are determined only once.
+    """Repeated runs of one problem with changed parameters and little overhead.
 
     Write values into `p` and `coefficients`, then call `run`, or `replay` to use the steps of the last run. The initial
-    state is computed from `p`. Each method returns its own table, which its next call overwrites.
+    state is computed from `p`. Both methods return the table of their outputs, (n_outputs, n_times), which their next
+    call overwrites.
 
     A run writes the lengths of its accepted steps into `script`, up to its size. `is_scripted` is True if the last run
     reached its end and `script` contains all its steps.
@@ -165,16 +163,16 @@ class RepeatedCall:
         self.is_scripted = False
 
     def run(self) -> Array:
-        """Run the problem with error control, and return the outputs at the output times."""
+        """Run the problem with error control, and return the outputs, (n_outputs, n_times)."""
         self._start()
         outcome = self._run.repeat()
         self.is_scripted = outcome.is_success and 0 < int(self._run.counts[0]) <= self.script.size
         return self._run.table
 
     def replay(self) -> Array:
-        """Run the problem with the steps of the last run, and return the outputs.
+        """Run the problem with the steps of the last run, and return the outputs, (n_outputs, n_times).
 
-        The outputs are those at the output times. Without error control, they are smooth functions of p.
+        Without error control, the outputs are smooth functions of p.
         """
         self._start()
         self._replay.repeat()

@@ -18,9 +18,9 @@ if TYPE_CHECKING:
 
 
 class CompiledFunctions(NamedTuple):
-    """Machine code of several functions, with their addresses by name.
+    """Machine code of several functions: `addresses` maps their names to memory addresses.
 
-    The object also refers to the LLVM engine, which must exist while the functions are used.
+    `owner` is the LLVM engine, which must exist while the functions are used.
     """
 
     addresses: Mapping[str, int]
@@ -30,7 +30,8 @@ class CompiledFunctions(NamedTuple):
 class LaneFunctions(NamedTuple):
     """Machine code of functions for lanes (runs that are computed simultaneously).
 
-    `derived` is a function that appends `n_derived` elements to the parameter vector p.
+    `addresses` maps names to memory addresses, and `owner` is the LLVM engine. The function `derived` appends
+    `n_derived` elements to the parameter vector p.
     """
 
     addresses: Mapping[str, int]
@@ -52,8 +53,8 @@ def _target_machine() -> llvmlite.binding.TargetMachine:
 def compile_functions(functions: Mapping[str, Any], *, further_text: str = "", fuses: bool = True) -> CompiledFunctions:
     """Compile traced functions to machine code.
 
-    `further_text` is LLVM IR of additional functions, which can call the traced functions. If `fuses` is True, the
-    processor can use fused multiply-add operations, which round once instead of twice.
+    The keyword `further_text` is LLVM IR of additional functions, which can call the traced functions. If the keyword
+    `fuses` is True, the processor can use fused multiply-add operations, which round once instead of twice.
     """
     text = PRELUDE + "\n".join(print_function(function, name) for name, function in functions.items()) + further_text
     if not fuses:
@@ -69,10 +70,7 @@ def compile_functions(functions: Mapping[str, Any], *, further_text: str = "", f
 
 
 def load(code: bytes, names: Iterable[str]) -> CompiledFunctions:
-    """Load object code into this process, and return the addresses of some functions.
-
-    `names` are the names of these functions.
-    """
+    """Load object code into this process, and return the memory addresses of the functions `names`."""
     import llvmlite.binding as llvm
 
     # An empty module: MCJIT only links the object code.
@@ -110,10 +108,7 @@ class PrebuiltIntegrator(NamedTuple):
     entry: str
 
     def mark(self) -> str:
-        """Return the first line of the file, which identifies the source files.
-
-        The line contains the names and a hash of the files.
-        """
+        """Return the first line of the file, with the names and a hash of the source files."""
         source = b"".join(Path(__file__).with_name(name).read_bytes().replace(b"\r\n", b"\n") for name in self.sources)
         return f"made from {', '.join(self.sources)}, sha256 {hashlib.sha256(source).hexdigest()}"
 
@@ -171,7 +166,7 @@ def lane_integrator() -> Callable[[int], int]:
 def as_function(compiled: CompiledFunctions) -> Callable[[int], int]:
     """Return the first of several compiled functions as a Python function.
 
-    Its argument is an address.
+    The Python function takes a memory address and returns an integer.
     """
     import ctypes
 

@@ -18,9 +18,9 @@ if TYPE_CHECKING:
 
 
 class Edge(NamedTuple):
-    """Edge of a graph of derivatives: a partial derivative, which can have a condition.
+    """Edge of a graph of derivatives: a partial derivative `value`, which can have a condition.
 
-    If the condition is false, the derivative is zero. Without a condition (None), the derivative always applies.
+    If the condition is false, the derivative is zero. Without a condition (None), it is always `value`.
     """
 
     value: Any
@@ -34,7 +34,7 @@ class Edge(NamedTuple):
         return self.value if self.condition is None else _apply_operation("OP_IF_ELSE_ZERO", self.condition, self.value)
 
     def multiply(self, factor: Edge) -> Edge:
-        """Return the product of this derivative and the next one (chain rule)."""
+        """Return the product of this derivative and the derivative `factor` (chain rule)."""
         if self.condition is None:
             return Edge(_apply_operation("OP_MUL", self.value, factor.value), factor.condition)
         return Edge(_apply_operation("OP_MUL", self.value, factor.expression()), self.condition)
@@ -53,7 +53,8 @@ def _apply_operation(operation: str, first: Any, second: Any) -> casadi.SX:
 class DerivativeGraph:
     """Graph whose vertices are operations and whose edges are partial derivatives.
 
-    `into` contains the incoming edges of each vertex by source, and `out` the outgoing edges by target.
+    `into` contains the incoming edges of each vertex, by source vertex. `out` contains the outgoing edges, by target
+    vertex.
     """
 
     def __init__(self) -> None:
@@ -76,9 +77,9 @@ class DerivativeGraph:
         self.out[source][target] = self.into[target][source] = total
 
     def eliminate(self, vertex: int) -> tuple[dict[int, Edge], dict[int, Edge]]:
-        """Remove a vertex, and connect its sources directly with its targets (chain rule).
+        """Remove a vertex, connect its sources with its targets (chain rule), and return its edges.
 
-        The result contains the removed incoming and outgoing edges.
+        The result contains the incoming edges by source, and the outgoing edges by target.
         """
         into, out = self.into[vertex], self.out[vertex]
         self.into[vertex], self.out[vertex] = {}, {}
@@ -141,9 +142,9 @@ def _edges_to_arguments(operation: int, arguments: list[Any]) -> list[Edge]:
 
 
 class _OperationGraph:
-    """Graph of derivatives for an expression of t, x, u and p.
+    """Graph of the derivatives of an expression by the states x and by time.
 
-    The first vertices are the states, followed by time.
+    The first vertices are the states, followed by time. The expression can also depend on inputs u and parameters p.
     """
 
     def __init__(self, expression: Any, symbols: tuple[Any, ...], slopes: Any) -> None:
@@ -183,9 +184,9 @@ class _OperationGraph:
             slots[written[0]] = value, vertex
 
     def _add_vertex(self, edges: list[tuple[int, Edge]]) -> int | None:
-        """Add a vertex with given incoming edges, and return its index.
+        """Add a vertex with the given incoming edges, and return its index.
 
-        The result is None if there are no edges.
+        The result is None if `edges` is empty.
         """
         if not edges:
             return None
@@ -197,10 +198,11 @@ class _OperationGraph:
 
 
 def differentiate_rates(rates: Any, symbols: tuple[Any, Any, Any, Any], slopes: Any) -> tuple[Any, Any, Any]:
-    """Return the rates with their sparse Jacobian by x and their drift.
+    """Return the rates with their sparse Jacobian and their drift, as CasADi expressions.
 
-    The drift is the time derivative of the rates for constant x. `slopes` are the time derivatives of u. `symbols` are
-    t, x, u and p. The rates are unchanged, and share operations with the derivatives.
+    `symbols` are time t, states x, inputs u and parameters p, and `slopes` are expressions for the time derivatives of
+    u. The Jacobian is the derivative by x, and the drift is the time derivative for constant x. The rates are
+    unchanged, and share operations with the derivatives.
     """
     import casadi as ca
 

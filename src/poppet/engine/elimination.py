@@ -79,23 +79,14 @@ def solver_functions(sparsity: Any) -> tuple[Any, Any]:
     keys = sorted(entries)
     lu = ca.SX.sym("lu", len(keys))
     right = ca.SX.sym("b", size)
-    solution = _solve_factorised(plan, {key: lu[k] for k, key in enumerate(keys)}, [right[k] for k in range(size)])
-    factor = ca.Function("factor", [jacobian, shift], [ca.vertcat(*(entries[key] for key in keys))])
-    return factor, ca.Function("solve", [lu, right], [ca.vertcat(*solution)])
-
-
-def _solve_factorised(plan: Elimination, lu: dict[tuple[int, int], Any], values: list[Any]) -> list[Any]:
-    """Return the solution of a factorised linear system for one right-hand side.
-
-    `plan` describes the factors, and `lu` contains their elements. `values` is the right-hand side. All elements are
-    symbols.
-    """
+    factors, values = {key: lu[k] for k, key in enumerate(keys)}, [right[k] for k in range(size)]
     for pivot in plan.order:
         for row in plan.rows[pivot]:
-            values[row] = values[row] - lu[row, pivot] * values[pivot]
+            values[row] = values[row] - factors[row, pivot] * values[pivot]
     for pivot in reversed(plan.order):
         total = values[pivot]
         for column in plan.columns[pivot]:
-            total = total - lu[pivot, column] * values[column]
-        values[pivot] = total * lu[pivot, pivot]
-    return values
+            total = total - factors[pivot, column] * values[column]
+        values[pivot] = total * factors[pivot, pivot]
+    factor = ca.Function("factor", [jacobian, shift], [ca.vertcat(*(entries[key] for key in keys))])
+    return factor, ca.Function("solve", [lu, right], [ca.vertcat(*values)])

@@ -1,4 +1,4 @@
-/* made from integrator.py, stepping.py, job.py, rosenbrock.py, sha256 5ce4b715a9f617f7441e5b6546ae8cecbdc9b669d82384843a1c8bdbc9d75c86 */
+/* made from integrator.py, stepping.py, job.py, rosenbrock.py, sha256 dcf482f9e443e68030fa912e794bcd6407298ca2fb36c3b5be2368ba223f32ea */
 /* The adaptive integrator, translated from Python (tools/integrator_c.py); change it there.
 
    `integrate` takes one row of 64 bit numbers, addresses of functions and arrays and their lengths, and gives back how
@@ -233,7 +233,8 @@ static const double INPUT_TIMES[4] = {0.386, 0.21, 0.63, 1.0};
 #define STOPPED 1
 #define TOO_MANY 3
 
-/* Return the arrays of a job; arrays without their own address are contiguous in its scratch memory. */
+/* Return the arrays of a Job as the data of a run. Arrays without an address of their own are parts of the scratch
+   memory of the job. */
 static RunState do_run_of(const Job *job) {
   int64_t n = 0;
   int64_t n_c = 0;
@@ -325,7 +326,8 @@ static RunState do_run_of(const Job *job) {
   return made;
 }
 
-/* Set the tolerances of the controlled states from their scales and the initial state. */
+/* Set the tolerances of the controlled states. They depend on the relative tolerance, on Kernel.scales and on the
+   initial state x. */
 static void do_set_tolerances(const Control *control, matrix scales, double relative, vector x) {
   int64_t s = 0;
   double initial = 0.0;
@@ -339,12 +341,12 @@ static void do_set_tolerances(const Control *control, matrix scales, double rela
   }
 }
 
-/* Return the difference below which two instants are equal. */
+/* Return the time difference below which two times count as equal [s]. */
 static double do_rounding(double t) {
   return 1e-14 * t + 1e-15;
 }
 
-/* Return the earliest time of the timers. */
+/* Return the earliest time at which a timer is due [s], or infinity. */
 static double do_next_instant(const Memory *memory) {
   double first = 0.0;
   int64_t k = 0;
@@ -355,14 +357,15 @@ static double do_next_instant(const Memory *memory) {
   return first;
 }
 
-/* Return the phase of a wave without complete turns, to keep its digits at late times. */
+/* Return the phase of a wave without complete turns [rad]. Complete turns would reduce the accuracy at late times. c
+   contains the coefficients of the segment, and dt is the time since its start. */
 static double do_angle(vector c, double dt) {
   double turns = 0.0;
   turns = (c.at[3] + 0.5 * c.at[4] * dt) * dt;
   return 2.0 * 3.141592653589793 * (turns - floor(turns)) + c.at[5];
 }
 
-/* Compute the inputs at a time in a segment. */
+/* Write the inputs at the time t of a segment into u. */
 static void do_inputs_at(double t, Segment segment, vector u) {
   matrix c;
   int64_t k = 0;
@@ -379,8 +382,8 @@ static void do_inputs_at(double t, Segment segment, vector u) {
   }
 }
 
-/* Run all timers that are due, and return True if the rates have changed. A timer can be set to the same instant
-   again; the loop ends when no timer is due. */
+/* Run all timers that are due at the time t, and return True if the rates have changed. A timer can be set to the same
+   time again; the loop ends when no timer is due. */
 static int do_act(const RunState *run, Segment segment, double t, vector x) {
   int changed = 0;
   const Work *w;
@@ -408,7 +411,7 @@ static int do_act(const RunState *run, Segment segment, double t, vector x) {
   return changed;
 }
 
-/* Return the outputs of a state at a time in a segment. */
+/* Compute and return the outputs for the state x at the time t of a segment. */
 static vector do_outputs_at(const RunState *run, Segment segment, double t, vector x) {
   const Work *w;
   vector y;
@@ -420,7 +423,7 @@ static vector do_outputs_at(const RunState *run, Segment segment, double t, vect
   return y;
 }
 
-/* Return the index of the first true stop condition, or -1. */
+/* Return the index of the first true stop condition for the state x at the time t, or -1. */
 static int64_t do_stop_condition(const RunState *run, Segment segment, double t, vector x) {
   vector y;
   integer_matrix places;
@@ -445,7 +448,7 @@ static int64_t do_stop_condition(const RunState *run, Segment segment, double t,
   return -1;
 }
 
-/* Return True if an input changes in a segment. */
+/* Return True if an input changes within a segment. */
 static int do_varies(Segment segment) {
   int64_t k = 0;
   for (k = 0; k < segment.inputs.rows; k++) {
@@ -456,7 +459,7 @@ static int do_varies(Segment segment) {
   return 0;
 }
 
-/* Compute the inputs at the stages of a step. */
+/* Compute the inputs at all solver stages of a step from t to t + h. */
 static void do_stage_inputs(const RunState *run, Segment segment, double t, double h) {
   int64_t n = 0;
   int64_t i = 0;
@@ -466,7 +469,7 @@ static void do_stage_inputs(const RunState *run, Segment segment, double t, doub
   }
 }
 
-/* Compute the time derivatives of the inputs in a segment. */
+/* Write the time derivatives of the inputs at the time t of a segment into slopes. */
 static void do_input_slopes_at(double t, Segment segment, vector slopes) {
   matrix c;
   int64_t k = 0;
@@ -483,7 +486,8 @@ static void do_input_slopes_at(double t, Segment segment, vector slopes) {
   }
 }
 
-/* Return a step length in which no controlled state changes by more than a twentieth of its size. */
+/* Return a length of the first step, from the rates of the controlled states. No state changes by more than a
+   twentieth of its size, and the step is at most a twentieth of span. */
 static double do_first_step(const RunState *run, double span) {
   double fastest = 0.0;
   matrix tolerances;
@@ -496,8 +500,8 @@ static double do_first_step(const RunState *run, double span) {
   return 1.0 / fastest;
 }
 
-/* Compute rates, Jacobian and drift at the start of a step, and return its length. If h is positive, it is the length.
-   Otherwise first_step selects the length, which is at most -h if h is negative. */
+/* Compute rates, Jacobian and drift at the start of a step, and return the length of the step. A positive h is the
+   length. Otherwise first_step selects the length, which is at most -h if h is negative. */
 static double do_begin(const RunState *run, Segment segment, double t, double h) {
   const Work *w;
   double longest = 0.0;
@@ -513,9 +517,9 @@ static double do_begin(const RunState *run, Segment segment, double t, double h)
   return (h < 0.0) ? least(-h, longest) : longest;
 }
 
-/* Return the desired length of a step and its latest end. The latest end is the next sample instant. If no instant has
-   changed the rates since calm, a step can pass instants for the same duration again; they are then evaluated with
-   its interpolant. */
+/* Return the desired length of a step from t, and the latest time at which it can end. The latest end is the next
+   sample instant or the end of the segment. Instants since calm have not changed the rates. Unless lands is True, a
+   step can pass instants for the duration t - calm, and its interpolant then gives the state at these instants. */
 static void do_reach(const RunState *run, Segment segment, double t, double h, double calm, int lands, double *r0, double *r1) {
   double desired = 0.0;
   double goal = 0.0;
@@ -538,14 +542,16 @@ static void do_reach(const RunState *run, Segment segment, double t, double h, d
   return;
 }
 
-/* Return the length of a replayed step; a step that ended at an instant ends at the new time of the instant. */
+/* Return the length of a replayed step from the stored lengths in script. If the stored length is not positive, or
+   exceeds remaining, the step ends at the next instant. */
 static double do_again(vector script, int64_t step, double remaining) {
   double h = 0.0;
   h = script.at[least_integer(step, script.size - 1)];
   return ((h <= 0.0) || (h >= remaining)) ? remaining : h;
 }
 
-/* Return the length of the next step, which ends in the segment and leaves no tiny step. */
+/* Return the length of the next step, at most remaining. If the desired length is more than half of remaining, but not
+   all of it, the result is half. A tiny last step is thus avoided. */
 static double do_length(double desired, double remaining) {
   if (desired < (0.5 * remaining)) {
     return desired;
@@ -553,7 +559,8 @@ static double do_length(double desired, double remaining) {
   return (desired < remaining) ? (0.5 * remaining) : remaining;
 }
 
-/* Return the largest weighted error of the controlled states; infinite if a state is outside its domain. */
+/* Return the largest error of the controlled states in a step, relative to their tolerances. The result is infinite if
+   a state is not finite, or is not positive although it must be. */
 static double do_error(const RunState *run) {
   double worst = 0.0;
   matrix tolerances;
@@ -575,7 +582,8 @@ static double do_error(const RunState *run) {
   return worst;
 }
 
-/* Compute the first elements of the state inside a completed step, with theta from 0 to 1. */
+/* Write the state inside a completed step into x, which can be shorter than the state. theta is the position in the
+   step, from 0 to 1. */
 static void do_interpolate(const RunState *run, Step step, double theta, vector x) {
   double complement = 0.0;
   int64_t n = 0;
@@ -589,8 +597,9 @@ static void do_interpolate(const RunState *run, Step step, double theta, vector 
   }
 }
 
-/* Return the first stop condition in a completed step and its theta, or -1. Conditions are evaluated in the middle and
-   at the end of the step. The state at theta is stored in inside. */
+/* Return the index of the first stop condition in a completed step, and its position theta. The index is -1 if no
+   condition is true. Conditions are evaluated in the middle and at the end of the step. The state at theta, from 0
+   to 1, is stored in inside. */
 static void do_stop_inside(const RunState *run, Segment segment, Step step, int64_t *r0, double *r1) {
   double low = 0.0;
   double high = 0.0;
@@ -631,7 +640,7 @@ static void do_stop_inside(const RunState *run, Segment segment, Step step, int6
   }
 }
 
-/* Write the next row. */
+/* Write the outputs for the state x at the time t into the next column of the output table. */
 static void do_write_row(const RunState *run, Segment segment, double t, vector x) {
   vector y;
   int64_t column = 0;
@@ -644,7 +653,8 @@ static void do_write_row(const RunState *run, Segment segment, double t, vector 
   run->counts.at[COLUMN] = column + 1;
 }
 
-/* Write the rows inside a completed step before a time; a row at that time shows the values after it. */
+/* Write the output rows inside a completed step before the time end. A row exactly at this time is written later,
+   because it shows the values after an event. */
 static void do_write_rows(const RunState *run, Segment segment, Step step, double end) {
   double limit = 0.0;
   vector grid;
@@ -660,8 +670,8 @@ static void do_write_rows(const RunState *run, Segment segment, Step step, doubl
   }
 }
 
-/* Run the instants inside a completed step, after writing the rows before each, and return the end of the step. The
-   step ends at the first instant that changes the rates, with its state in inside; else its end is unchanged. */
+/* Run the timers that are due inside a completed step, and return the end of the step. Output rows before each instant
+   are written first. The step ends early, with its state in inside, at the first instant that changes the rates. */
 static double do_act_inside(const RunState *run, Segment segment, Step step) {
   double instant = 0.0;
   for (;;) {
@@ -677,7 +687,7 @@ static double do_act_inside(const RunState *run, Segment segment, Step step) {
   }
 }
 
-/* Accept a new state, and update extremes and sums of |change|. */
+/* Replace the state by new, and update extremes and sums of |change| of all states. */
 static void do_take(const RunState *run, vector new_x) {
   vector x;
   vector books;
@@ -697,8 +707,8 @@ static void do_take(const RunState *run, vector new_x) {
   run->counts.at[ACCEPTED] += 1;
 }
 
-/* Accept a completed step with its rows, up to a stop condition or an instant that changes the rates. The result is
-   the end of the step; counts[CONDITION] is the index of the stop condition or -1. */
+/* Accept a completed step, write its output rows, and return its end. The step ends early at a stop condition, or at
+   an instant that changes the rates. counts[CONDITION] is then the index of the stop condition; otherwise it is -1. */
 static double do_accept(const RunState *run, Segment segment, Step step) {
   const Memory *memory;
   integers counts;
@@ -734,7 +744,8 @@ static double do_fourth_root(double value) {
   return sqrt(sqrt(value));
 }
 
-/* Return the factor of the step after an accepted step, from the predictive control of Gustafsson. */
+/* Return the factor on the step length after an accepted step (predictive control of Gustafsson). error and h are
+   error and length of the step; error_before and step_before are those of the previous step. */
 static double do_growth(double error, double h, double error_before, double step_before) {
   double factor = 0.0;
   factor = SAFETY / do_fourth_root(error);
@@ -744,7 +755,8 @@ static double do_growth(double error, double h, double error_before, double step
   return least(GROWTH, most(SHRINK, factor));
 }
 
-/* Return the status after an attempt, DONE to continue; a run that reaches a sample instant has not stalled. */
+/* Return the status that ends a run after an attempted step, or DONE if the run continues. A run has stalled if it
+   advances little in STALL_WINDOW attempts since the time window, unless timers have acted. */
 static int64_t do_verdict(const RunState *run, double t, double window, int has_acted) {
   integers counts;
   double end = 0.0;
@@ -764,8 +776,8 @@ static int64_t do_verdict(const RunState *run, double t, double window, int has_
   return (run->watch.at[1] != 0.0) ? INTERRUPTED : DONE;
 }
 
-/* Integrate over one segment of the inputs, and return status, time and step length. calm is the last time at which
-   discrete states changed the rates, first the first successful step after it. */
+/* Integrate over one segment of the inputs, and return status, end and next step length. The argument h is the length
+   of the first step, as for begin in poppet.engine.stepping. */
 static void do_over(const RunState *run, Segment segment, double h, int64_t *r0, double *r1, double *r2) {
   const Work *work;
   const Control *control;
@@ -895,8 +907,8 @@ static void do_over(const RunState *run, Segment segment, double h, int64_t *r0,
   return;
 }
 
-/* Process rows, instants and stop conditions of a segment without states, and return its end. Stop conditions are
-   evaluated between rows. */
+/* Process a segment of a circuit without states, and return the time at which it ends. Output rows and timers are
+   processed in the order of time. Stop conditions are also evaluated between rows. */
 static double do_without_states(const RunState *run, Segment segment) {
   double t = 0.0;
   double stop = 0.0;
@@ -947,7 +959,7 @@ static double do_without_states(const RunState *run, Segment segment) {
   return t;
 }
 
-/* Integrate over all segments and return the status; fields are those of poppet.engine.job.Job. */
+/* Integrate over all segments, and return the status; fields is the address of a Job. */
 int64_t integrate(const int64_t *fields) {
   const Job *job;
   RunState run;

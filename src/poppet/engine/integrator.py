@@ -46,16 +46,20 @@ N_FIELDS = len(Job._fields)
 
 @compiled
 def _again(script, step, remaining):
-    """Return the length of a replayed step; a step that ended at an instant ends at the new time of the instant."""
+    """Return the length of a replayed step from the stored lengths in `script`.
+
+    If the stored length is not positive, or exceeds `remaining`, the step ends at the next instant.
+    """
     h = script[min(step, script.size - 1)]
     return remaining if h <= 0.0 or h >= remaining else h
 
 
 @compiled
 def _accept(run, segment, step):
-    """Accept a completed step with its rows, up to a stop condition or an instant that changes the rates.
+    """Accept a completed step, write its output rows, and return its end.
 
-    The result is the end of the step; counts[CONDITION] is the index of the stop condition or -1.
+    The step ends early at a stop condition, or at an instant that changes the rates. counts[CONDITION] is then the
+    index of the stop condition; otherwise it is -1.
     """
     memory, counts, end = run.memory, run.counts, step.end
     passes = memory.fired.size > 0 and stepping.next_instant(memory) < end - stepping.rounding(end)
@@ -74,15 +78,16 @@ def _accept(run, segment, step):
 
 @compiled
 def _over(run, segment, h):
-    """Integrate over one segment of the inputs, and return status, time and step length.
+    """Integrate over one segment of the inputs, and return status, end and next step length.
 
-    `calm` is the last time at which discrete states changed the rates, `first` the first successful step after it.
+    The argument h is the length of the first step, as for `begin` in `poppet.engine.stepping`.
     """
     work, control, counts, memory, script = run.work, run.control, run.counts, run.memory, run.control.script
     t, stop, has_timers = segment.start, segment.stop, run.memory.fired.size > 0
     error_before, step_before, rejected, fresh, moves = 1e-2, 0.0, False, True, stepping.varies(segment)
     window, lands = t, run.stops.weights.shape[0] > 0 or script.size > 0
-    # A new segment counts as progress, like a sample instant.
+    # Last time at which discrete states changed the rates, and length of the first accepted step after it. A new
+    # segment counts as progress, like a sample instant.
     calm, first, has_changed, has_acted = t, 0.0, True, has_timers or t > 0.0
     stepping.stage_inputs(run, segment, t, 0.0)
     while t < stop:
@@ -135,9 +140,9 @@ def _over(run, segment, h):
 
 @compiled
 def _without_states(run, segment):
-    """Process rows, instants and stop conditions of a segment without states, and return its end.
+    """Process a segment of a circuit without states, and return the time at which it ends.
 
-    Stop conditions are evaluated between rows.
+    Output rows and timers are processed in the order of time. Stop conditions are also evaluated between rows.
     """
     t, stop, counts, grid = segment.start, segment.stop, run.counts, run.rows.grid
     while t < stop:
@@ -162,7 +167,10 @@ def _without_states(run, segment):
 
 @compiled
 def _run_of(job):
-    """Return the arrays of a job; arrays without their own address are contiguous in its scratch memory."""
+    """Return the arrays of a `Job` as the data of a run.
+
+    Arrays without an address of their own are parts of the scratch memory of the job.
+    """
     n, n_c, n_u, n_y, n_z, n_m = job.n_states, job.n_controlled, job.n_inputs, job.n_outputs, job.n_memory, job.n_timers
     p = carray(stepping.doubles_at(job.p), (job.n_numbers + n_z,))
     limits = carray(stepping.doubles_at(job.limits), (4,))
@@ -203,7 +211,7 @@ def _run_of(job):
 
 
 def integrate(fields):
-    """Integrate over all segments and return the status; `fields` are those of `poppet.engine.job.Job`."""
+    """Integrate over all segments, and return the status; `fields` is the address of a `Job`."""
     job = Job(*to_fixed_tuple(carray(fields, (N_FIELDS,)), N_FIELDS))
     run = _run_of(job)
     n, n_u, n_k, counts, grid = job.n_states, job.n_inputs, job.n_segments, run.counts, run.rows.grid
@@ -250,15 +258,15 @@ def integrate(fields):
 
 
 def integrator_text() -> str:
-    """Return LLVM IR of the integrator, `i64 integrate(ptr)`."""
+    """Return LLVM IR of the integrator of single runs, the function `i64 integrate(ptr)`."""
     return portable_text(integrate, APART)
 
 
 def portable_text(function: Any, apart: Sequence[str]) -> str:
-    """Return LLVM IR of an integrator without Python and without the run-time library of Numba.
+    """Return LLVM IR of an integrator that needs neither Python nor the run-time library of Numba.
 
     The wrapper of Numba is replaced, because it needs Numba in the process. Reference counts are removed, because the
-    arrays of `carray` have no owner. Functions of `apart` are not inlined. The compilation takes seconds.
+    arrays of `carray` have no owner. The functions named in `apart` are not inlined. The compilation takes seconds.
     """
     compiled = cfunc(types.int64(types.CPointer(types.int64)), nopython=True, error_model="numpy")(function)
     text = compiled._library.get_llvm_str()

@@ -29,9 +29,9 @@ CALM, FIRST, WINDOW, BEFORE = _OF_ONE
 
 
 class Job(NamedTuple):
-    """Arguments of the integrator as integers of 64 bits.
+    """Arguments of the integrator of single runs, as integers of 64 bits.
 
-    They are addresses of model functions, array lengths, and addresses of arrays.
+    They are addresses of model functions and arrays, and array lengths.
     """
 
     # Functions, 0 for a missing function.
@@ -84,7 +84,8 @@ class Job(NamedTuple):
 class LaneJob(NamedTuple):
     """Arguments of the integrator that computes several runs (lanes) simultaneously.
 
-    They are the fields of `Job`, and arrays in which a row contains one double for each lane.
+    They are the fields of `Job` and further array addresses and lengths. In arrays for lanes, a row contains one double
+    for each lane.
     """
 
     width: int

@@ -73,22 +73,22 @@ class Kernel:
 
     @cached_property
     def scales(self) -> Array:
-        """Values that determine the permitted error of each controlled state, (3, n).
+        """Tolerance scales of the controlled states, (3, n).
 
-        The rows are the factor on the relative tolerance, the lower limit (`floor` of `StateInfo`), and the nominal
-        size.
+        The rows are the factor on the relative tolerance, the size below which the tolerance is constant (`floor` of
+        `StateInfo`), and the nominal size.
         """
         states = self.model.states
         return np.array([[s.tolerance for s in states], [s.floor for s in states], [s.nominal for s in states]])
 
     @cached_property
     def positive(self) -> NDArray[np.bool_]:
-        """Mask of the controlled states that must remain positive."""
+        """Mask of the controlled states that must remain positive, (n,)."""
         return np.array([state.positive for state in self.model.states], dtype=np.bool_)
 
     @cached_property
     def acting(self) -> NDArray[np.bool_]:
-        """Mask of the discrete states that affect the rates."""
+        """Mask of the discrete states that affect the rates, (n_memory,)."""
         return np.array(self.model.acting, dtype=np.bool_)
 
     @cached_property
@@ -103,45 +103,46 @@ class Kernel:
         return callables
 
     def observing(self, outputs: Sequence[int]) -> Kernel:
-        """Return a kernel that computes only selected outputs.
+        """Return a kernel that computes only the outputs with the given indices.
 
-        `outputs` contains their indices. All other machine code is shared. Fits use it, because they need few outputs.
+        All other machine code is shared. Fits use such kernels, because they need few outputs.
         """
-        return KERNELS.get((self, tuple(outputs)), lambda: self._select_outputs(outputs))
 
-    def _select_outputs(self, indices: Sequence[int]) -> Kernel:
-        import casadi as ca
+        def compile_outputs() -> Kernel:
+            import casadi as ca
 
-        model, symbols = self.model, self.model.symbols
-        # Only this function is compiled; the rest, most of the code, is shared.
-        selected = ca.vertcat(*(model.expressions["outputs"][k] for k in indices))
-        arguments = [symbols[name] for name in ("t", "x", "u", "p")]
-        code = compile_functions({"outputs": ca.Function("outputs", arguments, [ca.densify(selected)])})
-        addresses = {**self.functions.addresses, **code.addresses}
-        functions = CompiledFunctions(addresses, (self.functions.owner, code.owner))
-        outputs = tuple(model.outputs[k] for k in indices)
-        expressions = {**model.expressions, "outputs": selected}
-        model = replace(model, outputs=outputs, expressions=expressions)
-        return replace(self, model=model, functions=functions, lanes={})
+            model, symbols = self.model, self.model.symbols
+            # Only this function is compiled; the rest, most of the code, is shared.
+            selected = ca.vertcat(*(model.expressions["outputs"][k] for k in outputs))
+            arguments = [symbols[name] for name in ("t", "x", "u", "p")]
+            code = compile_functions({"outputs": ca.Function("outputs", arguments, [ca.densify(selected)])})
+            addresses = {**self.functions.addresses, **code.addresses}
+            functions = CompiledFunctions(addresses, (self.functions.owner, code.owner))
+            selected_outputs = tuple(model.outputs[k] for k in outputs)
+            model = replace(model, outputs=selected_outputs, expressions={**model.expressions, "outputs": selected})
+            return replace(self, model=model, functions=functions, lanes={})
+
+        return KERNELS.get((self, tuple(outputs)), compile_outputs)
 
     def call(self, name: str, *arrays: Array) -> None:
         """Call a compiled model function by its name.
 
-        The arguments are contiguous arrays. The last of them receive the results.
+        `arrays` are its contiguous arguments, then the arrays into which it writes its results.
         """
         self.caller(name, *arrays)()
 
     def caller(self, name: str, *arrays: Array) -> Callable[[], None]:
-        """Return a Python function that calls a compiled function with fixed arrays.
+        """Return a function without arguments that calls a compiled model function with fixed arrays.
 
-        The user of the function must keep references to the arrays.
+        `arrays` are its arguments and results. The caller must keep references to the arrays, because only their
+        addresses are stored.
         """
         return partial(self._callables[name], *map(address, arrays))
 
     def start(self, p: Array) -> Array:
         """Return the initial state for a parameter vector p.
 
-        The initial discrete states are written into p.
+        The method writes the initial discrete states into the end of p.
         """
         x, memory = np.empty(self.model.size), np.empty(len(self.model.memory))
         self.call("start", p, x, memory)
@@ -149,7 +150,7 @@ class Kernel:
         return x
 
     def with_memory(self, numbers: Array) -> Array:
-        """Return the vector p: the parameter values, followed by zeros for discrete states."""
+        """Return the vector p: the parameter values `numbers`, then zeros for the discrete states."""
         return np.concatenate([numbers, np.zeros(len(self.model.memory))])
 
 

@@ -57,7 +57,7 @@ def _register_width() -> int:
 
 
 def kernel_of_this_machine() -> str:
-    """Return a text that identifies processor and number of lanes.
+    """Return a text that identifies the processor and the number of lanes.
 
     Both affect the last digits of the results of a batch.
     """
@@ -100,7 +100,7 @@ def _compile(kind: Kind, text: list[str], names: tuple[str, ...]) -> CompiledFun
 
 
 class Lanes:
-    """Worker that computes several runs of a batch simultaneously, one per lane.
+    """Worker that computes several runs of a batch simultaneously, each in one lane of a register.
 
     `width` is the number of lanes. If `leads` is True, all runs take the steps of the first run.
     `poppet.engine.batch.Worker` describes the methods.
@@ -151,7 +151,7 @@ class Lanes:
         self._job = np.array(job, dtype=np.int64)
 
     def _memory(self, kernel: Kernel, width: int, n_derived: int) -> dict[str, int]:
-        """Allocate the arrays of all lanes as one block, and return their addresses.
+        """Allocate the arrays of all lanes as one block, and return their addresses by name.
 
         `n_derived` is the number of values that are appended to the parameter vector.
         """
@@ -190,10 +190,9 @@ class Lanes:
 class LockstepLanes:
     """Simultaneous runs that all take the steps of the first run.
 
-    Without error control, their results are smooth functions of p.
-
-    Write parameters into `values`, those of the first run into the first row, then call `run`. All runs end with the
-    first; rows after that are NaN. Problems with discrete states, stop conditions or no states are not supported.
+    Without error control, their results are smooth functions of the parameters. Write parameters into `values`, those
+    of the first run into the first row, then call `run`. If the first run ends early, all runs end, and later output
+    values are NaN. Problems with discrete states, stop conditions or no states are not supported.
     """
 
     def __init__(
@@ -216,9 +215,9 @@ class LockstepLanes:
 
     @staticmethod
     def takes(problem: Problem) -> bool:
-        """Return True if this class can compute the runs of a problem.
+        """Return True if `LockstepLanes` can compute the runs of a problem on this processor.
 
-        The problem must be of a supported kind, and the processor must have more than two lanes.
+        The problem must have states, but no discrete states and no stop conditions. More than two lanes are required.
         """
         model = problem.kernel.model
         return bool(model.size and not model.memory and not problem.stop_conditions and usual_width() > 2)

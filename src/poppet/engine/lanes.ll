@@ -1,4 +1,4 @@
-; made from lanes.py, integrator.py, stepping.py, job.py, rosenbrock.py, sha256 1464296d070e1f59a8430216e9d0f1c10385020b855365f86c6056bcc5df565a
+; made from lanes.py, integrator.py, stepping.py, job.py, rosenbrock.py, sha256 937d56fe977567bbf4e30d411e2ce6acff304c8f78c577a2c00f5f9087203530
 @.const.array.data = internal unnamed_addr constant [32 x i8] c"Nb\10X9\B4\D8?\E1z\14\AEG\E1\CA?)\\\8F\C2\F5(\E4?\00\00\00\00\00\00\F0?", align 8
 define internal fastcc noundef i32 @v71(ptr noalias nonnull writeonly %retptr, ptr %arg.f.4, i64 %arg.i) unnamed_addr {
 entry:

@@ -97,7 +97,10 @@ OUTCOME = 5
 
 
 def jumper(count: int) -> Any:
-    """Return an intrinsic that calls machine code at an address with `count` addresses."""
+    """Return a Numba intrinsic that calls machine code with `count` integers as arguments.
+
+    The integers are addresses. The first argument of the intrinsic is the address of the code.
+    """
 
     def typed(typing_context: Any, address: Any, *places: Any) -> Any:
         def generate(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
@@ -120,50 +123,50 @@ call3_arrays = stepping.caller(3)
 
 @compiled
 def rows(f, field):
-    """Return an array of the lanes with any number of rows."""
+    """Return a field of the job f as an array whose rows contain one double for each lane."""
     return carray(stepping.doubles_at(f[field]), (1, f[AT.width]))
 
 
 @compiled
 def flags_of(f):
-    """Return the flags of the lanes."""
+    """Return the array of flags, one column for each lane; `RUN` and so on are the row indices."""
     return carray(stepping.integers_at(f[AT.flags]), (1, f[AT.width]))
 
 
 @compiled
 def doubles(f, field, size):
-    """Return an array of doubles."""
+    """Return the array of `size` doubles whose address is a field of the job f."""
     return carray(stepping.doubles_at(f[field]), (size,))
 
 
 @compiled
 def integers(f, field, size):
-    """Return an array of integers."""
+    """Return the array of `size` integers whose address is a field of the job f."""
     return carray(stepping.integers_at(f[field]), (size,))
 
 
 @compiled
 def counts_of(f, run):
-    """Return the counts of a run."""
+    """Return the counts of a run, such as its accepted steps; `run` is its index."""
     return carray(stepping.integers_at(f[AT.counts] + 48 * run), (6,))
 
 
 @compiled
 def own_of(f, i):
-    """Return parameters and discrete state of a lane."""
+    """Return the array with parameters and discrete states of lane i."""
     size = f[AT.n_numbers] + f[AT.n_memory]
     return carray(stepping.doubles_at(f[AT.own] + 8 * i * size), (size,))
 
 
 @compiled
 def table_at(f, run):
-    """Return the address of the rows of a run."""
+    """Return the address of the output table of a run; `run` is its index."""
     return f[AT.table] + 8 * (run - f[AT.base]) * f[AT.n_outputs] * f[AT.n_rows]
 
 
 @compiled
 def gather(f, field, i, one):
-    """Copy the values of one lane into an array."""
+    """Copy the values of lane i from a field of the job f into the array `one`."""
     vector = rows(f, field)
     for s in range(one.size):
         one[s] = vector[s, i]
@@ -171,7 +174,7 @@ def gather(f, field, i, one):
 
 @compiled
 def scatter(f, field, i, one):
-    """Copy an array into one lane."""
+    """Copy the array `one` into the values of lane i in a field of the job f."""
     vector = rows(f, field)
     for s in range(one.size):
         vector[s, i] = one[s]
@@ -179,7 +182,10 @@ def scatter(f, field, i, one):
 
 @compiled
 def single(f, i):
-    """Return one lane as a run for the functions of `stepping`; states must be gathered first."""
+    """Return the run in lane i for the functions of `poppet.engine.stepping`.
+
+    Its states are undefined until `gather` copies them.
+    """
     n, n_c, n_u, n_z, n_y = f[AT.n_states], f[AT.n_controlled], f[AT.n_inputs], f[AT.n_memory], f[AT.n_outputs]
     run, at, own = flags_of(f)[RUN, i], f[AT.one], own_of(f, i)
     vectors = carray(stepping.doubles_at(at), (6 * n + 2 * n_u,))
@@ -214,7 +220,7 @@ def single(f, i):
 
 @compiled
 def segment_of(f, i):
-    """Return the current segment of a lane."""
+    """Return the present segment of the inputs in lane i."""
     k, n_k, n_u = flags_of(f)[SEGMENT, i], f[AT.n_segments], f[AT.n_inputs]
     starts = doubles(f, AT.starts, n_k)
     stop = starts[k + 1] if k + 1 < n_k else doubles(f, AT.grid, f[AT.n_rows])[-1]
@@ -224,7 +230,7 @@ def segment_of(f, i):
 
 @compiled
 def act(f, i, run, segment, t, x):
-    """Run the timers of a lane, and return True if the rates have changed."""
+    """Run the timers of lane i that are due at the time t, and return True if the rates have changed."""
     has_changed = stepping.act(run, segment, t, x)
     vector = rows(f, AT.p)
     for k in range(f[AT.n_memory]):
@@ -234,7 +240,7 @@ def act(f, i, run, segment, t, x):
 
 @compiled
 def weigh(f, run, record):
-    """Compute the energies of the gathered state, which do not depend on inputs."""
+    """Write the energies of the state of a run, which do not depend on inputs, into `record`."""
     if f[AT.n_energies] > 0:
         for k in range(run.work.u.size):
             run.work.u[k] = 0.0
@@ -244,7 +250,10 @@ def weigh(f, run, record):
 
 @compiled
 def begin_run(f, i, k):
-    """Start run k in lane i: parameters, initial state, tolerances, extremes and sums."""
+    """Start run k in lane i.
+
+    Its parameters, initial state, tolerances, extremes and sums are set.
+    """
     flags_of(f)[RUN, i], flags_of(f)[SEGMENT, i] = k, -1
     control = rows(f, AT.control)
     control[LENGTH, i] = control[TRIES, i] = control[TAKES, i] = 0.0
@@ -285,7 +294,7 @@ def begin_run(f, i, k):
 
 @compiled
 def inputs(f, i, segment, t):
-    """Compute the inputs of a lane and their slopes at the start of a step."""
+    """Compute the inputs of lane i and their slopes at the time t, the start of a step."""
     work = single(f, i).work
     stepping.inputs_at(t, segment, work.u)
     stepping.input_slopes_at(t, segment, work.slopes)
@@ -295,7 +304,7 @@ def inputs(f, i, segment, t):
 
 @compiled
 def stage_inputs(f, i, segment, t, h):
-    """Compute the inputs of a lane at the stages of a step."""
+    """Compute the inputs of lane i at all solver stages of a step from t to t + h."""
     u, us = single(f, i).work.u, rows(f, AT.us)
     for stage in range(4):
         stepping.inputs_at(t + _TIMES[stage] * h, segment, u)
@@ -305,7 +314,10 @@ def stage_inputs(f, i, segment, t, h):
 
 @compiled
 def stop_at(f, i, segment):
-    """Run the timers at the start of a segment of a lane, and return the true stop condition or -1."""
+    """Run the timers of lane i at the start of a segment, and check the stop conditions.
+
+    The result is the index of the first true stop condition, or -1.
+    """
     run = single(f, i)
     gather(f, AT.x, i, run.x)
     if f[AT.n_timers] > 0:
@@ -317,7 +329,7 @@ def stop_at(f, i, segment):
 
 @compiled
 def enter(f, i):
-    """Start the next segment of a lane, and return DONE, or STOPPED if a stop condition is true."""
+    """Start the next segment of lane i; return STOPPED if a stop condition is true, otherwise DONE."""
     control, flags = rows(f, AT.control), flags_of(f)
     flags[SEGMENT, i] += 1
     segment, has_timers = segment_of(f, i), f[AT.n_timers] > 0
@@ -341,7 +353,7 @@ def enter(f, i):
 
 @compiled
 def finish(f, i, status):
-    """Store the result of the run of a lane, with its last row."""
+    """Store the results of the run in lane i, with its last output row; `status` is its outcome."""
     run, n, n_e, n_y, n_rows = single(f, i), f[AT.n_states], f[AT.n_energies], f[AT.n_outputs], f[AT.n_rows]
     counts, table, t, k = run.counts, run.rows.table, rows(f, AT.th)[0, i], flags_of(f)[RUN, i]
     counts[ATTEMPTS], counts[ACCEPTED] = int(rows(f, AT.control)[TRIES, i]), int(rows(f, AT.control)[TAKES, i])
@@ -367,7 +379,10 @@ def finish(f, i, status):
 
 @compiled
 def rest(f, i):
-    """Leave a lane without a run and copy the first lane into it: functions are slow for values that are not finite."""
+    """Make lane i idle, with a copy of the values of the first lane.
+
+    The vector functions also compute idle lanes, and are slow for values that are not finite.
+    """
     control, n_u = rows(f, AT.control), f[AT.n_inputs]
     flags_of(f)[RUN, i], flags_of(f)[MOVES, i], control[LENGTH, i] = -1, 0, 1e-9
     control[STOP, i] = control[GOAL, i] = control[NEXT, i] = control[LOOK, i] = np.inf
@@ -387,7 +402,10 @@ def rest(f, i):
 
 @compiled
 def onward(f, i, status):
-    """Process the end of a segment of a lane: start its next segment or the next run, or leave the lane idle."""
+    """Process the end of a segment of lane i, whose status is given.
+
+    The lane starts its next segment or the next run. If there is none, it becomes idle.
+    """
     flags = flags_of(f)
     while True:
         if flags[RUN, i] >= 0:
@@ -407,7 +425,10 @@ def onward(f, i, status):
 
 @compiled
 def first_step(f, i, h):
-    """Set the length of the first step after a jump, as `begin` of `stepping`."""
+    """Return the length of the first step of lane i after a jump.
+
+    A negative h is the negative maximum length. The rule is that of `begin` in `poppet.engine.stepping`.
+    """
     rates, x, sizes = rows(f, AT.rates), rows(f, AT.x), rows(f, AT.sizes)
     fastest = 20.0 / (rows(f, AT.control)[STOP, i] - rows(f, AT.th)[0, i])
     for s in range(f[AT.n_controlled]):
@@ -417,13 +438,13 @@ def first_step(f, i, h):
 
 @compiled
 def goal(f, i, t, h):
-    """Set the desired length of a step of a lane with timers, and its latest end."""
+    """Return the desired length of a step of lane i with timers, and the latest time at which it can end."""
     return stepping.reach(single(f, i), segment_of(f, i), t, h, rows(f, AT.control)[CALM, i], f[AT.n_conditions] > 0)
 
 
 @compiled
 def follow(f, i, control, th):
-    """Copy the length of the next step of the first lane."""
+    """Set the length of the next step of lane i to that of the first lane."""
     th[1, i], control[WANTED, i], control[END, i] = th[1, 0], control[WANTED, 0], control[END, 0]
     if flags_of(f)[MOVES, i]:
         stage_inputs(f, i, segment_of(f, i), th[0, i], th[1, i])
@@ -431,7 +452,11 @@ def follow(f, i, control, th):
 
 @compiled
 def led(i, control, flags):
-    """Return the end of the segment of a lane in lockstep after a step, or -1; its error has no effect."""
+    """Return the status that ends the run of lane i in lockstep, or -1 if it continues.
+
+    The run ends early together with the run of the first lane. It stalls if its error is infinite after an accepted
+    step of the first lane; other errors have no effect.
+    """
     if flags[ENDED, 0] > DONE:
         return flags[ENDED, 0]
     return STALLED if control[TAKEN, 0] != 0.0 and control[TAKEN, i] == 0.0 else -1
@@ -439,7 +464,10 @@ def led(i, control, flags):
 
 @compiled
 def write_rows(f, i, run, function, u):
-    """Write the rows of a lane before BEFORE."""
+    """Write the output rows of lane i before the time in row `BEFORE` of `control`.
+
+    `function` is the address of `rows` or `rows_held`, and u the address of the inputs.
+    """
     side = 8 * i
     call11(
         function, f[AT.grid], table_at(f, run), f[AT.counts] + 48 * run + 8 * COLUMN, f[AT.row_length],
@@ -450,7 +478,7 @@ def write_rows(f, i, run, function, u):
 
 @compiled
 def moving_rows(f, i, run):
-    """Write the rows of a lane inside a completed step with changing inputs."""
+    """Write the output rows of lane i inside a completed step with changing inputs."""
     width, n_rows, segment, u = f[AT.width], f[AT.n_rows], segment_of(f, i), single(f, i).work.u
     column, grid, before = counts_of(f, run), doubles(f, AT.grid, n_rows + width), rows(f, AT.control)[BEFORE, i]
     while grid[column[COLUMN]] < before:
@@ -462,9 +490,10 @@ def moving_rows(f, i, run):
 
 @compiled
 def events(f, i, t, h, end):
-    """Process rows, stop conditions and instants of a completed step of a lane, and at its end inside the segment.
+    """Process output rows, stop conditions and timers in a completed step of lane i.
 
-    Returns where it ends, and whether the rates have changed there. The new state is cut where it ends.
+    The result is the time at which the step ends, and True if the rates have changed there. If the step ends early, the
+    new state is replaced by the state at this time.
     """
     run, segment = single(f, i), segment_of(f, i)
     work, counts, memory = run.work, run.counts, run.memory
@@ -498,7 +527,10 @@ def events(f, i, t, h, end):
 
 @compiled
 def take_events(f, i, control, th):
-    """Process rows and events of a completed step of a lane, and return True if the rates have changed at its end."""
+    """Process output rows and events in a completed step of lane i, and store its end.
+
+    The result is True if the rates have changed at the end.
+    """
     end, has_changed = events(f, i, th[0, i], th[1, i], control[END, i])
     control[END, i] = end
     return has_changed
@@ -506,7 +538,7 @@ def take_events(f, i, control, th):
 
 @compiled
 def take_rows(f, i, control, flags, run):
-    """Write the rows inside a completed step of a lane."""
+    """Write the output rows of lane i inside a completed step, for a circuit without events."""
     end = control[END, i]
     control[BEFORE, i] = end - stepping.rounding(end)
     if flags[MOVES, i]:
@@ -518,7 +550,7 @@ def take_rows(f, i, control, flags, run):
 
 @compiled
 def after_change(i, control, th, flags, has_changed):
-    """Set the length of the next step of a lane after a possible change of the rates."""
+    """Set the step length of lane i after a step, at whose end the rates may have changed."""
     if flags[HAS_CHANGED, i]:
         control[FIRST, i], flags[HAS_CHANGED, i] = th[1, i] * min(2.0, max(0.5, control[FACTOR, i])), 0
     end = th[0, i]
@@ -530,7 +562,10 @@ def after_change(i, control, th, flags, has_changed):
 
 @compiled
 def verdict(f, i, counts, most):
-    """Return the status that ends the run of a lane after an attempt, or -1; see `verdict` of `stepping`."""
+    """Return the status that ends the run of lane i after an attempted step, or -1.
+
+    The rules are those of `verdict` in `poppet.engine.stepping`. `most` is the maximum number of attempts.
+    """
     control = rows(f, AT.control)
     tries, takes = int(control[TRIES, i]), int(control[TAKES, i])
     if tries % STALL_WINDOW == 0:
@@ -549,7 +584,7 @@ def verdict(f, i, counts, most):
 
 @compiled
 def ending(f, i, control, th, flags):
-    """Return the end of the segment of a lane with the completed step, or -1."""
+    """Return the status with which a step of lane i ends its segment, or -1 if the segment continues."""
     counts, t, h = counts_of(f, flags[RUN, i]), th[0, i], control[LENGTH, i]
     if control[TAKEN, i] == 0.0:
         ended = STALLED if t + h <= t or h < 1e-300 else -1
@@ -568,7 +603,10 @@ def ending(f, i, control, th, flags):
 
 @compiled
 def begin_step(f, control, th, flags):
-    """Compute rates, Jacobian, step lengths and inputs at the stages, and return True if inputs change."""
+    """Compute rates, Jacobian, step lengths and stage inputs of all lanes at the start of a step.
+
+    The result is True if an input changes in a lane.
+    """
     width, moves, leads = f[AT.width], False, doubles(f, AT.limits, 4)[2] != 0.0
     for i in range(width):
         moves |= flags[MOVES, i] != 0
@@ -594,7 +632,7 @@ def begin_step(f, control, th, flags):
 
 @compiled
 def advance(f):
-    """Compute one step of all lanes."""
+    """Compute one step of all lanes, with its output rows and events."""
     width, flags, control, th = f[AT.width], flags_of(f), rows(f, AT.control), rows(f, AT.th)
     has_events, leads = f[AT.n_timers] > 0 or f[AT.n_conditions] > 0, doubles(f, AT.limits, 4)[2] != 0.0
     masks = carray(stepping.integers_at(f[AT.control] + 8 * MASKS * width), (2,))
@@ -643,7 +681,7 @@ def advance(f):
 
 
 def integrate_lanes(fields):
-    """Run `first` to `last` - 1; `fields` are those of `poppet.engine.job.LaneJob`."""
+    """Compute the runs `first` to `last` - 1 in lanes; `fields` is the address of a `LaneJob`."""
     f = carray(fields, (len(AT),))
     width, n_c = f[AT.width], f[AT.n_controlled]
     low, positive = rows(f, AT.low), carray(stepping.flags_at(f[AT.positive]), (n_c,))
@@ -659,5 +697,5 @@ def integrate_lanes(fields):
 
 
 def lanes_text() -> str:
-    """Return LLVM IR of the integrator of lanes, `i64 integrate_lanes(ptr)`."""
+    """Return LLVM IR of the integrator of lanes, the function `i64 integrate_lanes(ptr)`."""
     return integrator.portable_text(integrate_lanes, APART)

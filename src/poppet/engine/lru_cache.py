@@ -21,7 +21,7 @@ class LruCache(Generic[ValueT]):
     def get(self, key: Hashable, make: Callable[[], ValueT]) -> ValueT:
         """Return the value of a key.
 
-        If the cache does not contain the key, `make` computes the value.
+        If the cache does not contain the key, the function `make` computes the value, which is then stored.
         """
         with self._lock:
             if key in self._values:

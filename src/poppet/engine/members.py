@@ -19,9 +19,9 @@ _OUTCOMES = tuple(Outcome)
 class Batch:
     """Runs of one problem that differ only in their parameter values.
 
-    They share segments of the inputs, output times, tolerance and stop conditions. The caller must handle two kinds of
-    parameters: delays, which move breakpoints, need one batch per value; parameters on which others depend need columns
-    for the dependent parameters too.
+    They share segments of the inputs, output times, tolerance and stop conditions. Delays move breakpoints, so each
+    value of a delay needs its own batch. If other parameters depend on a varied one, `values` must also contain their
+    columns.
     """
 
     problem: Problem
@@ -35,7 +35,7 @@ class Batch:
         return len(self.values)
 
     def write(self, run: int, p: Array, coefficients: Array) -> None:
-        """Write the parameter values of one run into p and the input coefficients.
+        """Write the parameter values of one run into the arrays `p` and `coefficients`.
 
         `run` is the index of the run. Both arrays must be copies of those of the problem.
         """

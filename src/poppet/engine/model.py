@@ -48,9 +48,9 @@ class InputInfo(NamedTuple):
 
 
 class FlowInfo(NamedTuple):
-    """Gas flow between two gas nodes, with the indices of its integrals in x.
+    """Gas flow from `source` to `target`, with the indices of its integrals in x.
 
-    A gas node outside the circuit is None.
+    `source` or `target` is None if the flow comes from or goes to the outside of the circuit.
     """
 
     name: str
@@ -61,9 +61,9 @@ class FlowInfo(NamedTuple):
 
 
 class StoreInfo(NamedTuple):
-    """Gas node that has a balance, with indices in the vector x.
+    """Gas node that has a balance.
 
-    The indices are those of the mass, and of the integral of the heat.
+    It contains the indices of its mass, and of the integral of its heat flow, in the vector x.
     """
 
     name: str
@@ -74,7 +74,7 @@ class StoreInfo(NamedTuple):
 
 
 class InventoryBalance(NamedTuple):
-    """Balance of a mass or energy (inventory).
+    """Balance of an inventory, which is the mass or energy of a gas node or body.
 
     The change of the inventory must equal a sum of integrals with signs.
     """
@@ -119,7 +119,7 @@ class Model:
 
     @cached_property
     def acting(self) -> tuple[bool, ...]:
-        """Mask of the discrete states z that affect the rates."""
+        """Mask of the discrete states z that affect the rates, (n_memory,)."""
         if not self.memory:
             return ()
         import casadi as ca
@@ -132,9 +132,9 @@ class Model:
 
     @cached_property
     def counting(self) -> tuple[bool, ...]:
-        """Mask of the discrete states z that are clocks or counters.
+        """Mask of the discrete states z that are clocks or counters, (n_memory,).
 
-        Such a state depends only on z, parameters and time.
+        The next value of such a state depends only on discrete states of this kind, parameters and time.
         """
         if not self.memory:
             return ()
@@ -159,9 +159,9 @@ class Model:
 
     @cached_property
     def balances(self) -> tuple[InventoryBalance, ...]:
-        """Balances that are valid for all runs.
+        """Balances that every run must satisfy.
 
-        They are those of the mass of each gas node, and of each energy that is linear in the states.
+        They are the mass balance of each gas node, and all energy balances that are linear in the states.
         """
         balances, energies = [], count()
         for store in self.stores:
@@ -186,7 +186,8 @@ class Model:
     def linear_function(self) -> casadi.Function:
         """CasADi function of the linear model without quadratures (integrals of flows).
 
-        The function is (t, x, u, p) -> (f, y, A, B, C, D) with rates f and outputs y.
+        Its arguments are time t, states x, inputs u and parameters p. Its results are rates f, outputs y and the
+        matrices A, B, C and D.
         """
         import casadi as ca
 
@@ -199,10 +200,12 @@ class Model:
 
     @cached_property
     def sampled_functions(self) -> tuple[Any, Any]:
-        """CasADi functions of a sampled model with exact derivatives by x and z.
+        """CasADi functions of a sampled model with exact derivatives.
 
-        Between instants: (t, x, u, p) -> (f, y, df/d(x, z), df/du, dy/d(x, z), dy/du). At an instant:
-        (t, x, u, p, fired) -> (z+, dz+/d(x, z), dz+/du).
+        The arguments are time t, states x, inputs u and parameters p, which end with the discrete states z. The first
+        function is valid between instants: (t, x, u, p) -> (f, y, df/d(x, z), df/du, dy/d(x, z), dy/du) with rates f
+        and outputs y. The second describes an instant at which timers are due: (t, x, u, p, fired) -> (z+, dz+/d(x, z),
+        dz+/du).
         """
         import casadi as ca
 

@@ -95,9 +95,10 @@ def _read(path: Path) -> bytes:
 
 
 def _check_permissions(status: os.stat_result) -> None:
-    """Raise PermissionError if another user could change a file.
+    """Raise PermissionError if another user could change a file or folder.
 
-    `status` is the status of the file. Windows protects the folder of the user itself.
+    `status` is the `os.stat_result` of the file or folder. On Windows, which protects the folder of the user, the check
+    always passes.
     """
     if os.name == "posix" and (status.st_uid != os.geteuid() or status.st_mode & (stat.S_IWGRP | stat.S_IWOTH)):
         raise PermissionError("other users have write permission")

@@ -40,9 +40,10 @@ class Outcome(enum.Enum):
 
 
 class StopCondition(NamedTuple):
-    """Condition on two outputs that stops a run.
+    """Condition on one or two outputs that stops a run.
 
-    The run stops if ``weights[0]*y[places[0]] + weights[1]*y[places[1]] + weights[2]`` is positive.
+    With the vector of outputs y, the run stops if ``weights[0]*y[places[0]] + weights[1]*y[places[1]] + weights[2]`` is
+    positive.
     """
 
     reason: Note  # `run.condition_met` or `run.left_domain`; `ending` adds the time to its facts
@@ -51,9 +52,9 @@ class StopCondition(NamedTuple):
 
     @property
     def is_failure(self) -> bool:
-        """True if the condition is that a stroke leaves the domain of its characteristic.
+        """True if the stop means that a stroke has left the domain of its characteristic.
 
-        It is False for conditions of the user.
+        It is False for the stop conditions of the user.
         """
         return self.reason.code == "run.left_domain"
 

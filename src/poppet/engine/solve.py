@@ -32,8 +32,8 @@ def solve(
 ) -> RawRun:
     """Run a problem with the selected solver.
 
-    If the Rosenbrock kernel stalls and `repeats_stalled` is True, the run is repeated with tighter tolerances, then
-    with other solvers. The result then contains a note on the repetition.
+    If the Rosenbrock kernel stalls, the run is repeated with tighter tolerances, then with other solvers. The result
+    then contains a note on the repetition. The keyword `repeats_stalled` can prevent the repetition.
     """
     stalled = run_kernel(problem, progress) if solver == "rosenbrock" else None
     if stalled is not None and (stalled.outcome is not Outcome.STALLED or not repeats_stalled):
@@ -43,7 +43,7 @@ def solve(
     if stalled is None:
         if solver not in SOLVERS:
             near = NameSuggestion(solver, ("rosenbrock", *SOLVERS))
-            raise InputError("fields.not_an_option", "run.solver", value=solver, meaning="solver", near=near)
+            raise InputError("fields.not_an_option", "run.solver", value=solver, meaning="solver", suggestion=near)
         return solve_with_reference(problem, solver, progress)
     # From the initial state, because the end of the stalled run can be inaccurate.
     for tolerance in dict.fromkeys(max(factor * problem.relative_tolerance, TIGHTEST) for factor in TIGHTER):
@@ -64,7 +64,7 @@ def solve(
 
 
 def run_kernel(problem: Problem, progress: Callable[[float], Any] | None = None) -> RawRun:
-    """Run a problem with poppet's own integrator.
+    """Run a problem with the compiled Rosenbrock integrator of poppet.
 
     A run that stalls is not repeated with another solver.
     """

@@ -25,7 +25,7 @@ than 1e-4 of the remaining time."""
 
 
 class Functions(NamedTuple):
-    """Addresses of the functions of the model."""
+    """Memory addresses of the compiled functions of a model."""
 
     jacobian: Any
     step: Any
@@ -35,7 +35,11 @@ class Functions(NamedTuple):
 
 
 class Memory(NamedTuple):
-    """Parameters and discrete state z in p; at an instant, timers that act (`fired`) and the new z (`after`)."""
+    """Parameters and discrete states of a run.
+
+    The array z is the end of p. At a sample instant, `fired` marks the timers that act, and `after` contains the new z.
+    `acting` marks the discrete states that affect the rates.
+    """
 
     p: Any
     z: Any
@@ -45,7 +49,11 @@ class Memory(NamedTuple):
 
 
 class Control(NamedTuple):
-    """Step control: tolerances and sizes of controlled states (3, n_controlled), positive states, limits, script."""
+    """Data of the step control.
+
+    `tolerances`, (3, n_controlled), contains relative tolerance, absolute tolerance and size of each controlled state.
+    `positive` marks states that must be positive, and `script` contains step lengths.
+    """
 
     tolerances: Any
     positive: Any
@@ -56,7 +64,7 @@ class Control(NamedTuple):
 
 
 class OutputRows(NamedTuple):
-    """Output times, table of outputs, and outputs of the current row."""
+    """Output times, table of outputs, and outputs y of the present output row."""
 
     grid: Any
     table: Any
@@ -64,7 +72,7 @@ class OutputRows(NamedTuple):
 
 
 class Stops(NamedTuple):
-    """Stop conditions."""
+    """Stop conditions of a run, as in `poppet.engine.problem.StopCondition`."""
 
     places: Any
     weights: Any
@@ -93,7 +101,7 @@ class Work(NamedTuple):
 
 
 class RunState(NamedTuple):
-    """Data of a run; x is the state."""
+    """Data of one run, with the state x."""
 
     functions: Any
     memory: Any
@@ -108,7 +116,7 @@ class RunState(NamedTuple):
 
 
 class Segment(NamedTuple):
-    """Inputs, (n_inputs, 7), between two breakpoints."""
+    """Coefficients of the inputs, (n_inputs, 7), between two breakpoints `start` and `stop` [s]."""
 
     start: Any
     stop: Any
@@ -116,7 +124,10 @@ class Segment(NamedTuple):
 
 
 class Step(NamedTuple):
-    """Completed step from x to `new`: start, length and end (t + h with rounding errors)."""
+    """Completed step from x to `new`, with start t, length h and end.
+
+    The end differs from t + h only by rounding.
+    """
 
     t: Any
     h: Any
@@ -125,7 +136,10 @@ class Step(NamedTuple):
 
 
 def caller(count: int) -> Any:
-    """Return an intrinsic that calls machine code at an address with `count` arrays of doubles."""
+    """Return a Numba intrinsic that calls machine code with `count` arrays of doubles.
+
+    The first argument of the intrinsic is the address of the code.
+    """
 
     def typed(typing_context: Any, address: Any, *arrays: Any) -> Any:
         def generate(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
@@ -151,7 +165,7 @@ call2, call5, call6, call8, call10 = caller(2), caller(5), caller(6), caller(8),
 
 
 def pointer(kind: Any) -> Any:
-    """Return an intrinsic that converts an address to a typed pointer."""
+    """Return a Numba intrinsic that converts an address to a pointer to numbers of type `kind`."""
 
     def at(typing_context: Any, address: Any) -> Any:
         def generate(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
@@ -170,7 +184,10 @@ compiled = njit(nogil=True, error_model="numpy", no_cpython_wrapper=True, no_cfu
 
 @compiled
 def set_tolerances(control, scales, relative, x):
-    """Set the tolerances of the controlled states from their scales and the initial state."""
+    """Set the tolerances of the controlled states.
+
+    They depend on the relative tolerance, on `Kernel.scales` and on the initial state x.
+    """
     for s in range(scales.shape[1]):
         initial = abs(x[s])
         # Only positive states have a typical initial value; a plate can start near zero.
@@ -182,14 +199,18 @@ def set_tolerances(control, scales, relative, x):
 
 @compiled
 def angle(c, dt):
-    """Return the phase of a wave without complete turns, to keep its digits at late times."""
+    """Return the phase of a wave without complete turns [rad].
+
+    Complete turns would reduce the accuracy at late times. c contains the coefficients of the segment, and dt is the
+    time since its start.
+    """
     turns = (c[3] + 0.5 * c[4] * dt) * dt
     return 2.0 * np.pi * (turns - np.floor(turns)) + c[5]
 
 
 @compiled
 def inputs_at(t, segment, u):
-    """Compute the inputs at a time in a segment."""
+    """Write the inputs at the time t of a segment into u."""
     c = segment.inputs
     for k in range(u.size):
         dt = t - c[k, 6]
@@ -201,7 +222,7 @@ def inputs_at(t, segment, u):
 
 @compiled
 def input_slopes_at(t, segment, slopes):
-    """Compute the time derivatives of the inputs in a segment."""
+    """Write the time derivatives of the inputs at the time t of a segment into `slopes`."""
     c = segment.inputs
     for k in range(slopes.size):
         slope = c[k, 1]
@@ -213,7 +234,7 @@ def input_slopes_at(t, segment, slopes):
 
 @compiled
 def varies(segment):
-    """Return True if an input changes in a segment."""
+    """Return True if an input changes within a segment."""
     for k in range(segment.inputs.shape[0]):
         if segment.inputs[k, 1] != 0.0 or segment.inputs[k, 2] != 0.0:
             return True
@@ -222,7 +243,7 @@ def varies(segment):
 
 @compiled
 def stage_inputs(run, segment, t, h):
-    """Compute the inputs at the stages of a step."""
+    """Compute the inputs at all solver stages of a step from t to t + h."""
     n = run.work.u.size
     for i in range(4):
         # The mask tells LLVM that the index is valid: otherwise the text contains an error message.
@@ -231,7 +252,10 @@ def stage_inputs(run, segment, t, h):
 
 @compiled
 def interpolate(run, step, theta, x):
-    """Compute the first elements of the state inside a completed step, with theta from 0 to 1."""
+    """Write the state inside a completed step into x, which can be shorter than the state.
+
+    `theta` is the position in the step, from 0 to 1.
+    """
     complement, n, dense = 1.0 - theta, run.x.size, run.work.dense
     for s in range(x.size):
         x[s] = complement * run.x[s] + theta * (step.new[s] + complement * (dense[s] + theta * dense[n + s]))
@@ -239,7 +263,10 @@ def interpolate(run, step, theta, x):
 
 @compiled
 def error(run):
-    """Return the largest weighted error of the controlled states; infinite if a state is outside its domain."""
+    """Return the largest error of the controlled states in a step, relative to their tolerances.
+
+    The result is infinite if a state is not finite, or is not positive although it must be.
+    """
     worst, tolerances = 0.0, run.control.tolerances
     for s in range(tolerances.shape[1]):
         value = run.work.new[s]
@@ -254,7 +281,10 @@ def error(run):
 
 @compiled
 def first_step(run, span):
-    """Return a step length in which no controlled state changes by more than a twentieth of its size."""
+    """Return a length of the first step, from the rates of the controlled states.
+
+    No state changes by more than a twentieth of its size, and the step is at most a twentieth of `span`.
+    """
     fastest, tolerances = 20.0 / span, run.control.tolerances
     for s in range(tolerances.shape[1]):
         fastest = max(fastest, 20.0 * abs(run.work.rates[s]) / (abs(run.x[s]) + tolerances[2, s]))
@@ -263,9 +293,9 @@ def first_step(run, span):
 
 @compiled
 def begin(run, segment, t, h):
-    """Compute rates, Jacobian and drift at the start of a step, and return its length.
+    """Compute rates, Jacobian and drift at the start of a step, and return the length of the step.
 
-    If h is positive, it is the length. Otherwise `first_step` selects the length, which is at most -h if h is negative.
+    A positive h is the length. Otherwise `first_step` selects the length, which is at most -h if h is negative.
     """
     w = run.work
     w.tt[0] = t
@@ -286,7 +316,10 @@ def fourth_root(value):
 
 @compiled
 def growth(error, h, error_before, step_before):
-    """Return the factor of the step after an accepted step, from the predictive control of Gustafsson."""
+    """Return the factor on the step length after an accepted step (predictive control of Gustafsson).
+
+    `error` and h are error and length of the step; `error_before` and `step_before` are those of the previous step.
+    """
     factor = SAFETY / fourth_root(error)
     if step_before > 0.0:
         factor = min(factor, SAFETY * (h / step_before) * fourth_root(error_before / (error * error)))
@@ -295,7 +328,7 @@ def growth(error, h, error_before, step_before):
 
 @compiled
 def outputs_at(run, segment, t, x):
-    """Return the outputs of a state at a time in a segment."""
+    """Compute and return the outputs for the state x at the time t of a segment."""
     w, y = run.work, run.rows.y
     inputs_at(t, segment, w.u)
     w.tt[0] = t
@@ -305,7 +338,7 @@ def outputs_at(run, segment, t, x):
 
 @compiled
 def write_row(run, segment, t, x):
-    """Write the next row."""
+    """Write the outputs for the state x at the time t into the next column of the output table."""
     y, column = outputs_at(run, segment, t, x), run.counts[COLUMN]
     for k in range(y.size):
         run.rows.table[k, column] = y[k]
@@ -314,7 +347,7 @@ def write_row(run, segment, t, x):
 
 @compiled
 def stop_condition(run, segment, t, x):
-    """Return the index of the first true stop condition, or -1."""
+    """Return the index of the first true stop condition for the state x at the time t, or -1."""
     y, places, weights = outputs_at(run, segment, t, x), run.stops.places, run.stops.weights
     for k in range(weights.shape[0]):
         value = weights[k, 2]
@@ -328,9 +361,10 @@ def stop_condition(run, segment, t, x):
 
 @compiled
 def stop_inside(run, segment, step):
-    """Return the first stop condition in a completed step and its theta, or -1.
+    """Return the index of the first stop condition in a completed step, and its position theta.
 
-    Conditions are evaluated in the middle and at the end of the step. The state at theta is stored in `inside`.
+    The index is -1 if no condition is true. Conditions are evaluated in the middle and at the end of the step. The
+    state at theta, from 0 to 1, is stored in `inside`.
     """
     low, high, event, x = 0.0, 0.5, -1, run.work.inside
     while True:
@@ -353,7 +387,11 @@ def stop_inside(run, segment, step):
 
 @compiled
 def length(desired, remaining):
-    """Return the length of the next step, which ends in the segment and leaves no tiny step."""
+    """Return the length of the next step, at most `remaining`.
+
+    If the desired length is more than half of `remaining`, but not all of it, the result is half. A tiny last step is
+    thus avoided.
+    """
     if desired < 0.5 * remaining:
         return desired
     return 0.5 * remaining if desired < remaining else remaining
@@ -361,7 +399,10 @@ def length(desired, remaining):
 
 @compiled
 def write_rows(run, segment, step, end):
-    """Write the rows inside a completed step before a time; a row at that time shows the values after it."""
+    """Write the output rows inside a completed step before the time `end`.
+
+    A row exactly at this time is written later, because it shows the values after an event.
+    """
     # The memory of the drift is free after the step; no output depends on a quadrature.
     limit, grid, row = end - rounding(end), run.rows.grid, run.work.drift[: run.control.positive.size]
     while run.counts[COLUMN] < grid.size and grid[run.counts[COLUMN]] < limit:
@@ -372,7 +413,7 @@ def write_rows(run, segment, step, end):
 
 @compiled
 def take(run, new):
-    """Accept a new state, and update extremes and sums of |change|."""
+    """Replace the state by `new`, and update extremes and sums of |change| of all states."""
     x, books = run.x, run.books
     n = x.size
     for s in range(n):
@@ -386,13 +427,13 @@ def take(run, new):
 
 @compiled
 def rounding(t):
-    """Return the difference below which two instants are equal."""
+    """Return the time difference below which two times count as equal [s]."""
     return 1e-14 * t + 1e-15
 
 
 @compiled
 def next_instant(memory):
-    """Return the earliest time of the timers."""
+    """Return the earliest time at which a timer is due [s], or infinity."""
     first = np.inf
     for k in range(memory.fired.size):
         first = min(first, memory.z[k])
@@ -401,10 +442,11 @@ def next_instant(memory):
 
 @compiled
 def reach(run, segment, t, h, calm, lands):
-    """Return the desired length of a step and its latest end.
+    """Return the desired length of a step from t, and the latest time at which it can end.
 
-    The latest end is the next sample instant. If no instant has changed the rates since `calm`, a step can pass
-    instants for the same duration again; they are then evaluated with its interpolant.
+    The latest end is the next sample instant or the end of the segment. Instants since `calm` have not changed the
+    rates. Unless `lands` is True, a step can pass instants for the duration t - `calm`, and its interpolant then gives
+    the state at these instants.
     """
     desired, goal = min(h, run.control.longest), segment.stop
     if run.memory.fired.size > 0:
@@ -418,9 +460,9 @@ def reach(run, segment, t, h, calm, lands):
 
 @compiled
 def act(run, segment, t, x):
-    """Run all timers that are due, and return True if the rates have changed.
+    """Run all timers that are due at the time t, and return True if the rates have changed.
 
-    A timer can be set to the same instant again; the loop ends when no timer is due.
+    A timer can be set to the same time again; the loop ends when no timer is due.
     """
     changed, w, m = False, run.work, run.memory
     due = t + rounding(t)
@@ -439,9 +481,10 @@ def act(run, segment, t, x):
 
 @compiled
 def act_inside(run, segment, step):
-    """Run the instants inside a completed step, after writing the rows before each, and return the end of the step.
+    """Run the timers that are due inside a completed step, and return the end of the step.
 
-    The step ends at the first instant that changes the rates, with its state in `inside`; else its end is unchanged.
+    Output rows before each instant are written first. The step ends early, with its state in `inside`, at the first
+    instant that changes the rates.
     """
     while True:
         instant = next_instant(run.memory)
@@ -455,7 +498,11 @@ def act_inside(run, segment, step):
 
 @compiled
 def verdict(run, t, window, has_acted):
-    """Return the status after an attempt, DONE to continue; a run that reaches a sample instant has not stalled."""
+    """Return the status that ends a run after an attempted step, or DONE if the run continues.
+
+    A run has stalled if it advances little in `STALL_WINDOW` attempts since the time `window`, unless timers have
+    acted.
+    """
     counts, end = run.counts, run.rows.grid[-1]
     if counts[ATTEMPTS] % STALL_WINDOW == 0:
         slow = t - window < 1e-4 * (end - window) and not has_acted

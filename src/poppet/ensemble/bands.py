@@ -25,15 +25,19 @@ _MARGIN = 0.5
 
 
 def band_rows(grid: Array) -> Integers:
-    """Return the indices of the output times at which bands are computed."""
+    """Return the indices of the output times at which histograms are counted.
+
+    `grid` contains all output times. At most `TIMES` of them are selected, evenly by index.
+    """
     return np.unique(np.linspace(0, grid.size - 1, min(TIMES, grid.size)).round().astype(np.int64))
 
 
 def band_edges(plan: EnsemblePlan, grid: Array, pilot: Array) -> Array:
-    """Return the limits of the histograms from the first runs.
+    """Return the lower and upper limits of the histograms, (n_curves, n_times, 2).
 
-    The result has the shape (n_curves, n_times, 2), with a lower and an upper limit. `pilot` contains the outputs of
-    the first runs, (m, n_curves, n_rows). `grid` contains the output times.
+    `pilot` contains the outputs of the first runs, (m, n_curves, n_rows), at the output times `grid`, (n_rows,). The
+    limits are the extremes of these outputs, widened on both sides. `band_rows` selects the n_times times of the
+    histograms.
     """
     limits = np.zeros((len(plan.curves), band_rows(grid).size, 2))
     if len(pilot):
@@ -47,7 +51,7 @@ def band_edges(plan: EnsemblePlan, grid: Array, pilot: Array) -> Array:
 
 @dataclass(frozen=True)
 class Bands:
-    """Histograms of outputs over all runs, one for each output and time."""
+    """Histograms of outputs over all runs: one histogram for each output and time."""
 
     curves: tuple[str, ...]
     time: Array  # (n_times,) [s]
@@ -56,9 +60,10 @@ class Bands:
 
     @staticmethod
     def of(plan: EnsemblePlan, grid: Array, limits: Array, values: Array) -> Bands:
-        """Return the histograms of some runs.
+        """Return the histograms of the outputs of several runs.
 
-        `values` are the outputs, (m, n_curves, n_rows), and `limits` the limits of the histograms.
+        `values` contains the outputs, (m, n_curves, n_rows), at the output times `grid`. `limits` contains the limits
+        of the histograms, (n_curves, n_times, 2). Times after the end of a stopped run are not counted.
         """
         rows = band_rows(grid)
         counts = np.zeros((*limits.shape[:2], BINS + 2), dtype=np.int64)
@@ -74,7 +79,7 @@ class Bands:
         return Bands(plan.curves, grid[rows], limits, counts)
 
     def columns(self) -> dict[str, Any]:
-        """Return the histograms as table columns, with one row for each output and time."""
+        """Return the histograms as table columns by name, with one row for each output and time."""
         n = self.time.size
         return {
             "curve": [name for name in self.curves for _ in range(n)],
@@ -86,7 +91,7 @@ class Bands:
 
     @staticmethod
     def read(columns: Mapping[str, Any]) -> Bands:
-        """Create histograms from the table columns that `columns` returns."""
+        """Create histograms from the table columns that `Bands.columns` returns."""
         curves = tuple(dict.fromkeys(columns["curve"]))
         n = len(columns["curve"]) // max(len(curves), 1)
         limits = np.stack([np.asarray(columns["low"]), np.asarray(columns["high"])], axis=-1)
@@ -97,11 +102,11 @@ class Bands:
         return Bands(self.curves, self.time, self.edges, self.counts + other.counts)
 
     def quantile(self, curve: str, u: float) -> Array:
-        """Return a quantile of one output at each time, (n_times,).
+        """Return a quantile of one output over all runs at each time, (n_times,).
 
         `curve` is the address of the output, and `u` is the probability from 0 to 1. Values are interpolated within a
-        histogram bin. The result is infinite if the quantile is outside the limits of the histogram, and NaN without
-        values.
+        histogram bin. The result is infinite if the quantile is outside the limits of the histogram, and NaN if no run
+        has a value.
         """
         index = self.curves.index(curve)
         counts, (low, high) = self.counts[index], self.edges[index].T

@@ -46,9 +46,9 @@ def fingerprint(circuit: BaseCircuit) -> str:
 
 
 def describe_plan(plan: EnsemblePlan) -> dict[str, Any]:
-    """Return all settings of a plan that determine its runs, for the manifest.
+    """Return all settings of an ensemble that determine its runs, as plain values.
 
-    The settings are plain values. The manifest also contains a hash of them.
+    They are written to the manifest of the dataset, the file that describes its content.
     """
     circuit = plan.circuit
     numbers: dict[str, Any] = {a: {"distribution": d.kind, **d.numbers} for a, d in plan.alone.items()}
@@ -71,7 +71,7 @@ def describe_plan(plan: EnsemblePlan) -> dict[str, Any]:
 
 
 def versions() -> dict[str, str]:
-    """Return the versions of all software that can affect the results."""
+    """Return the versions of all software that can affect the results, by name."""
     python = ".".join(map(str, sys.version_info[:3]))
     return {"poppet": __version__, "python": python, **_packages(), "kernel": kernel_of_this_machine()}
 
@@ -86,21 +86,30 @@ def _packages() -> dict[str, str]:
 
 @dataclass(frozen=True)
 class Dataset:
-    """Folder with the shards and the manifest of an ensemble."""
+    """Folder with the stored results of an ensemble.
+
+    Results are stored in shards, files with the results of some runs. The manifest is a file with the settings, the
+    software versions and, after completion, the hashes of all shards.
+    """
 
     folder: Path
     manifest: Mapping[str, Any]
     hashes: Mapping[str, str] = field(default_factory=dict)  # of the files of a complete dataset
 
     @staticmethod
-    def opened(folder: Path, plan: EnsemblePlan) -> Dataset:
-        """Open the dataset of a plan in a folder that is new, empty or incomplete."""
+    def open(folder: Path, plan: EnsemblePlan) -> Dataset:
+        """Open the folder in which the results of an ensemble are stored.
+
+        The folder is created if necessary. An existing folder must be empty or contain results of the same ensemble.
+        """
         arrow()
         content = {"format": FORMAT, "poppet ensemble": describe_plan(plan), "versions": versions()}
         # As it is read from a file.
         content = json.loads(_text(content))
         of_runs = {k: v for k, v in content["poppet ensemble"].items() if k not in _NOT_OF_RUNS}
         content["sha256"] = hashlib.sha256(json.dumps(of_runs, sort_keys=True).encode()).hexdigest()
+        if plan.python_functions:
+            content["python"] = list(plan.python_functions)
         path, stored = folder / MANIFEST, None
         if path.exists():
             stored = _read_manifest(path, content)
@@ -129,10 +138,10 @@ class Dataset:
         if not path.exists() or path.read_text(encoding="utf-8") != text:
             write_whole(path, lambda stream: stream.write(text.encode("utf-8")))
 
-    def sealed(self) -> Dataset:
-        """Complete the dataset: write the hashes of all files to the manifest.
+    def seal(self) -> Dataset:
+        """Write the hashes of all result files to the manifest, and return the complete dataset.
 
-        The result is the complete dataset.
+        The manifest is the file that describes the content of the folder.
         """
         files = sorted(path for path in self.folder.glob("*/part-*.parquet"))
         hashes = {path.relative_to(self.folder).as_posix(): _digest(path) for path in files}
@@ -143,7 +152,7 @@ class Dataset:
     def missing(self, plan: EnsemblePlan, kind: str) -> list[int]:
         """Return the indices of the shards that must still be computed.
 
-        A shard is a file with the results of some runs. `kind` is `runs`, `tornado` or `indices`.
+        A shard is a file with the results of some runs. `kind` is the kind of runs: `runs`, `tornado` or `indices`.
         """
         size, shard_size = plan.counts(kind)
         curve_folder = {"bands": "bands", "all": "curves"}.get(plan.keep) if kind == "runs" and plan.curves else None
@@ -159,9 +168,10 @@ class Dataset:
         return missing
 
     def _rows(self, kind: str, number: int) -> int:
-        """Return the number of table rows in one shard, a file with results of runs.
+        """Return the number of runs in one shard, a file with the results of some runs.
 
-        `number` is the index of the shard. The result is -1 if the file is missing, has changed or is not readable.
+        `kind` is the kind of runs, and `number` the index of the shard. The result is -1 if the file is missing, has
+        changed or is not readable.
         """
         path = self.folder / kind / _name(number)
         expected = self.hashes.get(f"{kind}/{_name(number)}")
@@ -172,9 +182,10 @@ class Dataset:
         return -1
 
     def write(self, files: Mapping[str, bytes]) -> None:
-        """Write the files of one shard in the given order.
+        """Write files with results of some runs into the folder, in the given order.
 
-        A shard is a set of files with the results of some runs. It counts as complete if its last file exists.
+        `files` maps the relative path of each file to its content. These results count as complete if the last file
+        exists.
         """
         for name, content in files.items():
             path = self.folder / name
@@ -182,9 +193,10 @@ class Dataset:
             write_whole(path, lambda stream, content=content: stream.write(content))  # type: ignore[misc]
 
     def shards(self, kind: str, columns: list[str] | None = None) -> Iterator[dict[str, NDArray[Any]]]:
-        """Yield the columns of each shard, in the order of the runs.
+        """Yield the results as columns by name, one file after the other in the order of the runs.
 
-        Only the named columns are read; None selects all.
+        `kind` is a subfolder, for example `runs`, `tornado` or `indices`. `columns` contains the names of the columns
+        to read; None selects all.
         """
         for path in sorted((self.folder / kind).glob("part-*.parquet")):
             table = table_in(path, columns)
@@ -193,9 +205,10 @@ class Dataset:
     def columns(
         self, kind: str, columns: list[str] | None = None, max_rows: int | None = None
     ) -> dict[str, NDArray[Any]]:
-        """Return columns of results of all runs, or of the first `max_rows` runs.
+        """Return results of all runs, or of the first `max_rows` runs, as columns by name.
 
-        `kind` is `runs`, `tornado` or `indices`, and `columns` contains the names of the columns.
+        `kind` is the kind of runs: `runs`, `tornado` or `indices`. `columns` contains the names of the columns; None
+        selects all. The result is empty if there are no runs of this kind.
         """
         parts: list[dict[str, NDArray[Any]]] = []
         count = 0
@@ -214,7 +227,8 @@ def _name(number: int) -> str:
 def _read_manifest(path: Path, content: Mapping[str, Any]) -> dict[str, Any]:
     """Read the manifest of a folder, and check that it belongs to this ensemble.
 
-    `content` is the expected manifest. A manifest of another ensemble raises an error.
+    The manifest is a file that describes the stored results. `content` is the expected manifest. An error is raised if
+    the ensemble or the software versions differ.
     """
     try:
         stored = json.loads(path.read_text(encoding="utf-8"))

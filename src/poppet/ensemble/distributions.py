@@ -12,7 +12,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from poppet.core.errors import ErrorCollector, InputError, NameSuggestion, collect
+from poppet.core.errors import ErrorCollector, InputError, NameSuggestion, raise_errors
 from poppet.core.provenance import Number
 from poppet.core.tables import Field, missing_field, read_fields
 from poppet.core.units import Kind, quantity
@@ -25,8 +25,8 @@ DIFFERENCE: dict[Kind, Kind] = {"pressure": "pressure_difference", "temperature"
 """Mapping from the kind of a quantity to the kind of a difference of two such quantities."""
 
 
-class Form(NamedTuple):
-    """Kind of distribution: its fields and its functions."""
+class DistributionKind(NamedTuple):
+    """Kind of distribution, such as `normal`: names of its fields, and its functions."""
 
     fields: tuple[str, ...]
     spreads: tuple[str, ...]  # fields that are differences
@@ -62,22 +62,22 @@ def _below_triangular(x: float, n: Mapping[str, float]) -> float:
 
 
 FORMS = {
-    "normal": Form(
+    "normal": DistributionKind(
         ("mean", "sigma"), ("sigma",), (), "relative_sigma",
         lambda u, n: np.asarray(n["mean"] + n["sigma"] * _special().ndtri(u)),
         lambda x, n: float(_special().ndtr((x - n["mean"]) / n["sigma"])),
     ),
-    "lognormal": Form(
+    "lognormal": DistributionKind(
         ("median", "log_sigma"), (), ("log_sigma",), "",
         lambda u, n: np.asarray(n["median"] * np.exp(n["log_sigma"] * _special().ndtri(u))),
         lambda x, n: 0.0 if x <= 0.0 else float(_special().ndtr(math.log(x / n["median"]) / n["log_sigma"])),
     ),
-    "uniform": Form(
+    "uniform": DistributionKind(
         ("low", "high"), (), (), "relative_range",
         lambda u, n: np.asarray(n["low"] + u * (n["high"] - n["low"])),
         lambda x, n: float(np.clip((x - n["low"]) / (n["high"] - n["low"]), 0.0, 1.0)),
     ),
-    "triangular": Form(("low", "mode", "high"), (), (), "", _triangular, _below_triangular),
+    "triangular": DistributionKind(("low", "mode", "high"), (), (), "", _triangular, _below_triangular),
 }  # fmt: skip
 """Distributions by the name in a file."""
 MIDDLES = "mean", "median", "mode"
@@ -102,16 +102,16 @@ class Distribution:
         return float(np.clip((form.below(x, self.numbers) - a) / (b - a), 0.0, 1.0))
 
     def quantile(self, u: Array) -> Array:
-        """Return the quantiles at the probabilities `u`, which are between 0 and 1 (excluded).
+        """Return the quantiles of the truncated distribution at the probabilities `u`.
 
-        The distribution is truncated to its limits.
+        The probabilities are between 0 and 1 (excluded).
         """
         a, b = self._cut
         # Rounding must not move a value outside the limits.
         return np.clip(FORMS[self.kind].quantile(a + u * (b - a), self.numbers), self.low, self.high)
 
     def within(self, low: float, high: float) -> Distribution:
-        """Return the distribution with additional limits `low` and `high`.
+        """Return the distribution, truncated to the range from `low` to `high`.
 
         The present limits also remain in force.
         """
@@ -130,8 +130,8 @@ class Distribution:
 def read_distribution(raw: Any, spec: NumberSpec, number: Number, address: str, ambient: float) -> Distribution:
     """Read the distribution of one parameter from its table in a circuit file.
 
-    `raw` is the table, `spec` the declaration of the parameter, and `number` its value in the circuit, which is the
-    default centre. `ambient` is the ambient pressure.
+    `raw` is the table, and `spec` declares the unit and the valid range of the parameter. `number` is its value in the
+    circuit, which is the default centre. `ambient` is the ambient pressure [Pa].
     """
     with ErrorCollector() as errors:
         if not isinstance(raw, Mapping):
@@ -139,7 +139,7 @@ def read_distribution(raw: Any, spec: NumberSpec, number: Number, address: str, 
         elif raw.get("distribution") not in FORMS:
             kind = raw.get("distribution", "")
             near = NameSuggestion(str(kind), FORMS)
-            facts = {"value": kind, "meaning": "distribution", "near": near}
+            facts = {"value": kind, "meaning": "distribution", "suggestion": near}
             errors.add("fields.not_an_option", f"{address}.distribution", **facts)
     kind = raw["distribution"]
     form, relative = FORMS[kind], FORMS[kind].relative
@@ -159,7 +159,7 @@ def read_distribution(raw: Any, spec: NumberSpec, number: Number, address: str, 
             raise InputError("ensemble.given_twice", address, names=[relative, *twice])
         read |= derived
     read |= {key: middle for key in MIDDLES if key in form.fields and key not in read}
-    collect([missing_field(f"{address}.{key}", fields[key]) for key in form.fields if key not in read])
+    raise_errors([missing_field(f"{address}.{key}", fields[key]) for key in form.fields if key not in read])
     numbers = {key: float(read[key]) for key in form.fields}
     _check(numbers, read, address)
     limits = (read.get("low", -math.inf), read.get("high", math.inf)) if "low" not in form.fields else (-np.inf, np.inf)

@@ -80,8 +80,8 @@ class JointNormal:
 class EnsemblePlan:
     """All settings that determine the runs of an ensemble.
 
-    The columns of a sample are parameters. Parameters in `alone` are independent and come first. Parameters in `joint`
-    have a joint distribution and follow.
+    A sample is an array with one row for each run and one column for each uncertain parameter. Columns of independent
+    parameters (`alone`) come first; those of jointly distributed parameters (`joint`) follow.
     """
 
     circuit: BaseCircuit = field(repr=False)
@@ -102,24 +102,24 @@ class EnsemblePlan:
 
     @cached_property
     def addresses(self) -> tuple[str, ...]:
-        """Addresses of the uncertain parameters, in the order of the sample columns."""
+        """Addresses of the uncertain parameters, in the order of the columns of `sample`."""
         return self.table[0] if self.table else (*self.alone, *self.joint)
 
     @cached_property
     def factors(self) -> dict[str, tuple[int, ...]]:
-        """Mapping from the name of each independent factor to its sample columns.
+        """Mapping from each independent factor to the indices of its columns in `sample`.
 
-        A factor is either one parameter, or all parameters of the joint distribution together.
+        A factor is one parameter, or all parameters of the joint distribution together.
         """
         factors = {address: (k,) for k, address in enumerate(self.alone)}
         n = len(self.alone)
         return factors | ({"from_fit": tuple(range(n, n + len(self.joint)))} if self.joint else {})
 
     def values(self, u: Array) -> Array:
-        """Convert points of the unit cube to parameter values, (m, n).
+        """Convert probabilities to parameter values, (m, n).
 
-        Each coordinate of a point in `u` is a probability between 0 and 1. The quantile function of the parameter
-        converts the probability to a value.
+        `u`, (m, n), contains a probability between 0 and 1 for each run and parameter. The quantile function of the
+        parameter converts it to a value. Jointly distributed parameters are also correlated.
         """
         values = np.empty_like(u)
         n = len(self.alone)
@@ -186,7 +186,7 @@ class EnsemblePlan:
     def quantile(self, address: str, u: float) -> float:
         """Return the quantile of one parameter at the probability `u`.
 
-        If a file contains the parameter values, the quantile is that of the values in its column.
+        If a file contains the parameter values, the result is the quantile of these values.
         """
         if self.table is not None:
             return float(np.quantile(self.table[1][:, self.table[0].index(address)], u))
@@ -195,6 +195,11 @@ class EnsemblePlan:
         assert self.joint_normal is not None
         k = self.joint.index(address)
         return float(_normal(self.joint_normal.mean[k], self.joint_normal.sigma[k]).quantile(np.array([u]))[0])
+
+    @property
+    def python_functions(self) -> tuple[str, ...]:
+        """Locations of all Python functions in files that compute metrics, such as `ripple.py:ripple`."""
+        return tuple(dict.fromkeys(metric.python_location for metric in self.metrics if metric.python_location))
 
     @cached_property
     def shard(self) -> int:
@@ -209,15 +214,18 @@ class EnsemblePlan:
 
     @cached_property
     def outputs(self) -> tuple[str, ...]:
-        """Addresses of the outputs that metrics, bands or stored curves require."""
+        """Addresses of the outputs that metrics, stored histograms or stored curves require."""
         addresses = [address for metric in self.metrics for address in metric.outputs]
         return tuple(dict.fromkeys([*addresses, *self.curves]))
 
 
-def read_plan(circuit: BaseCircuit, ensemble: Any, requirements: Any, folder: Path) -> EnsemblePlan:
+def read_plan(
+    circuit: BaseCircuit, ensemble: Any, requirements: Any, folder: Path, *, allow_python: bool = False
+) -> EnsemblePlan:
     """Read the tables `ensemble` and `requirements` of a circuit, and report all errors together.
 
-    `folder` is the folder to which file names in the tables refer.
+    `folder` is the folder to which file names in the tables refer. Without `allow_python`, Python functions in files
+    raise an error. Reading a plan executes none of them.
     """
     outputs = dict(circuit.model.outputs)
     ambient = circuit.surroundings.pressure
@@ -236,7 +244,7 @@ def read_plan(circuit: BaseCircuit, ensemble: Any, requirements: Any, folder: Pa
             with errors.collecting():
                 address = f"ensemble.metrics.{name}"
                 identifier = _identifier(name, address, RESERVED)
-                metric = read_metric(identifier, raw, outputs, ambient, address, str(folder))
+                metric = read_metric(identifier, raw, outputs, ambient, address, str(folder), allow_python=allow_python)
                 if grid.size:
                     window: dict[str, Any] = {"begin": metric.begin, "end": metric.end, "duration": float(grid[-1])}
                     if math.isfinite(metric.end) and metric.end > grid[-1] * (1.0 + 1e-9):
@@ -256,14 +264,14 @@ def read_plan(circuit: BaseCircuit, ensemble: Any, requirements: Any, folder: Pa
                 if error.code == "fields.not_an_option":
                     if error.facts["value"] in raw_metrics:  # an invalid metric is one error, not two
                         continue
-                    error.facts["near"] = NameSuggestion(error.facts["value"], raw_metrics)
+                    error.facts["suggestion"] = NameSuggestion(error.facts["value"], raw_metrics)
                 errors.extend([error])
         keep, curves = read.get("keep", "metrics"), read.get("curves", ())
         curves = (curves,) if isinstance(curves, str) else tuple(map(str, curves))
         for address in curves:
             if address not in outputs:
                 near = NameSuggestion(address, outputs)
-                errors.add("fields.not_an_option", "ensemble.curves", value=address, meaning="output", near=near)
+                errors.add("fields.not_an_option", "ensemble.curves", value=address, meaning="output", suggestion=near)
         if not curves and keep != "metrics":
             curves = tuple(dict.fromkeys(metric.of[0] for metric in metrics.values()))
         if not metrics and not curves:
@@ -305,7 +313,7 @@ def _identifier(name: str, address: str, reserved: tuple[str, ...]) -> str:
 
 
 class _ParameterReader:
-    """Reader of the distributions of all uncertain parameters from the tables of an ensemble."""
+    """Reader of the distributions of all uncertain parameters from the table `ensemble` of a circuit file."""
 
     def __init__(self, errors: ErrorCollector, circuit: BaseCircuit, read: Mapping[str, Any], folder: Path) -> None:
         self.circuit, self.folder, self.ambient = circuit, folder, circuit.surroundings.pressure
@@ -360,7 +368,7 @@ class _ParameterReader:
     def _spec(self, address: str, location: str) -> NumberSpec:
         if address not in self.specs:
             near = NameSuggestion(address, self.specs)
-            raise InputError("names.unknown", location, meaning="a parameter of this circuit", near=near)
+            raise InputError("names.unknown", location, meaning="a parameter of this circuit", suggestion=near)
         if address in self.circuit.signals or address in self.circuit.connections:
             raise InputError("ensemble.driven", location)
         return self.specs[address]
@@ -403,9 +411,9 @@ class _ParameterReader:
 
 
 def varied_specs(circuit: BaseCircuit) -> dict[str, NumberSpec]:
-    """Return the declarations of all parameters of a circuit that can be uncertain.
+    """Return the declarations of all parameters of a circuit that can be uncertain, by address.
 
-    The keys are the addresses of the parameters.
+    A declaration contains the unit and the valid range.
     """
     specs = number_specs(circuit)
     for owner, kind in (("ambient", Ambient), ("gas", GasChoice)):
@@ -415,10 +423,10 @@ def varied_specs(circuit: BaseCircuit) -> dict[str, NumberSpec]:
 
 
 def restrict_to_valid(distribution: Distribution, spec: NumberSpec, location: str, name: str = "") -> Distribution:
-    """Truncate a distribution to the valid values of its parameter.
+    """Truncate a distribution to the valid range of its parameter.
 
-    `spec` declares these values. If values outside this range are too likely, an error is raised. `location` and `name`
-    are those of the parameter in messages.
+    `spec` declares this range. An error is raised if the probability of invalid values exceeds
+    `MAX_INVALID_PROBABILITY`. `location` and `name` identify the parameter in its message.
     """
     low, high = spec.ends[0], min(spec.ends[1], spec.below)
     share = distribution.outside(low, high)
@@ -433,10 +441,10 @@ def _normal(mean: float, sigma: float) -> Distribution:
 
 
 def _in_si(column: Array, unit: str, spec: NumberSpec, location: str, ambient: float) -> Array:
-    """Convert a column of parameter values to SI units, and check all values.
+    """Convert a column of parameter values from a file to SI units, and check all values.
 
-    `unit` is the unit in the column heading, and `ambient` the ambient pressure for gauge pressures. Invalid values
-    raise an error.
+    `unit` is the unit in the column heading, and `spec` declares the SI unit and the valid range. `ambient` is the
+    ambient pressure [Pa], for gauge pressures. Invalid values raise an error.
     """
     if unit:
         # Check unit and reference once; convert the whole column.

@@ -41,7 +41,7 @@ _PATHS = ("path", "characteristic")
 
 @dataclass(frozen=True)
 class WorstCase:
-    """One of the runs that miss a requirement by the largest amount."""
+    """Run that violates a requirement by one of the largest amounts."""
 
     requirement: str
     run: int
@@ -75,7 +75,7 @@ class Ensemble(HtmlMixin):
         return self.dataset.folder
 
     def to_pandas(self) -> pandas.DataFrame:
-        """Return parameters and metrics of all runs.
+        """Return parameters and metrics of all runs as a data frame.
 
         Returns
         -------
@@ -92,23 +92,24 @@ class Ensemble(HtmlMixin):
         return sum(len(shard["run"]) for shard in self.dataset.shards("runs", ["run"]))
 
     def outcomes(self) -> dict[str, int]:
-        """Return the number of runs that ended for each reason.
+        """Return the number of runs by termination reason.
 
         The keys are the message codes of the reasons.
         """
         return self._counted("outcome")
 
     def noted(self) -> dict[str, int]:
-        """Return the number of runs in which the solver stalled.
+        """Return the number of runs with a note that the solver stalled.
 
-        The keys are the codes of the notes on these runs.
+        The keys are the codes of these notes, separated by commas.
         """
         return {codes: count for codes, count in self._counted("notes").items() if codes}
 
     def remarks(self) -> tuple[Note, ...]:
-        """Return notes on the plan, on failed runs and on missing metric values.
+        """Return notes on the ensemble tables, on failed runs and on missing metric values.
 
-        They include runs in which the solver stalled, and completed runs without a value of a metric.
+        They include the executed Python functions, runs in which the solver stalled, and completed runs without a value
+        of a metric.
         """
         runs, fine = self.done, ("run.done", "run.stopped")
         failed = [(code, count) for code, count in self.outcomes().items() if code not in fine]
@@ -117,8 +118,10 @@ class Ensemble(HtmlMixin):
         for shard in self.dataset.shards("runs", ["done", *without]):
             for name in without:
                 without[name] += int(np.count_nonzero(shard["done"] & np.isnan(shard[name])))
+        functions = self.plan.python_functions
         return (
             *self.plan.notes,
+            *([Note("ensemble.executed", functions=functions)] if functions else ()),
             *(Note("ensemble.failed", count=count, runs=runs, outcome=code) for code, count in failed),
             *(Note("ensemble.undefined", count=n, runs=runs, metric=name) for name, n in without.items() if n),
             *(Note("ensemble.noted", count=count, runs=runs, said=code) for code, count in self.noted().items()),
@@ -164,7 +167,7 @@ class Ensemble(HtmlMixin):
     def bands(self) -> Bands | None:
         """Return histograms of outputs, from which quantiles versus time are computed.
 
-        The result is None unless `keep` is `bands`.
+        The result is None unless the setting `keep` of the ensemble is `bands`.
         """
         total: Bands | None = None
         for shard in self.dataset.shards("bands"):
@@ -178,7 +181,8 @@ class Ensemble(HtmlMixin):
         Returns
         -------
         dict
-            Metric to its value at the 5 and 95 % quantile of each parameter. All others have their median.
+            Mapping from each metric to one range for each parameter: the values of the metric if this parameter has its
+            5 % quantile, its median and its 95 % quantile, and all others have their medians.
         """
         rows = self.dataset.columns("tornado")
         effects = {}
@@ -194,12 +198,13 @@ class Ensemble(HtmlMixin):
     def indices(self) -> dict[str, list[SobolIndex]]:
         """Return the Sobol indices of each metric.
 
-        The result is empty if the plan contains no runs for them.
+        The result is empty if the ensemble has no runs for these indices.
 
         Returns
         -------
         dict
-            Metric to first-order and total indices of every factor. All parameters of a fit are one factor.
+            Mapping from each metric to the first-order and total indices of every factor. A factor is one parameter, or
+            all parameters of the table `from_fit` together.
         """
         rows, factors = self.dataset.columns("indices"), tuple(self.plan.factors)
         if not rows:
@@ -218,7 +223,7 @@ class Ensemble(HtmlMixin):
         Returns
         -------
         dict
-            Requirement to its runs with the smallest margins; failed runs are first.
+            Mapping from each requirement to its runs with the smallest margins; failed runs are first.
         """
         worst = {}
         for requirement in self.plan.requirements:
@@ -272,10 +277,10 @@ class Ensemble(HtmlMixin):
 
 
 def circuit_text(circuit: BaseCircuit, folder: Path) -> str:
-    """Return a circuit file with the present parameter values of a circuit.
+    """Return the text of a circuit file with the present parameter values of a circuit.
 
-    The text is read again to check that it gives the same circuit. If the circuit was changed in other ways, an error
-    is raised.
+    File paths in the text are relative to `folder`. The text is read again to check that it gives the same circuit. If
+    the circuit differs from its file in more than its parameters, an error is raised.
     """
     tables, origin = circuit.origin
     if not tables:
@@ -306,9 +311,9 @@ def circuit_text(circuit: BaseCircuit, folder: Path) -> str:
 
 
 def _move_paths(table: Any, old: Path, new: Path) -> None:
-    """Change relative file paths in tables so that they are valid in another folder.
+    """Change the relative file paths in nested tables, in place, after a change of folder.
 
-    The paths refer to the folder `old` before, and to the folder `new` after the change.
+    The paths are relative to the folder `old` before, and to the folder `new` after the change.
     """
     for key, value in table.items() if isinstance(table, dict) else ():
         if key in _PATHS and isinstance(value, str) and (old / value).is_file():
@@ -324,13 +329,14 @@ def run_ensemble(
     workers: int | None = None,
     progress: Callable[[int, int, str], Any] | None = None,
     requirements: Mapping[str, str] | None = None,
+    allow_python: bool = False,
     **fields: Any,
 ) -> Ensemble:
-    """Run an ensemble.
+    """Run a circuit many times with uncertain parameters, and return the stored results.
 
     The public method `Circuit.ensemble` describes the arguments.
     """
-    plan = plan_of(circuit, requirements=requirements, **fields)
+    plan = plan_of(circuit, requirements=requirements, allow_python=allow_python, **fields)
     if output is not None:
         return run_plan(plan, Path(output), executor, workers, progress)
     folder = tempfile.mkdtemp(prefix="poppet-")
@@ -344,10 +350,13 @@ def run_ensemble(
     return ensemble
 
 
-def plan_of(circuit: BaseCircuit, *, requirements: Mapping[str, str] | None = None, **fields: Any) -> EnsemblePlan:
-    """Return the ensemble plan that the tables of a circuit describe.
+def plan_of(
+    circuit: BaseCircuit, *, requirements: Mapping[str, str] | None = None, allow_python: bool = False, **fields: Any
+) -> EnsemblePlan:
+    """Return the settings of an ensemble from the tables of a circuit.
 
-    Keyword arguments replace fields of the table `ensemble`.
+    Keyword arguments replace fields of the table `ensemble`. `allow_python` permits Python functions in files; they are
+    executed by the runs, not by this function.
     """
     tables, folder = circuit.origin
     table = tables.get("ensemble", {})
@@ -357,13 +366,15 @@ def plan_of(circuit: BaseCircuit, *, requirements: Mapping[str, str] | None = No
         omitted = {"file"} if fields.get("sampling", "file") != "file" else set()
         omitted |= {"numbers", "parameters"} if "parameters" in fields else set()
         table = {key: value for key, value in table.items() if key not in omitted} | fields
-    return read_plan(circuit, table, tables.get("requirements", {}) if requirements is None else requirements, folder)
+    if requirements is None:
+        requirements = tables.get("requirements", {})
+    return read_plan(circuit, table, requirements, folder, allow_python=allow_python)
 
 
 def with_parameters(fields: Mapping[str, Any]) -> dict[str, Any]:
-    """Return the keyword arguments of an ensemble without the old name `numbers`.
+    """Return keyword arguments of an ensemble, with `numbers` renamed to `parameters`.
 
-    The argument `numbers` is renamed to `parameters`.
+    `numbers` is the former name. Its use causes a warning.
     """
     renamed = dict(fields)
     if "numbers" in fields:
@@ -381,10 +392,7 @@ def run_plan(
     workers: int | None = None,
     progress: Callable[[int, int, str], Any] | None = None,
 ) -> Ensemble:
-    """Run all missing shards of a plan, and store them in a folder.
-
-    A shard is a file with the results of some runs.
-    """
-    dataset = Dataset.opened(folder, plan)
+    """Run all runs of an ensemble that are not yet stored in a folder, and store them."""
+    dataset = Dataset.open(folder, plan)
     is_whole = run_missing(plan, dataset, executor, workers, progress)
-    return Ensemble(plan, dataset.sealed() if is_whole else dataset, is_whole)
+    return Ensemble(plan, dataset.seal() if is_whole else dataset, is_whole)

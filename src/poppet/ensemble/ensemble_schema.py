@@ -19,7 +19,7 @@ _OTHERS: dict[str, Schema] = {"file": _TEXT, "unit": _TEXT, "curves": _TEXTS, "o
 
 
 def file_schema() -> Schema:
-    """Return the JSON schema of circuit files for editors.
+    """Return the JSON schema of circuit files, with which editors check them.
 
     Examples
     --------
@@ -88,7 +88,7 @@ def _names(*reserved: str) -> Schema:
 
 
 def _fields(fields: Mapping[str, Field]) -> Schema:
-    """Return the JSON schema of the fields of a table."""
+    """Return the JSON schema of each field of a table by name, from the declarations of the fields."""
     properties: Schema = {}
     for name, field in fields.items():
         if field.type == "integer":

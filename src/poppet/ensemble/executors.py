@@ -28,10 +28,10 @@ _DEFAULT_WIDTH = 32
 def run_missing(
     plan: EnsemblePlan, dataset: Dataset, executor: Any, workers: int | None, progress: Progress | None
 ) -> bool:
-    """Run all missing shards of a plan on several workers.
+    """Run all missing runs of an ensemble on several workers, and store their results.
 
-    A shard is a file with the results of some runs. Each completed shard is stored in the dataset. The result is False
-    if Ctrl-C stops the execution.
+    The runs are divided into shards, groups of runs that one worker completes and stores together. The result is False
+    if Ctrl-C stopped the execution.
     """
     todo: list[tuple[str, int]] = []
     sizes: dict[tuple[str, int], int] = {}
@@ -83,10 +83,10 @@ def run_missing(
 
 @contextmanager
 def _open_pool(executor: Any, workers: int | None, shards: int) -> Iterator[tuple[Any, int]]:
-    """Open a pool of workers, and yield the pool with its number of workers.
+    """Open a pool of workers, and yield it with the number of its workers.
 
-    `executor` is a name, a Dask address, a Dask client, or an executor of the caller, which stays open. `shards` is the
-    number of shards to compute.
+    `executor` is a name, a Dask address, a Dask client, or an executor of the caller, which is not closed. `shards` is
+    the number of tasks.
     """
     if executor in EXECUTORS:
         width = max(1, min(workers or usable_cores(), shards))
@@ -104,7 +104,7 @@ def _open_pool(executor: Any, workers: int | None, shards: int) -> Iterator[tupl
         return
     if isinstance(executor, str):
         if "://" not in executor and ":" not in executor:
-            raise InputError("ensemble.executor", value=executor, near=NameSuggestion(executor, EXECUTORS))
+            raise InputError("ensemble.executor", value=executor, suggestion=NameSuggestion(executor, EXECUTORS))
         with needed("distributed", "Dask", "dask"):
             import distributed
         with distributed.Client(executor) as client:
@@ -115,7 +115,7 @@ def _open_pool(executor: Any, workers: int | None, shards: int) -> Iterator[tupl
     elif hasattr(executor, "submit"):
         yield executor, getattr(executor, "_max_workers", _DEFAULT_WIDTH)
     else:
-        raise InputError("ensemble.executor", value=str(executor), near=NameSuggestion(str(executor), EXECUTORS))
+        raise InputError("ensemble.executor", value=str(executor), suggestion=NameSuggestion(str(executor), EXECUTORS))
 
 
 def _dask_pool(client: Any) -> tuple[Any, int]:

@@ -8,6 +8,7 @@ from __future__ import annotations
 import hashlib
 import inspect
 import operator
+import os
 import re
 import runpy
 from collections.abc import Callable, Mapping
@@ -36,7 +37,7 @@ MARKED = re.compile(r"(.*\S)\s+(ANR|N)")
 
 @dataclass(frozen=True)
 class Metric:
-    """Metric of a run: one value that is computed from outputs over time."""
+    """Single value that is computed from the outputs of a run over time, such as a maximum."""
 
     name: str
     kind: str  # one of `WAYS`, or `function`
@@ -52,12 +53,17 @@ class Metric:
     folder: str = ""  # of the location
 
     @property
+    def python_location(self) -> str:
+        """Location of the Python function in a file, `ripple.py:ripple`; empty if there is none."""
+        return self.function if isinstance(self.function, str) else ""
+
+    @property
     def outputs(self) -> tuple[str, ...]:
         """Addresses of all outputs from which the metric is computed."""
         return (*self.of, self.target) if isinstance(self.target, str) else self.of
 
     def facts(self) -> dict[str, Any]:
-        """Return all settings of the metric as plain values.
+        """Return all settings of the metric as plain values by name.
 
         For a function of the user, they contain a hash of its code.
         """
@@ -66,7 +72,7 @@ class Metric:
             return facts
         function = self.callable()
         if isinstance(self.function, str):
-            text = (Path(self.folder) / self.function.rpartition(":")[0]).read_text(encoding="utf-8")
+            text = python_file(self.folder, self.function).read_text(encoding="utf-8")
         else:
             try:
                 text = inspect.getsource(function)
@@ -76,13 +82,19 @@ class Metric:
         return facts | {"function": hashlib.sha256(text.encode()).hexdigest()}
 
     def callable(self) -> Function:
-        """Return the user's function, loaded from its file if necessary."""
-        return _load_function(self.folder, self.function) if isinstance(self.function, str) else self.function
+        """Return the user's function that computes the metric, loaded from its file if necessary."""
+        if not isinstance(self.function, str):
+            return self.function
+        path, name = python_file(self.folder, self.function), self.function.rpartition(":")[2]
+        if not path.is_file():
+            raise InputError("ensemble.no_function", self.function, path=str(path), name=name)
+        status = path.stat()
+        return _load_function(os.path.realpath(path), name, self.function, (status.st_mtime_ns, status.st_size))
 
     def values(self, time: Array, series: Mapping[str, Array]) -> Array:
         """Return the values of the metric for m runs with equal output times, (m,).
 
-        `series` maps the address of each output to the values of all runs, (m, n).
+        `time` contains the n output times. `series` maps the address of each output to its values in all runs, (m, n).
         """
         first, last = np.searchsorted(time, (self.begin, self.end), side="left")
         last += int(last < time.size and time[last] == self.end)
@@ -100,13 +112,14 @@ class Metric:
             # Without a step or a crossing, the result is NaN or infinite.
             with np.errstate(divide="ignore", invalid="ignore"):
                 return np.asarray(self.in_unit(METRIC_KINDS[self.kind].compute(t, y, aim, self)), dtype=np.float64)
+        function = self.callable()
         for k in range(len(y)):
             arguments = [t, *(rows[address][k] for address in self.of)]
             for view in arguments:
                 # Other metrics use the same rows.
                 view.flags.writeable = False
             try:
-                values[k] = float(self.callable()(*arguments))
+                values[k] = float(function(*arguments))
             except InputError:
                 raise
             except Exception as error:
@@ -124,7 +137,7 @@ class Metric:
 
 
 class MetricKind(NamedTuple):
-    """Kind of metric: its unit, its additional fields and its formula."""
+    """Kind of metric, such as a maximum: its unit, its additional fields and its formula."""
 
     unit: Callable[[str], str]  # SI unit from that of the output
     fields: Mapping[str, Field]  # in addition to those of all metrics
@@ -147,17 +160,18 @@ def _mean(t: Array, y: Array) -> Array:
 
 
 def _relative_step(y: Array, aim: Array) -> Array:
-    """Return responses as fractions of the step from first value to target.
+    """Return responses as fractions of their steps from the first value to the target, (m, n).
 
-    Each row of `y` is a response, and `aim` contains the target of each row.
+    Each row of `y`, (m, n), is a response. `aim`, (m,), contains its target.
     """
     return np.asarray((y - y[:, :1]) / (aim[:, np.newaxis] - y[:, :1]))
 
 
 def _first_crossing(t: Array, y: Array, level: float) -> Array:
-    """Return the time at which a response first crosses a level [s].
+    """Return the time at which each response first reaches a level [s], (m,).
 
-    Times are interpolated between samples. The result is infinite if the level is not crossed.
+    Each row of `y`, (m, n), is a response at the times `t`, (n,). Times are interpolated between samples. The result is
+    infinite for a response that does not reach the level.
     """
     # A run can start on either side.
     passed = np.where(y[:, :1] < level, y >= level, y <= level)
@@ -226,11 +240,21 @@ METRIC_KINDS = {
 """Kinds of metrics by name. Times are counted from the first evaluated time; integrals use the trapezoidal rule."""
 
 
-def read_metric(name: str, raw: Any, outputs: Mapping[str, str], ambient: float, address: str, folder: str) -> Metric:
+def read_metric(
+    name: str,
+    raw: Any,
+    outputs: Mapping[str, str],
+    ambient: float,
+    address: str,
+    folder: str,
+    *,
+    allow_python: bool = False,
+) -> Metric:
     """Read one metric from its table in the circuit file.
 
-    `raw` is the table, and `outputs` maps the address of each output to its SI unit. `address` is that of the table,
-    and `folder` contains the files of Python functions.
+    `raw` is the table, and `address` its address. `outputs` maps the address of each output of the circuit to its SI
+    unit. `ambient` is the ambient pressure [Pa], and `folder` the folder of files with Python functions. Without
+    `allow_python`, such a file raises an error. This function does not execute it.
     """
     if callable(raw):
         raw = {"metric": raw}
@@ -240,9 +264,14 @@ def read_metric(name: str, raw: Any, outputs: Mapping[str, str], ambient: float,
         kind, is_own = read.get("metric", ""), False
         if callable(kind) or (isinstance(kind, str) and ":" in kind):
             is_own = True
+            if isinstance(kind, str):
+                with errors.collecting():
+                    python_file(folder, kind, f"{address}.metric")
+                    if not allow_python:
+                        raise InputError("ensemble.python_forbidden", f"{address}.metric", location=kind)
         elif kind not in METRIC_KINDS:
             near = NameSuggestion(str(kind), METRIC_KINDS)
-            errors.add("fields.not_an_option", f"{address}.metric", value=str(kind), meaning="metric", near=near)
+            errors.add("fields.not_an_option", f"{address}.metric", value=str(kind), meaning="metric", suggestion=near)
         addresses = read.get("of", ())
         addresses = (addresses,) if isinstance(addresses, str) else tuple(map(str, addresses))
         if not addresses or (len(addresses) > 1 and not is_own):
@@ -251,7 +280,7 @@ def read_metric(name: str, raw: Any, outputs: Mapping[str, str], ambient: float,
             if output in outputs:
                 continue
             near = NameSuggestion(output, outputs)
-            errors.add("fields.not_an_option", f"{address}.of", value=output, meaning="output", near=near)
+            errors.add("fields.not_an_option", f"{address}.of", value=output, meaning="output", suggestion=near)
         valid = METRIC_KINDS[kind].fields if not is_own and kind in METRIC_KINDS else ()
         for key in ("value", "target", "band"):
             if key in read and key not in valid:
@@ -295,22 +324,31 @@ def _check_unit(metric: Metric, address: str) -> None:
         raise error.at(f"{address}.unit") from None
 
 
-@lru_cache(maxsize=64)
-def _load_function(folder: str, location: str) -> Function:
-    """Load a Python function from a file in the folder of the circuit.
+def python_file(folder: str, location: str, address: str = "") -> Path:
+    """Return the path of a Python file in the folder of the circuit or below it.
 
-    `location` has the form `FILE.py:FUNCTION`.
+    `location` has the form `FILE.py:FUNCTION`. A file elsewhere, also by a symbolic link, raises an error.
     """
-    file, _, name = location.rpartition(":")
-    path = Path(folder) / file
-    if not path.is_file():
-        raise InputError("ensemble.no_function", location, path=str(path), name=name)
+    path = Path(folder) / location.rpartition(":")[0]
+    real = Path(os.path.realpath(path))
+    if not real.is_relative_to(os.path.realpath(folder)):
+        raise InputError("ensemble.python_elsewhere", address or location, location=location)
+    return path
+
+
+@lru_cache(maxsize=64)
+def _load_function(path: str, name: str, location: str, version: tuple[int, int]) -> Function:
+    """Load the Python function `name` from a file.
+
+    `location` is the text of the circuit file. `version` contains time and size of the file: a changed file is loaded
+    again.
+    """
     try:
-        function = runpy.run_path(str(path)).get(name)
+        function = runpy.run_path(path).get(name)
     except Exception as error:
         raise InputError("ensemble.function_failed", location, cause=f"{type(error).__name__}: {error}") from error
     if not callable(function):
-        raise InputError("ensemble.no_function", location, path=str(path), name=name)
+        raise InputError("ensemble.no_function", location, path=path, name=name)
     return function  # type: ignore[no-any-return]
 
 
@@ -332,7 +370,7 @@ class Requirement:
     bounds: tuple[tuple[str, float], ...]  # relation and bound, in the unit of the metric; all must hold
 
     def met(self, values: NDArray[np.float64]) -> NDArray[np.bool_]:
-        """Return True for each value that meets the requirement.
+        """Return a boolean array: True for each metric value that meets the requirement.
 
         NaN does not meet it.
         """
@@ -343,9 +381,9 @@ class Requirement:
         return is_met
 
     def margin(self, values: NDArray[np.float64]) -> NDArray[np.float64]:
-        """Return the distance of each value to the nearest bound, in the unit of the metric.
+        """Return the distance of each metric value to the nearest bound, in the unit of the metric.
 
-        It is positive if the requirement is met.
+        The distance is negative if the value violates a bound.
         """
         sides = [bound - values if relation[0] == "<" else values - bound for relation, bound in self.bounds]
         return np.asarray(np.min(sides, axis=0))
@@ -354,7 +392,7 @@ class Requirement:
 def read_requirement(name: str, text: Any, metrics: Mapping[str, Metric], ambient: float, address: str) -> Requirement:
     """Read one requirement from its text, for example `peak <= 6.2 bar g`.
 
-    `metrics` are the metrics of the ensemble by name, and `ambient` is the ambient pressure.
+    `metrics` contains the metrics of the ensemble by name, and `ambient` is the ambient pressure [Pa].
     """
     match = FORM.fullmatch(text) if isinstance(text, str) else None
     if match is None:
@@ -362,7 +400,7 @@ def read_requirement(name: str, text: Any, metrics: Mapping[str, Metric], ambien
     left, sign, metric_name, relation, right = match.groups()
     if metric_name not in metrics:
         near = NameSuggestion(metric_name, metrics)
-        raise InputError("fields.not_an_option", address, value=metric_name, meaning="metric", near=near)
+        raise InputError("fields.not_an_option", address, value=metric_name, meaning="metric", suggestion=near)
     metric = metrics[metric_name]
     if left and relation[0] != "<":  # 1 < x > 2 bounds one side twice
         raise InputError("ensemble.requirement", address, text=text)

@@ -30,10 +30,10 @@ _STREAMS = {"random": 0, "latin": 1, "permutation": 2}
 
 
 def points(method: str, seed: int, total: int, dimension: int, first: int, last: int, levels: tuple[int, ...]) -> Array:
-    """Return the sample points of the runs `first` to `last` (excluded).
+    """Return the sample points of the runs `first` to `last` (excluded), as probabilities.
 
-    A point is in the open unit cube. The result has the shape (last - first, dimension). `total` is the number of all
-    runs, and `levels` the number of grid values in each dimension.
+    The result has the shape (last - first, dimension), with values between 0 and 1 (excluded). `method` is the sampling
+    method, and `total` the number of all runs. `levels` is the number of grid values in each dimension.
     """
     if method == "latin":
         jitter = uniform(seed, "latin", dimension, first, last)
@@ -84,7 +84,7 @@ def _random_integers(seed: int, stream: str, dimension: int, first: int, last: i
 
 
 def permute(indices: Whole, total: int, keys: Whole) -> Whole:
-    """Return the positions of indices after a random permutation of 0 to total - 1.
+    """Return where a random permutation of 0 to total - 1 moves each of the `indices`.
 
     The `keys` determine the permutation.
 
@@ -113,10 +113,11 @@ def permute(indices: Whole, total: int, keys: Whole) -> Whole:
 
 @lru_cache(maxsize=8)
 def _sobol_basis(seed: int, dimension: int, bits: int) -> tuple[Whole, list[Whole]]:
-    """Return the first block of a Sobol sequence, and the shifts to all later blocks.
+    """Return the first block of a scrambled Sobol sequence, and numbers that shift it to later blocks.
 
-    The points are integers of `bits` bits. There is one shift for each power of two between the block size and the
-    number of points.
+    Coordinates are integers of `_BITS` bits. There is one shift for each power of two from the size of the block up to
+    the number of points, 2^`bits`. A later block is the exclusive or of the first block and the shifts that correspond
+    to the binary digits of its index.
     """
     from scipy.stats import qmc
 

@@ -31,10 +31,7 @@ Codes = NDArray[np.object_]
 
 
 class ShardResults(NamedTuple):
-    """Results of all runs in one shard.
-
-    A shard is a part of an ensemble that is stored as one file.
-    """
+    """Results of all runs in one shard, a group of runs that is computed and stored together."""
 
     numbers: Array  # (m, n_numbers) SI, absolute
     metrics: Array  # (m, n_metrics), NaN of a run that failed
@@ -46,9 +43,9 @@ class ShardResults(NamedTuple):
 
 
 class PreparedPlan:
-    """Ensemble plan with its compiled model, ready for runs.
+    """Settings of an ensemble with the compiled model of the circuit.
 
-    Each process prepares a plan only once.
+    Each process prepares them only once.
     """
 
     def __init__(self, plan: EnsemblePlan) -> None:
@@ -73,14 +70,14 @@ class PreparedPlan:
 
     @cached_property
     def units(self) -> dict[str, str]:
-        """Unit of each uncertain parameter and metric by name."""
+        """Mapping from each uncertain parameter and each metric to its unit."""
         specs = varied_specs(self.plan.circuit)
         units = {address: specs[address].unit for address in self.plan.addresses}
         return units | {metric.name: metric.unit for metric in self.plan.metrics}
 
     @cached_property
-    def is_tied(self) -> bool:
-        """True if other parameters depend on the uncertain parameters."""
+    def has_dependent_parameters(self) -> bool:
+        """True if other parameters of the circuit are computed from the uncertain parameters."""
         plan = self.plan
         if plan.table is not None:
             # Use the rows that differ most from the circuit.
@@ -97,9 +94,9 @@ class PreparedPlan:
 
     @cached_property
     def edges(self) -> Array:
-        """Limits of the histograms for bands, which follow from the first runs.
+        """Lower and upper limits of the histograms of outputs, (n_curves, n_times, 2).
 
-        They are equal in every process.
+        They follow from the first runs, and are equal in every process.
         """
         pilot = self.run(self.plan.sample(0, min(self.plan.runs, PILOT)))
         assert pilot.curves is not None
@@ -117,7 +114,7 @@ class PreparedPlan:
             *arrays, curves = zip(*runs, strict=True)
             all_curves = None if curves[0] is None else np.concatenate(curves)
             return ShardResults._make([*(np.concatenate(parts) for parts in arrays), all_curves])
-        if not self.is_tied:
+        if not self.has_dependent_parameters:
             indices = np.array([self.instance.place(address) for address in self.plan.addresses], dtype=np.int64)
             return self._run(self.problem, indices, values, values)
         # All parameters of each run, including the dependent ones. A rejected run uses those of the circuit, and its
@@ -171,10 +168,10 @@ class PreparedPlan:
         return ShardResults(numbers, metrics, codes, notes, is_done, balance, curves)
 
     def _metrics(self, rows: BatchRows) -> Array:
-        """Return the metrics of all runs of a batch.
+        """Return the metrics of all runs of a batch, (n_runs, n_metrics).
 
-        Complete runs are evaluated together. Runs that ended earlier have different times, so they are evaluated one
-        by one.
+        Complete runs are evaluated together. Runs that ended earlier have different times, so they are evaluated one by
+        one.
         """
         n = rows.time.size
         metrics = np.full((len(rows.runs), len(self.plan.metrics)), np.nan)
@@ -205,10 +202,10 @@ def _mark_refused(results: ShardResults, refused: NDArray[np.bool_]) -> ShardRes
 
 
 def shard_files(plan: EnsemblePlan, ready: PreparedPlan, kind: str, number: int) -> dict[str, bytes]:
-    """Run one shard of an ensemble, and return its files by path.
+    """Run one group of runs of an ensemble, and return its result files by relative path.
 
-    A shard is a part of the runs. `number` is its index, and `ready` is the prepared plan. The last file marks the
-    shard as complete.
+    `kind` is the kind of runs, and `number` the index of the group. `ready` contains the compiled model. The last file
+    marks the group as complete.
     """
     size, shard_size = plan.counts(kind)
     first = number * shard_size
@@ -262,11 +259,11 @@ _PLANS: dict[str, PreparedPlan] = {}
 
 
 def run_shard(key: str, pickled: bytes, kind: str, number: int, kernel: str) -> dict[str, bytes]:
-    """Run one shard of an ensemble in another thread or process.
+    """Run one group of runs of an ensemble in a worker thread or process, and return its result files.
 
-    `key` identifies the plan `pickled`, which is unpickled only once. `number` is the index of the shard. `kernel`
-    describes the compiled kernel of the dataset. The kernel of this machine must be the same, because other kernels
-    give other last digits.
+    `pickled` is the pickled ensemble plan. It is unpickled only once for each `key`. `kind` is the kind of runs, and
+    `number` the index of the group. `kernel` identifies the compiled code of the dataset. An error is raised if this
+    machine compiles other code, because the last digits of its results would differ.
     """
     if kernel != (local_kernel := kernel_of_this_machine()):
         raise InputError("ensemble.other_kernel", kernel=kernel, own=local_kernel)

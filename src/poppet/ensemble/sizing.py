@@ -117,7 +117,7 @@ class Sizing(ResultFileMixin):
         return math.isfinite(self.value)
 
     def content(self) -> dict[str, Any]:
-        """Return the content of the result file as plain nested tables."""
+        """Return the content of the result file of a sizing as nested tables."""
         content = ("title", "address", "unit", "is_largest", "value", "resolution", "share", "limiting", "size")
         return {
             "method": "size",
@@ -143,6 +143,7 @@ def size(
     share: float | None = None,
     sizes: Sequence[Any] = (),
     progress: Progress | None = None,
+    allow_python: bool = False,
     **fields: Any,
 ) -> Sizing:
     """Find the smallest or largest value of a parameter that meets the requirements.
@@ -166,6 +167,8 @@ def size(
         Standard sizes; the result contains the next one that is valid.
     progress : callable, optional
         Called with the completed rounds, the total, and a description.
+    allow_python : bool, optional
+        Permit metrics by Python functions in files, `FILE.py:FUNCTION`, which executes these files.
     **fields
         Fields of the table `ensemble`, and `requirements`; they override those of the file.
 
@@ -191,7 +194,7 @@ def size(
     spec = varied_specs(circuit).get(free)
     if spec is None:
         near = NameSuggestion(free, varied_specs(circuit))
-        raise InputError("names.unknown", free, meaning="a parameter of this circuit", near=near)
+        raise InputError("names.unknown", free, meaning="a parameter of this circuit", suggestion=near)
     if free in circuit.signals or free in circuit.connections:
         raise InputError("ensemble.driven", free)
     ambient = circuit.surroundings.pressure
@@ -207,6 +210,7 @@ def size(
     low, high = _search_range(
         between, nominal, (max(spec.low, spec.above), min(spec.high, spec.below)), read_value, free
     )
+    fields["allow_python"] = allow_python
     uncertain = plan_of(circuit, **fields) if share is not None else None
     if share is not None:
         Field(unit="1", above=0.0, below=1.0, meaning="required fraction").read(share, "share")
@@ -215,7 +219,9 @@ def size(
     requirements = {requirement.name: requirement for requirement in plan.requirements}
     for name in meet:
         if name not in requirements:
-            raise InputError("names.unknown", name, meaning="a requirement", near=NameSuggestion(name, requirements))
+            raise InputError(
+                "names.unknown", name, meaning="a requirement", suggestion=NameSuggestion(name, requirements)
+            )
     if not requirements:
         raise InputError("size.no_requirement", "requirements")
     selected = tuple(requirements[name] for name in dict.fromkeys(meet or requirements))
@@ -255,9 +261,9 @@ class _Evaluations:
 
 
 class _Evaluator:
-    """Function object that runs the circuit at values of the parameter to be sized.
+    """Function object that runs a circuit at values of the parameter to be sized.
 
-    It returns metrics, and margins to the requirements.
+    It returns the metrics of the runs, and the margins to the requirements.
     """
 
     def __init__(
@@ -351,11 +357,11 @@ def _holds(results: _Evaluations, share: float) -> NDArray[np.bool_]:
 def _refine_peaks(
     evaluator: _Evaluator, results: _Evaluations, largest: bool, progress: Progress | None
 ) -> _Evaluations:
-    """Search around local maxima of the margin for a value that meets all requirements.
+    """Search near local maxima of the margin for a parameter value that meets all requirements.
 
-    The search adds values to `results`. It begins at the largest margin, and its number of rounds is limited. If
-    `largest` is False, only values below the smallest valid value are of interest; otherwise, only values above the
-    largest valid value.
+    The result contains `results` and the new evaluations. The search begins at the largest margin, and its number of
+    rounds is limited. If values that meet the requirements are known, only maxima below the smallest of them are
+    refined; if `largest` is True, only maxima above the largest.
     """
     holds, worst = np.flatnonzero(_holds(results, evaluator.share)), results.worst
     left, right = np.append(-np.inf, worst[:-1]), np.append(worst[1:], -np.inf)
@@ -395,7 +401,8 @@ def _make_sizing(
     bounds: dict[str, tuple[float, ...]] = {}
     for r in evaluator.requirements:
         bounds[r.metric] = (*bounds.get(r.metric, ()), *(bound for _, bound in r.bounds))
-    remarks: list[Note] = []
+    functions = plan.python_functions
+    remarks = [Note("ensemble.executed", functions=functions)] if functions else []
     value = resolution = standard_size = math.nan
     margins = dict.fromkeys((requirement.name for requirement in evaluator.requirements), math.nan)
     limiting, interval = "", (math.nan, math.nan)

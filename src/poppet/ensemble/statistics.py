@@ -31,7 +31,7 @@ class Yield:
 
     @property
     def share(self) -> float:
-        """Number of runs that meet the requirement, divided by the number of all runs."""
+        """Fraction of runs that meet the requirement."""
         return self.good / self.runs if self.runs else math.nan
 
 
@@ -53,9 +53,9 @@ class Summary:
 
 @dataclass(frozen=True)
 class TornadoRange:
-    """Values of a metric while one parameter varies and all others have their medians.
+    """Values of a metric at a low quantile, the median and a high quantile of one parameter.
 
-    The parameter has a low quantile, its median and a high quantile.
+    All other parameters have their medians.
     """
 
     address: str
@@ -78,7 +78,7 @@ def wilson(n_good: int, runs: int) -> tuple[float, float]:
     Parameters
     ----------
     n_good, runs : int
-        k of n.
+        Number k of successful runs, and number n of all runs.
 
     Returns
     -------
@@ -87,8 +87,8 @@ def wilson(n_good: int, runs: int) -> tuple[float, float]:
 
     Notes
     -----
-    Wilson, J. Am. Stat. Assoc. 22 (1927) 209. The mean coverage is 95 % for independent runs. It is larger for
-    a Latin hypercube or a scrambled Sobol sequence, which fill the space more evenly.
+    z is 1.96. Source: Wilson, J. Am. Stat. Assoc. 22 (1927) 209. The mean coverage is 95 % for independent runs. It is
+    larger for a Latin hypercube or a scrambled Sobol sequence, which fill the space more evenly.
 
     Examples
     --------
@@ -106,7 +106,7 @@ def wilson(n_good: int, runs: int) -> tuple[float, float]:
 def summary_of(dataset: Dataset, metric: Metric, max_values: int) -> Summary:
     """Return the statistics of a metric over all runs.
 
-    Only the first `max_values` runs determine the quantiles, which limits the memory.
+    To limit the memory, quantiles use only the first `max_values` values.
     """
     count = never = failed = 0
     mean = moment = 0.0
@@ -167,7 +167,7 @@ def sobol_indices(values: Array, factors: Sequence[str]) -> list[SobolIndex]:
     Parameters
     ----------
     values : (n_factors + 2, n) array
-        Metric of the runs of A, of B, and of A with the columns of each factor from B.
+        Metric of the runs of two independent samples A and B, then of A with the columns of each factor from B.
     factors : sequence of str
         Names of the factors.
 
@@ -197,10 +197,10 @@ def sobol_indices(values: Array, factors: Sequence[str]) -> list[SobolIndex]:
 
 
 def _first_and_total(rows: Array) -> Array:
-    """Return the first-order and the total Sobol indices, (2, n_factors).
+    """Return the first-order and the total Sobol indices of a metric, (2, n_factors).
 
-    `rows` contains the metric in the blocks A and B of the sample, then in one block for each factor. Confidence
-    intervals are not included.
+    `rows`, (n_factors + 2, n), contains the metric in the blocks A and B of the sample, then in one block for each
+    factor: block A with the columns of the factor from B.
     """
     # Subtract the mean: it increases the variance of the first-order estimator.
     f = rows - rows[:2].mean()

@@ -27,10 +27,7 @@ LEAST_DEAD_TIME = 0.4
 
 @dataclass(frozen=True, eq=False)
 class Response:
-    """Recorded response of one channel to its command.
-
-    The channel is an output, and the command is the input that acts on it.
-    """
+    """Recorded response of one output of a circuit to the input that commands it."""
 
     name: str  # `recording.channel`
     time: FloatArray  # times of the samples, strictly increasing, from 0, (n,) [s]
@@ -40,19 +37,21 @@ class Response:
     first: float  # smoothed value of the channel at time 0
 
     def commanded(self, time: FloatArray) -> FloatArray:
-        """Return the command at given times [s].
+        """Return the recorded command at the times `time`.
 
-        Before the first recorded command, the result is the first recorded command.
+        The command is constant between its changes. Before the first recorded command, the result is the first recorded
+        command.
         """
         # At the sample instant of a new command, use the new one, in spite of rounding errors of both clocks.
         index = np.searchsorted(self.command_time, time + 1e-9, side="right") - 1
         command: FloatArray = self.command[np.maximum(index, 0)]
         return command
 
-    def even(self, step: float) -> tuple[FloatArray, FloatArray, FloatArray]:
-        """Resample command and channel with a constant time step [s].
+    def resample(self, step: float) -> tuple[FloatArray, FloatArray, FloatArray]:
+        """Resample the recorded command and response with a constant time step [s].
 
-        The result contains the times, the command (constant between its changes) and the linearly interpolated channel.
+        The result contains the times, the command (constant between its changes) and the linearly interpolated
+        response.
         """
         time = np.arange(0.0, self.time[-1] + 1e-9, step)
         return time, self.commanded(time), np.interp(time, self.time, self.measured)
@@ -66,8 +65,9 @@ class FirstOrder:
 
     Notes
     -----
-    Until the first recorded command takes effect, the channel stays at its first value, because earlier commands are
-    not available.
+    u is the command, y the output, tau the time constant, K the gain, theta the dead time and c the offset. Until
+    the first recorded command takes effect, the output stays at its first value, because earlier commands are not
+    available.
     """
 
     dead_time: float  # theta [s]
@@ -76,15 +76,19 @@ class FirstOrder:
     offset: float  # c
 
     def simulate(self, response: Response) -> FloatArray:
-        """Simulate the channel from its first value, and return it at the sample times."""
+        """Return the output of the first-order lag at the sample times of a recorded response.
+
+        The simulation uses the recorded command, and starts from the first recorded value.
+        """
         gain, offset, free = first_order_columns(response, self.dead_time, self.time_constant)
         return self.gain * gain + self.offset * offset + free
 
 
 @dataclass(frozen=True, eq=False)
 class SecondOrderArx:
-    r"""Linear difference equation of second order, with dead time and a constant.
+    """Linear difference equation of second order, with dead time and a constant.
 
+    y_k is the output at step k, u the command, d the dead time in steps, and c the constant.
 
     .. math:: y_k = a_1 y_{k-1} + a_2 y_{k-2} + b_1 u_{k-d} + b_2 u_{k-d-1} + c
     """
@@ -96,11 +100,14 @@ class SecondOrderArx:
     constant: float  # c
 
     def simulate(self, response: Response) -> FloatArray:
-        """Simulate the channel from its first value, and return it at the sample times."""
+        """Return the output of the difference equation at the sample times of a recorded response.
+
+        The simulation uses the recorded command, and starts from the first recorded value.
+        """
         from scipy.signal import lfilter, lfiltic
 
         time = np.arange(0.0, response.time[-1] + self.step, self.step)
-        push = self._push(response, time)
+        push = self._input_terms(response, time)
         denominator = np.concatenate([[1.0], -self.a])
         state = lfiltic([1.0], denominator, [response.first, response.first])
         # An unstable model overflows; its error is then not-a-number, and another dead time is selected.
@@ -110,19 +117,19 @@ class SecondOrderArx:
         return simulated
 
     def one_step(self, response: Response) -> tuple[FloatArray, FloatArray]:
-        """Return predictions of the channel over one step, and the measured values.
+        """Return predictions of a recorded response over one step, and the measured values.
 
         Each prediction uses the two previous measured values. The times have the constant step of the model.
         """
-        time, _, measured = response.even(self.step)
-        predicted = self._push(response, time)[2:] + self.a[0] * measured[1:-1] + self.a[1] * measured[:-2]
+        time, _, measured = response.resample(self.step)
+        predicted = self._input_terms(response, time)[2:] + self.a[0] * measured[1:-1] + self.a[1] * measured[:-2]
         return predicted, measured[2:]
 
-    def _push(self, response: Response, time: FloatArray) -> FloatArray:
-        """Return the terms of the difference equation that the command and the constant contribute.
+    def _input_terms(self, response: Response, time: FloatArray) -> FloatArray:
+        """Return the contribution of command and constant to each step of the difference equation.
 
-        Before the first command takes effect, the command is assumed to be the value that keeps the channel at its
-        first value. `time` contains the times of the steps.
+        `time` contains the times of the steps. Until the first recorded command takes effect, the command is assumed to
+        be the value that keeps the output at its first value.
         """
         first_time, second_time = (time - d * self.step for d in (self.dead_steps, self.dead_steps + 1))
         start, total = response.command_time[0] - 1e-9, float(np.sum(self.b))
@@ -150,7 +157,7 @@ class Score:
     held_out : bool
         True if the recording was withheld from the fit for validation.
     rms : float
-        Root mean square of model - measured.
+        Root mean square of model - measured, in the SI unit of the channel.
     nrmse : float
         Ratio of `rms` to the range (max - min) of the measurement.
     fit : float
@@ -169,7 +176,9 @@ class Score:
 
 
 def score_model(response: str, model: str, held_out: bool, simulated: FloatArray, measured: FloatArray) -> Score:
-    """Return the errors of a simulated channel relative to its measurement.
+    """Return the errors of a simulated response relative to its measurement.
+
+    `response` is the name of the response, `model` that of the model. `held_out` is True for validation data.
 
     Examples
     --------
@@ -185,10 +194,10 @@ def score_model(response: str, model: str, held_out: bool, simulated: FloatArray
 def first_order_columns(
     response: Response, dead_time: float, time_constant: float
 ) -> tuple[FloatArray, FloatArray, FloatArray]:
-    """Return three series from which the channel of a first-order lag is composed.
+    """Return three series, (n,) each, from which the output of a first-order lag is composed.
 
-    They are the response per unit gain, the response per unit offset, and the decay of the first value. The modelled
-    channel is gain times the first series plus offset times the second plus the third.
+    They are the response to the command per unit gain, the response per unit offset, and the decay of the first value.
+    The output is gain times the first series plus offset times the second plus the third.
     """
     start = max(0.0, float(response.command_time[0]) + dead_time)
     # Between commands the response is exponential: a grid of commands and samples makes it exact.
@@ -251,7 +260,7 @@ def fit_arx(responses: Sequence[Response]) -> SecondOrderArx:
     for dead_steps in range(int(_longest_dead_time(responses) / step) + 1):
         rows, target = [], []
         for r in responses:
-            _, command, measured = r.even(step)
+            _, command, measured = r.resample(step)
             k = np.arange(max(2, dead_steps + 1), measured.size)
             driven = command[k - dead_steps], command[k - dead_steps - 1]
             rows.append(np.column_stack((measured[k - 1], measured[k - 2], *driven, np.ones(k.size))))
@@ -271,9 +280,9 @@ def _longest_dead_time(responses: Iterable[Response]) -> float:
 
 
 def responses_of(measurement: Measurement, commands: Mapping[str, str]) -> list[Response]:
-    """Return the responses of all channels for which a command is known.
+    """Return the recorded responses of all channels that are listed in `commands`.
 
-    `commands` maps the address of a channel to that of its command.
+    `commands` maps the address of a channel to that of the input that commands it.
     """
     inputs = {item.address: item for item in measurement.inputs}
     responses = []
@@ -284,7 +293,7 @@ def responses_of(measurement: Measurement, commands: Mapping[str, str]) -> list[
         if command not in inputs:
             near = NameSuggestion(command, inputs)
             location = f"recordings.{measurement.name}.inputs.{command}"
-            raise InputError("names.unknown", location, meaning="an input of this recording", near=near)
+            raise InputError("names.unknown", location, meaning="an input of this recording", suggestion=near)
         item = inputs[command]
         name = f"{measurement.name}.{channel.address}"
         responses.append(Response(name, channel.time, channel.values, item.time, item.values, first_value(channel)))
@@ -309,7 +318,7 @@ def baselines(plan: FitPlan, commands: Mapping[str, str], result: Result | None 
     -------
     list of Score
         Scores of the circuit, of the first-order lag, and of the ARX model (simulation and one-step prediction), for
-        each channel and window.
+        each channel of each recording.
 
     Examples
     --------
@@ -325,7 +334,7 @@ def baselines(plan: FitPlan, commands: Mapping[str, str], result: Result | None 
         )
         if not training:
             near = NameSuggestion(channel, {r.name.partition(".")[2] for r in fitted})
-            raise InputError("names.unknown", channel, meaning="a channel of a fitted recording", near=near)
+            raise InputError("names.unknown", channel, meaning="a channel of a fitted recording", suggestion=near)
         lag, arx = fit_first_order(training), fit_arx(training)
         for r, held_out in [*((r, False) for r in training), *((r, True) for r in validation)]:
             pairs = {FIRST_ORDER: (lag.simulate(r), r.measured), ARX: (arx.simulate(r), r.measured)}
@@ -338,9 +347,7 @@ def baselines(plan: FitPlan, commands: Mapping[str, str], result: Result | None 
 
 
 def score_table(scores: Sequence[Score]) -> str:
-    """Return the errors of each model as a table in Markdown.
-
-    The errors are NRMSE and fit.
+    """Return a Markdown table with the NRMSE and the fit of each model.
 
     Parameters
     ----------

@@ -29,7 +29,7 @@ FILE_FIELDS = {
 
 
 class ColumnReading(NamedTuple):
-    """Values of one column in SI units, in which pressures are absolute."""
+    """Values of one data column in SI units, with absolute pressures."""
 
     values: FloatArray
     written_unit: str
@@ -37,15 +37,12 @@ class ColumnReading(NamedTuple):
 
 
 def channel_field(name: str, *, is_required: bool = False) -> Field:
-    """Return the declaration of the field for one channel of a data file.
-
-    `name` is the name of the channel.
-    """
+    """Return the declaration of the field that describes the channel `name` in a data file."""
     return Field(type="table", is_required=is_required, example=f'{name} = {{ column = "...", unit = "..." }}')
 
 
 def read_ambient(fields: Mapping[str, Any]) -> float:
-    """Return the ambient pressure that a file states [Pa].
+    """Return the ambient pressure that an input file states [Pa].
 
     It is the reference of gauge pressures in the file.
     """
@@ -56,9 +53,9 @@ def read_ambient(fields: Mapping[str, Any]) -> float:
 
 
 def open_table(folder: Path, name: Any, fields: Mapping[str, Any]) -> Table:
-    """Read a data table that a file names.
+    """Read the data table `name`, to which a TOML file refers.
 
-    `folder` is the folder of the file, and `fields` contains options for reading the table.
+    `folder` is the folder of the TOML file, and `fields` contains options for reading the table.
     """
     return read_table(folder / str(name), **{key: fields[key] for key in TABLE_OPTIONS if key in fields})
 
@@ -66,9 +63,10 @@ def open_table(folder: Path, name: Any, fields: Mapping[str, Any]) -> Table:
 def read_column(
     channel: str, fields: Mapping[str, Any], table: Table, unit: str, kind: Kind, ambient_pressure: float
 ) -> ColumnReading:
-    """Read the column of one channel, and convert it to an SI unit.
+    """Read the column of one channel, and convert it to the SI unit `unit`.
 
-    `fields` describes the column, and `unit` is the SI unit. `kind` is the kind of quantity.
+    `fields` describes the column in `table`, and `kind` is the kind of quantity, such as a pressure. `ambient_pressure`
+    is the reference of gauge pressures [Pa].
     """
     try:
         index = table.index(fields["column"])
@@ -85,9 +83,9 @@ def read_column(
 
 
 def or_file(read: Callable[[str | Path], tuple[Any, dict[str, Any]]]) -> Callable[[Function], Function]:
-    """Return a decorator with which a function also accepts the path of a file.
+    """Return a decorator with which a function of data also accepts the path of a file.
 
-    The function `read` reads the file and returns the data and the keyword arguments. Keyword arguments of the call
+    The function `read` reads the file and returns the data and keyword arguments. Keyword arguments of the call
     override those of the file.
     """
 

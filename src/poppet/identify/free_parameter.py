@@ -86,7 +86,7 @@ class FreeParameter:
 
 
 def by_name(free: Sequence[FreeParameter], x: Iterable[float]) -> dict[str, float]:
-    """Return the value of each free parameter by name.
+    """Return a mapping from the name of each free parameter to its value in `x`.
 
     `x` contains the values in the order of `free`.
     """
@@ -94,12 +94,15 @@ def by_name(free: Sequence[FreeParameter], x: Iterable[float]) -> dict[str, floa
 
 
 def with_starts(free: Sequence[FreeParameter], x: Iterable[float]) -> tuple[FreeParameter, ...]:
-    """Return copies of the free parameters with other start values, `x`."""
+    """Return copies of the free parameters with the start values `x`."""
     return tuple(replace(f, start=float(v)) for f, v in zip(free, x, strict=True))
 
 
 def number_specs(circuit: BaseCircuit) -> dict[str, NumberSpec]:
-    """Return the declaration of each parameter of a circuit by address."""
+    """Return the declaration of each parameter of a circuit by address.
+
+    A declaration contains the unit and the valid range.
+    """
     declared = {f"{name}.{key}": spec for name, part in circuit.parts.items() for key, spec, _ in flatten(part)}
     for name, part in circuit.parts.items():
         for key, number in part.numbers().items():
@@ -116,9 +119,9 @@ def number_specs(circuit: BaseCircuit) -> dict[str, NumberSpec]:
 def read_free(
     address: str, table: Any, circuit: BaseCircuit, *, recording: str = "", name: str = "", where: str = ""
 ) -> FreeParameter:
-    """Read the table of one free parameter from an input file.
+    """Read one free parameter from its table in an input file, or from its start value alone.
 
-    `where` is the location of the table in the file, for messages.
+    `address` is that of the circuit parameter. `where` is the location of the table in the file, for messages.
     """
     # Use the circuit, not its instance: the parts declare units and limits.
     numbers = circuit.numbers()
@@ -127,7 +130,7 @@ def read_free(
     location = where or (f"recordings.{recording}.start.{address}" if recording else f"free.{address}")
     if address not in specs:
         near = NameSuggestion(address, specs)
-        raise InputError("names.unknown", location, meaning="a parameter of this circuit", near=near)
+        raise InputError("names.unknown", location, meaning="a parameter of this circuit", suggestion=near)
     spec, ambient = specs[address], circuit.surroundings.pressure
     fields = {key: Field(unit=spec.unit, kind=spec.kind) for key in LIMITS} | {"prior": Field()}
     raw = table if isinstance(table, Mapping) else {"start": table}

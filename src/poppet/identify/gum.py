@@ -20,6 +20,8 @@ SPREAD = 3.0
 def effective_degrees_of_freedom(components: Sequence[tuple[float, float]]) -> float:
     r"""Return the degrees of freedom of a combined standard uncertainty (Welch-Satterthwaite).
 
+    `components` contains pairs of a standard uncertainty u_i and its degrees of freedom nu_i.
+
     .. math:: \nu_\mathrm{eff} = \frac{u_c^4}{\sum_i u_i^4/\nu_i}, \qquad u_c^2 = \sum_i u_i^2
 
     References
@@ -56,8 +58,8 @@ def coverage_factor(degrees_of_freedom: float, confidence: float = CONFIDENCE) -
     return float(ndtri(upper) if math.isinf(degrees_of_freedom) else stdtrit(degrees_of_freedom, upper))
 
 
-def widened(estimate: Estimate, share: float) -> Estimate:
-    """Return an estimate whose standard error includes a further uncertainty.
+def add_relative_uncertainty(estimate: Estimate, share: float) -> Estimate:
+    """Return an estimate whose standard error and interval include a further uncertainty.
 
     `share` is this standard uncertainty as a fraction of the value.
     """
@@ -127,10 +129,10 @@ def few_runs_probability(residuals: FloatArray) -> float:
 
 
 def gain(jacobian: FloatArray) -> tuple[FloatArray, NDArray[np.bool_]]:
-    r"""Return the derivative of the estimates by the residuals.
+    r"""Return the derivatives of estimates by residuals, and a mask of the parameters that the data determine.
 
-    The derivative G is the pseudo-inverse of the Jacobian J of the residuals. cov is the covariance of the estimates.
-    The second item is a mask of the parameters that the data determine.
+    The derivative G is the pseudo-inverse of the Jacobian J of the residuals. cov is the covariance of the estimates
+    for residuals of unit variance.
 
 
     .. math:: G = J^{+}, \qquad \mathrm{cov} = G G^\mathsf{T}
@@ -143,9 +145,9 @@ def gain(jacobian: FloatArray) -> tuple[FloatArray, NDArray[np.bool_]]:
 
 
 def correlations(names: Sequence[str], covariance: FloatArray) -> dict[str, dict[str, float]]:
-    """Return the correlation between each pair of estimates.
+    """Return the correlation between each pair of estimates, as nested mappings by name.
 
-    The result maps each name to a mapping from the other names to correlations.
+    The result is empty for a single estimate.
     """
     errors = np.maximum(np.sqrt(np.diag(covariance)), 1e-300)
     # Divide in two steps: the product of the errors can underflow.
@@ -155,9 +157,10 @@ def correlations(names: Sequence[str], covariance: FloatArray) -> dict[str, dict
 
 
 def corrected_penalty(numbers: int, samples: int) -> float:
-    """Return the penalty in AICc for the number of parameters.
+    """Return the penalty term of the information criterion AICc.
 
-    `numbers` is the number of parameters. The result is infinite if there are too few samples.
+    `numbers` is the number of fitted parameters, and `samples` that of independent samples. The result is infinite if
+    there are too few samples.
 
     References
     ----------
@@ -212,8 +215,10 @@ class ClusterCovariance(NamedTuple):
     freedom: FloatArray  # degrees of freedom of each parameter, (n,)
 
 
-def clustered(jacobian: FloatArray, residuals: FloatArray, group: NDArray[np.int_], numbers: int) -> ClusterCovariance:
-    r"""Return the covariance of the first `numbers` parameters for residuals correlated within groups.
+def cluster_covariance(
+    jacobian: FloatArray, residuals: FloatArray, group: NDArray[np.int_], numbers: int
+) -> ClusterCovariance:
+    r"""Return the covariance of the first `numbers` parameters of a fit with residuals correlated within groups.
 
     `group` is the group of each residual. In the formula, J_g is the Jacobian of the residuals e_g of group g.
 
@@ -239,7 +244,7 @@ def clustered(jacobian: FloatArray, residuals: FloatArray, group: NDArray[np.int
 
     >>> group = np.repeat([0, 1, 2, 3], 5)
     >>> level = np.repeat([1.0, 2.0, 3.0, 4.0], 5)
-    >>> spread = clustered(np.ones((20, 1)), level.mean() - level, group, 1)
+    >>> spread = cluster_covariance(np.ones((20, 1)), level.mean() - level, group, 1)
     >>> bool(np.isclose(spread.covariance[0, 0], np.var(level[::5], ddof=1) / 4)), float(spread.freedom[0].round(6))
     (True, 3.0)
     """

@@ -46,9 +46,9 @@ SHRINKS, GROWS, SMALL = 0.5, 2.0, 0.1
 
 
 class LocalModel(NamedTuple):
-    """Local model of the residuals near one point.
+    """Linear model of the residuals near one point, from which a search computes its next step.
 
-    It contains QR factors, the Jacobian and the derivative of the cost.
+    It contains factors of a QR decomposition, the Jacobian, and the derivative of the cost by each residual.
     """
 
     slopes: FloatArray  # R, (k, n): the curvature of the cost is R'R
@@ -58,7 +58,7 @@ class LocalModel(NamedTuple):
 
 
 class SearchResult(NamedTuple):
-    """Result of a search: end point, cost and reason why it ended."""
+    """Result of a search: end point, cost, number of evaluations and termination reason."""
 
     x: FloatArray  # (n,)
     cost: float  # cost at x
@@ -67,8 +67,8 @@ class SearchResult(NamedTuple):
     reason: Literal["cost", "numbers", "evaluations"]
 
 
-def condense(columns: FloatArray) -> FloatArray:
-    """Return the triangular factor R of a QR factorisation.
+def triangular_factor(columns: FloatArray) -> FloatArray:
+    """Return the triangular factor R of the QR decomposition of a matrix, (k, k).
 
     `columns` is the matrix, (m, k). The inner products of the columns of R equal those of the columns of the matrix.
     """
@@ -174,10 +174,10 @@ def _norms(columns: FloatArray) -> FloatArray:
 
 
 def _update_curvature(bend: FloatArray, step: FloatArray, previous: LocalModel, now: LocalModel) -> FloatArray:
-    """Return the estimate of the curvature S after a step.
+    """Return the updated estimate of S, the curvature of the cost that the Jacobian does not explain.
 
-    `bend` is S before the step. `previous` and `now` are the derivatives before and after it. The update scales S and
-    then applies the smallest change that agrees with the observed change of the derivatives.
+    `bend` is S before the step `step`. `previous` and `now` are the local models before and after it. The update scales
+    S and then applies the smallest change that agrees with the observed change of the gradient.
     """
     gradient = now.residual @ now.slopes
     slope_change = gradient - previous.residual @ previous.slopes
@@ -201,10 +201,11 @@ def _solve_step(
     radius: float,
     unseen: float,
 ) -> FloatArray:
-    """Return the step that minimises the local model within a radius and bounds.
+    """Return the step of a search that minimises the local model of the cost within a radius and bounds.
 
-    The parameters are scaled. A parameter is fixed at a bound that stops a step. It becomes free again if the gradient
-    points away from the bound. `bend` is the curvature, and `unseen` is the squared slope outside the given directions.
+    The parameters are scaled. `slopes` and `residual` are R and q of `LocalModel`. `bend` is an additional curvature,
+    or None. A parameter is fixed at a bound that stops the step. It becomes free again if the cost decreases away from
+    the bound. Curvatures below the fraction `unseen` of the largest one are treated as not identifiable.
     """
     from scipy.linalg.lapack import dgesdd, dsyevd
 
@@ -258,9 +259,11 @@ def _solve_step(
 def _steps_within(
     curvatures: FloatArray, slopes_along: FloatArray, radius: float, unseen: float
 ) -> tuple[FloatArray, float]:
-    """Return the steps along the principal directions that minimise the local model.
+    """Return the steps along the principal directions that minimise a quadratic cost within a radius, and the damping.
 
-    The length of the step is limited by `radius`. The second item is the damping that this requires.
+    `curvatures` and `slopes_along` contain curvature and gradient of the cost along each direction. The damping is the
+    curvature that is added so that the step has the length `radius`. Curvatures below the fraction `unseen` of the
+    largest one are treated as not identifiable.
     """
     # The curvatures are sorted, in ascending or descending order.
     lowest, greatest = sorted((float(curvatures[0]), float(curvatures[-1])))

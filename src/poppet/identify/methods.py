@@ -34,9 +34,9 @@ class MethodOption(NamedTuple):
 
 
 class Method(NamedTuple):
-    """Declaration of an identification method.
+    """Declaration of an identification method: its functions, options and texts.
 
-    Each function of the method can also be the string `module:name`. The module is then imported at the first use.
+    A function can also be given as the string `module:name`. The module is then imported at the first use.
     """
 
     name: str
@@ -57,9 +57,9 @@ class Method(NamedTuple):
     text: Callable[[Any, int | None], str] | str = SUMMARY  # terminal output with at most so many findings
 
     def identify(self, path: str | Path, **options: Any) -> Result:
-        """Run the method on an input file, and return the result.
+        """Run the identification method on an input file, and return the result.
 
-        `progress` and `stages` are not used if the method does not accept them.
+        The options `progress` and `stages` are ignored if the method does not accept them.
         """
         run = import_object(self.run)
         accepted = inspect.signature(run).parameters
@@ -68,7 +68,7 @@ class Method(NamedTuple):
         return result
 
     def file_schema(self) -> dict[str, Any]:
-        """Return the JSON schema of the input files of the method."""
+        """Return the JSON schema of the input files of the identification method."""
         from poppet.core.tables import table_schema
 
         title = {"$schema": "https://json-schema.org/draft/2020-12/schema", "title": f"poppet identify {self.name}"}

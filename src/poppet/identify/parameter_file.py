@@ -18,9 +18,7 @@ UNTRUSTED = ("not determined", "at bound")
 
 
 def with_numbers(circuit: BaseCircuit, path: str | Path) -> tuple[BaseCircuit, list[str]]:
-    """Return a circuit with the parameter values from a result file.
-
-    The second item is a list of parameters whose estimates are not reliable.
+    """Return a circuit with the parameter values from a result file, and a list of unreliable estimates.
 
     Parameters
     ----------
@@ -41,7 +39,7 @@ def with_numbers(circuit: BaseCircuit, path: str | Path) -> tuple[BaseCircuit, l
     Raises
     ------
     InputError
-        If the file is neither of them, or if it does not match the parts of the circuit.
+        If the file has another format, or if it does not match the parts of the circuit.
     """
     file = TomlFile.read(path)
     if Path(path).suffix.lower() != ".toml" or "parts" not in file.tables:
@@ -51,7 +49,7 @@ def with_numbers(circuit: BaseCircuit, path: str | Path) -> tuple[BaseCircuit, l
     with file.errors() as errors:
         for key in file.content:
             if key != "parts":
-                errors.add("fields.unknown", key, table="parameter file", near=NameSuggestion(key, ("parts",)))
+                errors.add("fields.unknown", key, table="parameter file", suggestion=NameSuggestion(key, ("parts",)))
         parts = file.content["parts"]
         tables = parts if isinstance(parts, Mapping) else {"": parts}
         for name, table in tables.items():
@@ -71,9 +69,9 @@ def with_numbers(circuit: BaseCircuit, path: str | Path) -> tuple[BaseCircuit, l
 
 
 def _muscle_fields(circuit: BaseCircuit, result: Result) -> dict[str, Any]:
-    """Return the fields of a muscle part that describe a fitted muscle.
+    """Return the fields of a muscle part that describe a fitted muscle: law, parameters and size.
 
-    They are law, parameters and size.
+    The keys are the addresses of the fields. The result is empty if the result is not that of a muscle.
     """
     law, values = result.comparison.get("law"), result.values()
     name = next(iter(values), "").partition(".")[0]

@@ -155,7 +155,7 @@ class Result(ResultFileMixin, HtmlMixin):
     def __getitem__(self, address: str) -> Estimate:
         if address not in self.parameters:
             near = NameSuggestion(address, self.parameters)
-            raise InputError("names.unknown", address, meaning="a parameter of this result", near=near)
+            raise InputError("names.unknown", address, meaning="a parameter of this result", suggestion=near)
         return self.parameters[address]
 
     def _ipython_key_completions_(self) -> list[str]:
@@ -204,14 +204,16 @@ class Result(ResultFileMixin, HtmlMixin):
         Returns
         -------
         list of str
+            A line with headings precedes those of the estimates.
         """
-        lines = []
-        width = max((len(name) for name in self.parameters), default=0)
+        width = max((len(name) for name in ("parameter", *self.parameters)), default=0)
+        headings = f"  {'parameter':<{width}}  value +/- standard uncertainty  [95 % interval]  verdict"
+        lines = [headings] if self.parameters else []
         for name, e in self.parameters.items():
-            error, interval = f"{e.standard_error:.2g}{behind(e.unit)}", f"[{e.low:.5g} ... {e.high:.5g}]"
+            error, interval = f"{e.standard_error:.2g}{unit_suffix(e.unit)}", f"[{e.low:.5g} ... {e.high:.5g}]"
             lines.append(f"  {name:<{width}}  {e.value:.6g} +/- {error}  {interval}  {e.verdict}")
         for name, r in self.residuals.items():
-            unit = behind(r.unit)
+            unit = unit_suffix(r.unit)
             nrmse = f"NRMSE {100.0 * r.nrmse:.2f} %, " if math.isfinite(r.nrmse) else ""
             lines.append(f"  {name}: rms {r.rms:.4g}{unit}, {nrmse}bias {r.bias:.3g}{unit}")
         return lines
@@ -277,7 +279,10 @@ finding that replaces them otherwise."""
 
 
 def replace_uncertain_findings(notes: Iterable[Note], estimates: Mapping[str, Estimate]) -> tuple[Note, ...]:
-    """Replace or remove findings about parameters that are not determined."""
+    """Replace or remove findings that refer to the value of a parameter that is not determined.
+
+    `estimates` contains the verdicts on the parameters.
+    """
     findings = []
     for note in notes:
         fact, replacement = DEPENDENT_FINDINGS.get(note.code, ("", ""))
@@ -290,7 +295,7 @@ def replace_uncertain_findings(notes: Iterable[Note], estimates: Mapping[str, Es
 
 
 def mark_interrupted(result: Result, note: Note, *remarks: Note) -> Result:
-    """Return a result that is marked as interrupted.
+    """Return a result that is marked as interrupted by the user.
 
     `note` describes the interruption.
     """
@@ -307,24 +312,24 @@ def fitted_number(estimate: Estimate, title: str) -> Number:
     return Number(estimate.value, estimate.unit, Source("fitted", title, note))
 
 
-def judged(half: float, size: float, limits: tuple[float, float] = (DETERMINED, WEAK)) -> Verdict:
-    """Return the verdict on an interval, such as `determined`.
+def verdict_on_interval(half: float, size: float, limits: tuple[float, float] = (DETERMINED, WEAK)) -> Verdict:
+    """Return the verdict on an estimate from the width of its interval: `determined`, `weak` or `not determined`.
 
-    The verdict depends on the ratio of the half width `half` to the reference `size`. `limits` are the ratios up to
-    which a parameter is determined and weakly determined.
+    `half` is half the width, and `size` the value with which it is compared. `limits` contains the largest ratios of
+    both for the verdicts `determined` and `weak`.
     """
     # In this order not-a-number and infinity are "not determined".
     return "determined" if half <= limits[0] * size else "weak" if half <= limits[1] * size else "not determined"
 
 
-def behind(unit: str) -> str:
-    """Return a unit as text that follows a value, with a leading space.
+def unit_suffix(unit: str) -> str:
+    """Return a unit with a leading space, as text that follows a value.
 
     The result is empty for a dimensionless quantity.
 
     Examples
     --------
-    >>> f"0.3{behind('1')}, 5{behind('Pa')}"
+    >>> f"0.3{unit_suffix('1')}, 5{unit_suffix('Pa')}"
     '0.3, 5 Pa'
     """
     return "" if unit == "1" else f" {unit}"
@@ -362,7 +367,7 @@ def read_result(path: str | Path) -> Result:
     for name, estimate in parameters.items():
         if estimate.verdict not in VERDICTS:
             near = NameSuggestion(str(estimate.verdict), VERDICTS)
-            facts: dict[str, Any] = {"value": estimate.verdict, "meaning": "verdict", "near": near}
+            facts: dict[str, Any] = {"value": estimate.verdict, "meaning": "verdict", "suggestion": near}
             raise InputError("fields.not_an_option", f"parameters.{name}.verdict", **facts).located(file=str(path))
     return Result(
         data.get("method", "fit"),
@@ -380,8 +385,8 @@ def read_result(path: str | Path) -> Result:
 def _remarks(sentences: Sequence[str], tables: Sequence[Mapping[str, Any]]) -> tuple[Note, ...]:
     """Return the findings in a result file.
 
-    `tables` contains findings with codes, and `sentences` their texts. A finding that this version of `poppet` does not
-    know is kept as a sentence.
+    `tables` contains findings with codes, and `sentences` their texts. If this version of `poppet` cannot read a
+    finding, its sentence is returned instead.
     """
     if len(tables) != len(sentences):
         return notes_of(sentences)

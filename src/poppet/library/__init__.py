@@ -33,13 +33,13 @@ class ParameterSet:
     Parameters
     ----------
     reference : str
-        Source of the set.
+        Publication from which the parameters come.
     parts : mapping
-        Mapping from the kind of a part to a mapping from a variant to the parameters by dotted name. The variant is the
-        mode of a main stage, the preset of electronics, or empty for other kinds.
+        Parameters by dotted name, for each kind of part and each variant of it: `parts[kind][variant][name]`. The
+        variant is the mode of a main stage or the preset of electronics; it is empty for other kinds.
     characteristics : mapping, optional
-        Mapping from the name of each flow characteristic, such as `varga2012.closed`, to a function that returns the
-        characteristic for this name.
+        Function for each flow characteristic by name, such as `varga2012.closed`. The function takes the name and
+        returns the characteristic.
     """
 
     reference: str
@@ -75,7 +75,7 @@ def sets() -> tuple[str, ...]:
     Returns
     -------
     tuple of str
-        `gases` and one name for each published valve or muscle.
+        The name `gases`, and one name for each published valve or muscle.
 
     Examples
     --------
@@ -91,7 +91,7 @@ def characteristics() -> tuple[str, ...]:
     Returns
     -------
     tuple of str
-        Valid arguments of `characteristic`.
+        Valid arguments of the function `characteristic`.
 
     Examples
     --------
@@ -107,7 +107,7 @@ def gas_names() -> tuple[str, ...]:
     Returns
     -------
     tuple of str
-        Valid arguments of `gas`.
+        Valid arguments of the function `gas`.
 
     Examples
     --------
@@ -129,7 +129,7 @@ def characteristic(name: str) -> Characteristic:
     Returns
     -------
     Characteristic
-        Characteristic whose parameters have sources.
+        Characteristic whose parameters state their sources.
 
     Raises
     ------
@@ -153,14 +153,15 @@ def main_stage(name: str, mode: str) -> Mapping[str, Number]:
     Parameters
     ----------
     name : str
-        Parameter set, `varga2012`.
+        Name of a parameter set, for example `varga2012`.
     mode : str
-        `paper` for the printed equations of motion, `regulator` for the balance of pilot and output pressure.
+        Mode of the part: `paper` for the printed equations of motion, `regulator` for a balance of pilot pressure and
+        outlet pressure.
 
     Returns
     -------
     mapping of str to Number
-        Fields of the part `main_stage` under their dotted names.
+        Fields of the part `main_stage` by dotted name.
 
     Raises
     ------
@@ -181,21 +182,21 @@ def numbers(name: str, kind: str, variant: str = "") -> Mapping[str, Number]:
     Parameters
     ----------
     name : str
-        Parameter set, `vppm_6l`.
+        Name of a parameter set, for example `vppm_6l`.
     kind : str
-        Kind of part, `pilot_stage`.
+        Kind of part, for example `pilot_stage`.
     variant : str, optional
         Mode of a main stage or preset of electronics; empty for other kinds.
 
     Returns
     -------
     mapping of str to Number
-        Fields of the part under their dotted names.
+        Fields of the part by dotted name.
 
     Raises
     ------
     InputError
-        If the set, the part or the variant is not valid.
+        If the set does not exist, or has no parameters for the kind or the variant.
 
     Examples
     --------
@@ -211,14 +212,14 @@ def numbers(name: str, kind: str, variant: str = "") -> Mapping[str, Number]:
 
 
 def complete_sets(*kinds: str) -> tuple[str, ...]:
-    """Return the names of all sets with parameters for all given kinds of parts."""
+    """Return the names of the parameter sets that contain parameters for all kinds of parts in `kinds`."""
     return tuple(name for name, parameter_set in _SETS.items() if set(kinds) <= set(parameter_set.parts))
 
 
 def every_set(kind: str) -> list[Mapping[str, Number]]:
-    """Return the parameters for one kind of part in all loaded sets.
+    """Return the parameters for one kind of part in all loaded parameter sets.
 
-    The result contains one mapping for each variant of each set.
+    The result contains one mapping for each variant of each set. Sets of plugins that are not loaded are omitted.
     """
     # A part has numbers of loaded sets only. Each part that is made calls this function: it does not read plugins.
     loaded = [parameter_set.parts.get(kind, {}) for parameter_set in _SETS.data.values()]
@@ -256,9 +257,9 @@ def gas(name: str) -> Gas:
 
 
 def describe(name: str) -> str:
-    """Return a text that lists all parameters of a set, a characteristic or a gas.
+    """Return a text with all parameters of a set, a characteristic or a gas.
 
-    The text contains the values, units and sources.
+    The text contains their values, units and sources.
 
     Parameters
     ----------
@@ -268,7 +269,7 @@ def describe(name: str) -> str:
     Returns
     -------
     str
-        Several lines.
+        Text of several lines.
 
     Raises
     ------
@@ -322,4 +323,4 @@ def _number_lines(numbers: Mapping[str, Number]) -> str:
 
 
 def _unknown(field_name: str, name: str, valid: Iterable[str]) -> InputError:
-    return InputError("library.unknown", field=field_name, name=name, near=NameSuggestion(name, tuple(valid)))
+    return InputError("library.unknown", field=field_name, name=name, suggestion=NameSuggestion(name, tuple(valid)))

@@ -40,16 +40,17 @@ class Gas:
     isentropic_exponent : Number
         Ratio of the heat capacities at 20 degC [1].
     note : str
-        Note on the laws that are valid for the gas.
+        Note on the validity of the heat-transfer correlations for the gas.
     transport : mapping of str to Number
-        Coefficients of Sutherland's law; empty if they are not available.
+        Coefficients of Sutherland's law for viscosity and thermal conductivity; empty if they are not available.
     real : mapping of str to Number
-        Critical temperature [K], critical pressure [Pa], acentric factor, coefficients of c_p0/R in powers of T [K].
+        Properties of the real gas: critical temperature [K], critical pressure [Pa], acentric factor [1], and the
+        coefficients of the polynomial c_p0/R in the temperature [K].
 
     Notes
     -----
-    The error of the ideal gas law is within 1 % for air up to about 20 bar at room temperature, and 3 % for carbon
-    dioxide at 6 bar. `poppet.laws.physics.real_gas` computes such errors with `real`.
+    At room temperature, the error of the ideal gas law is within 1 % for air up to about 20 bar, and 3 % for carbon
+    dioxide at 6 bar. The module `poppet.laws.physics.real_gas` computes such errors from `real`.
 
     Examples
     --------
@@ -66,14 +67,14 @@ class Gas:
 
     @property
     def is_like_air(self) -> bool:
-        """True if heat transfer laws with the transport properties of air are valid for the gas."""
+        """True if the heat-transfer correlations, which use the viscosity and conductivity of air, are valid."""
         return self.note != NOT_FOR_THIS
 
     @property
     def as_real(self) -> RealGas:
-        """Properties of the real gas, from which errors of the ideal gas law are computed.
+        """Critical constants and heat capacity of the real gas.
 
-        They are the critical constants and the heat capacity.
+        They determine the errors of the ideal gas law.
         """
         heat = tuple(float(value) for name, value in self.real.items() if name.startswith("heat_capacity."))
         critical, pressure, factor = (float(self.real[name]) for name in _CRITICAL)
@@ -85,7 +86,7 @@ class Gas:
         Returns
         -------
         dict of str to Number
-            `gas_constant`, `isentropic_exponent`, the coefficients of transport and those of the real gas.
+            `gas_constant` and `isentropic_exponent`, and the contents of the attributes `transport` and `real`.
         """
         return {
             "gas_constant": self.gas_constant,
@@ -113,8 +114,9 @@ def _real_gas(
 ) -> dict[str, Number]:
     """Return the parameters of a real gas as numbers with sources.
 
-    `critical` contains the critical temperature [K], the critical pressure [Pa] and the acentric factor. `mixture` is
-    a note on the composition.
+    `critical` contains the critical temperature [K], the critical pressure [Pa] and the acentric factor [1], and
+    `source` is their source. `heat_capacity` contains the coefficients of the polynomial c_p0/R in the temperature [K].
+    `mixture` is a note on the composition.
     """
     units = dict(zip(_CRITICAL, ("K", "Pa", "1"), strict=True))
     numbers = {name: Number(x, unit, source) for x, (name, unit) in zip(critical, units.items(), strict=True)}
@@ -126,9 +128,9 @@ def _real_gas(
 def _from_molar_mass(
     name: str, molar_mass: float, isentropic_exponent: float, note: str, real: Mapping[str, Number]
 ) -> Gas:
-    """Return a gas whose gas constant follows from its molar mass [kg/mol].
+    """Return a gas whose specific gas constant follows from its molar mass [kg/mol].
 
-    `real` contains the parameters of the real gas.
+    `real` contains the properties of the real gas, see `Gas`.
     """
     weight = Source("standard", WEIGHTS, f"M = {1e3 * molar_mass:.6g} g/mol")
     return Gas(

@@ -60,33 +60,34 @@ def _polynomials(name: str, *, closing: Number | None = None, monotone: bool = F
 
 
 def printed_characteristic(name: str = f"{NAME}.printed") -> Characteristic:
-    """Return the flow characteristic with the printed polynomials.
+    """Return the flow characteristic with the polynomials as printed in the paper.
 
-    Outside strokes of 0 to 1 mm, C and b keep the values at the ends of this range.
+    At strokes outside 0 to 1 mm, C and b have the values at the ends of this range.
     """
     return _polynomials(name)
 
 
 def closed_characteristic(name: str = f"{NAME}.closed") -> Characteristic:
-    """Return the printed flow characteristic with a closing law near zero stroke.
+    """Return the printed flow characteristic with a sonic conductance C that is zero at zero stroke.
 
-    With this law C is zero for strokes up to 0. The printed polynomial for C is not zero there.
+    C is zero for strokes up to 0, where the printed polynomial is not zero. It increases smoothly to the value of the
+    polynomial at 0.02 mm.
     """
     return _polynomials(name, closing=CLOSING)
 
 
 def monotone_characteristic(name: str = f"{NAME}.monotone") -> Characteristic:
-    """Return the closed flow characteristic with a conductance that never decreases with the stroke.
+    """Return the closed flow characteristic with a sonic conductance that never decreases with the stroke.
 
-    The running maximum replaces the printed conductance. C is zero for strokes up to 0.
+    Its running maximum replaces the printed polynomial. C is zero for strokes up to 0.
     """
     return _polynomials(name, closing=CLOSING, monotone=True)
 
 
 def table_characteristic(name: str = f"{NAME}.table") -> Characteristic:
-    """Return the flow characteristic as a table of the printed polynomials.
+    """Return the flow characteristic as a table of values of the printed polynomials.
 
-    The table has eleven points, 0.1 mm apart, with monotone cubic interpolation.
+    The table has eleven points from 0 to 1 mm and is interpolated by monotone piecewise cubics.
     """
     polynomials = printed_characteristic()
     return Characteristic(

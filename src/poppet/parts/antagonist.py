@@ -27,10 +27,10 @@ MIN_SLOPE = 1e-7
 class _InverseMuscleLaw(MuscleLawPart, Controller):
     """Base class of controllers that invert the force law of a muscle.
 
-    For a required force, the law gives a pressure, which is then limited to the permitted range.
+    The law gives the pressure for a required force. The pressure is then limited to the permitted range.
     """
 
-    data: Any = reference(doc="library set")
+    data: Any = reference(doc="name of a parameter set of the library")
     lowest_pressure: NumberLike = number(
         "Pa", "0 bar g", doc="lowest pressure", kind="pressure", low=0.0, note="vented"
     )
@@ -51,25 +51,29 @@ class _InverseMuscleLaw(MuscleLawPart, Controller):
             raise InputError("muscle.no_range", "lowest_pressure", low=low, high=high, ambient=ambient.pressure)
         return values
 
+    def output_ranges(self) -> dict[str, tuple[str | float, str | float]]:
+        return dict.fromkeys(self.pressures, ("lowest_pressure", "highest_pressure"))
+
     @abstractmethod
     def compute_outputs(self, scope: Scope) -> Quantities:
-        """Return the pressures for the muscles, and further outputs.
+        """Return the outputs of the controller by name, each with its unit.
 
-        The pressures are absolute and within their limits.
+        The pressures of the muscles are absolute, and within the limits of the controller.
         """
 
     def control(self, scope: Scope) -> ControlOutputs:
         return ControlOutputs(self.compute_outputs(scope))
 
     def _limits(self, scope: Scope) -> tuple[Any, Any]:
-        """Return the lowest and the highest permitted gauge pressure [Pa]."""
+        """Return the lowest and the highest pressure of the controller as gauge pressures [Pa]."""
         ambient = scope.surroundings.pressure
         return scope["lowest_pressure"] - ambient, scope["highest_pressure"] - ambient
 
     def line_at(self, scope: Scope, contraction: Any) -> tuple[Any, Any]:
-        """Return the muscle force at one contraction as a straight line over the gauge pressure.
+        """Return slope and offset of the muscle force, a linear function of the gauge pressure.
 
-        The result contains the slope [N/Pa] and the force at zero gauge pressure [N].
+        The slope [N/Pa] and the offset, the force at zero gauge pressure [N], are valid at the given contraction. The
+        slope is at least `MIN_SLOPE`.
         """
         law = self.force_law(scope.numbers)
         return maximum(law.slope(contraction), MIN_SLOPE), law.passive(contraction)
@@ -86,9 +90,10 @@ class _InverseMuscleLaw(MuscleLawPart, Controller):
 
 
 def _law_numbers(numbers: Mapping[str, Number]) -> dict[str, Number]:
-    """Return the parameters of the force law in a library set.
+    """Return the parameters of the force law from a published parameter set.
 
-    `numbers` is the set. The result includes the highest permitted pressure if the set contains it.
+    `numbers` contains the parameters of the set by dotted name. The result also contains `highest_pressure` if the set
+    contains the permitted pressure.
     """
     law = {name: value for name, value in numbers.items() if not name.startswith("limits.")}
     highest = numbers.get("limits.highest_pressure")
@@ -102,13 +107,17 @@ class InverseMuscle(_InverseMuscleLaw):
     .. math:: p = \operatorname{clip}\left(p_a + \frac{F - f_0(\varepsilon)}{f_1(\varepsilon)},
               p_\mathrm{low}, p_\mathrm{high}\right)
 
+    Here F is the setpoint force, :math:`\varepsilon` the contraction, :math:`f_0` the force at zero gauge pressure,
+    :math:`f_1` the force per gauge pressure, and :math:`p_a` the ambient pressure.
+
     Notes
     -----
-    `data`, `law` and the parameters of the law describe a muscle. They can differ from those of the muscle in the
-    circuit, to study the effect of model errors. `lowest_pressure` and `highest_pressure` limit the output; the default
-    of the highest is the permitted pressure of the set. Inputs are `force` and `contraction`, the output is `pressure`.
-    Each law is linear in the pressure, so its inverse is exact; it omits hysteresis and damping. A negative force gives
-    a pressure at which the muscle is slack.
+    `data` (a published parameter set), `law` and the parameters of the law describe the muscle that the controller
+    assumes. They can differ from those of the muscle in the circuit, to study the effect of model errors.
+    `lowest_pressure` and `highest_pressure` limit the output; the default of `highest_pressure` is the permitted
+    pressure in the parameter set. Inputs are `force` [N] and `contraction` [1], the output is `pressure` [Pa]. Every
+    law is linear in the pressure, so the inverse is exact, but it neglects hysteresis and damping. For a negative
+    force, the output is a pressure at which the muscle is slack.
 
     Examples
     --------
@@ -128,7 +137,7 @@ class InverseMuscle(_InverseMuscleLaw):
         return [f"force to pressure, {self.data or self.law}"]
 
     def inputs(self) -> tuple[Input, ...]:
-        return Input("force", "N", "force", is_command=True), Input("contraction", "1", 0.0)
+        return Input("force", "N", "force", is_command=True), Input("contraction", "1", 0.0, low=-1.0, high=1.0)
 
     def compute_outputs(self, scope: Scope) -> Quantities:
         slope, passive = self.line_at(scope, scope.inputs["contraction"])
@@ -142,15 +151,19 @@ class Antagonist(_InverseMuscleLaw):
 
     .. math:: M = r \left(F_f - F_e\right), \qquad \tfrac12 (p_f + p_e) = \bar p
 
+    Here M is the setpoint torque, r the pulley radius, :math:`\bar p` the setpoint mean pressure, and F and p are force
+    and pressure of the flexor (f) and the extensor (e).
+
     Notes
     -----
     The flexor pulls towards larger angles, the extensor towards smaller ones; a higher mean pressure makes the joint
-    stiffer. `data`, `law`, the parameters of the law and the limits of the pressures are those of `inverse_muscle`.
-    Inputs are `torque`, `mean_pressure`, `flexor_contraction` and `extensor_contraction`. Outputs are
-    `flexor_pressure`, `extensor_pressure` and `given_torque`, the torque that the law gives for both pressures. Both
-    equations are linear in the pressures. Each muscle keeps at least the pressure at which it is taut, if this pressure
-    is below the mean. If one muscle is at a limit, the other one gives the torque as far as its own limits permit, and
-    the mean changes: torque has priority over the mean pressure.
+    stiffer. `data`, `law`, the parameters of the law and the limits of the pressures have the meaning as in
+    `InverseMuscle`. Inputs are `torque`, `mean_pressure`, `flexor_contraction` and `extensor_contraction`. Outputs are
+    `flexor_pressure`, `extensor_pressure` and `given_torque`, the torque that the force law gives for both pressures.
+
+    The pressure of each muscle is at least the pressure at which the muscle is taut, if this pressure is below the mean
+    pressure. If one muscle is at a limit, the other one provides the torque within its own limits, and the mean
+    pressure changes: torque has priority over the mean pressure.
 
     Examples
     --------
@@ -176,7 +189,7 @@ class Antagonist(_InverseMuscleLaw):
         return (
             Input("torque", "N m", "torque", is_command=True),
             mean_pressure,
-            *(Input(name, "1", 0.0) for name in self.measured),
+            *(Input(name, "1", 0.0, low=-1.0, high=1.0) for name in self.measured),
         )
 
     def compute_outputs(self, scope: Scope) -> Quantities:

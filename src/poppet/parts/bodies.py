@@ -48,24 +48,36 @@ MIN_IMPACT_SPEED = 0.01
 class BodyStop:
     """End stop of a mass by the law of Hunt and Crossley.
 
-    The force is k d^1.5 with the depth d of penetration, multiplied by a damping factor.
+    The force is k d^1.5 with the stiffness k and the depth d of penetration, multiplied by a damping factor.
     """
 
     position: NumberLike = number("m", doc="position of the stop")
     stiffness: NumberLike = number("N/m^1.5", 1e8, doc="contact stiffness", above=0.0, note="a rubber bumper")
-    dissipation: NumberLike = number("s/m", 5.0, doc="contact dissipation", low=0.0, note="half of the energy and more")
+    dissipation: NumberLike = number(
+        "s/m",
+        5.0,
+        doc="contact dissipation; inverse of the speed at which damping saturates",
+        low=0.0,
+        note="half of the energy and more",
+    )
 
 
 @dataclass(frozen=True)
 class JointStop:
     """End stop of a joint by the law of Hunt and Crossley.
 
-    The torque is k d^1.5 with the angle d of penetration, multiplied by a damping factor.
+    The torque is k d^1.5 with the stiffness k and the angle d of penetration, multiplied by a damping factor.
     """
 
     position: NumberLike = number("rad", doc="angle of the stop")
     stiffness: NumberLike = number("N m/rad^1.5", 1e4, doc="contact stiffness", above=0.0, note="a rubber bumper")
-    dissipation: NumberLike = number("s/rad", 1.0, doc="contact dissipation", low=0.0, note="half of the energy")
+    dissipation: NumberLike = number(
+        "s/rad",
+        1.0,
+        doc="contact dissipation; inverse of the speed at which damping saturates",
+        low=0.0,
+        note="half of the energy",
+    )
 
 
 BRISTLE_LAWS = ("lugre", "elasto_plastic")
@@ -86,10 +98,20 @@ class BodyFriction:
     static_force: NumberLike = number("N", optional=True, doc="break-away friction", low=0.0)
     stribeck_velocity: NumberLike = number("m/s", "10 mm/s", doc="Stribeck velocity", above=0.0)
     viscous_coefficient: NumberLike = number("N s/m", 0.0, doc="viscous friction", low=0.0, note="none by default")
-    transition_velocity: NumberLike = number("m/s", optional=True, doc="velocity of full friction", above=0.0)
+    transition_velocity: NumberLike = number(
+        "m/s",
+        optional=True,
+        doc="velocity of full friction; scale of the change of sign of `stribeck` at zero velocity",
+        above=0.0,
+    )
     bristle_stiffness: NumberLike = number("N/m", optional=True, doc="bristle stiffness", above=0.0)
     bristle_damping: NumberLike = number("N s/m", optional=True, doc="bristle damping", low=0.0)
-    breakaway_displacement: NumberLike = number("m", optional=True, doc="elastic deflection", above=0.0)
+    breakaway_displacement: NumberLike = number(
+        "m",
+        optional=True,
+        doc="elastic deflection; deflection up to which a body with `elasto_plastic` does not creep",
+        above=0.0,
+    )
 
 
 @dataclass(frozen=True)
@@ -104,15 +126,25 @@ class JointFriction:
     static_torque: NumberLike = number("N m", optional=True, doc="break-away friction", low=0.0)
     stribeck_velocity: NumberLike = number("rad/s", 0.1, doc="Stribeck velocity", above=0.0)
     viscous_coefficient: NumberLike = number("N m s/rad", 0.0, doc="viscous friction", low=0.0, note="none by default")
-    transition_velocity: NumberLike = number("rad/s", optional=True, doc="velocity of full friction", above=0.0)
+    transition_velocity: NumberLike = number(
+        "rad/s",
+        optional=True,
+        doc="velocity of full friction; scale of the change of sign of `stribeck` at zero velocity",
+        above=0.0,
+    )
     bristle_stiffness: NumberLike = number("N m/rad", optional=True, doc="bristle stiffness", above=0.0)
     bristle_damping: NumberLike = number("N m s/rad", optional=True, doc="bristle damping", low=0.0)
-    breakaway_displacement: NumberLike = number("rad", optional=True, doc="elastic deflection", above=0.0)
+    breakaway_displacement: NumberLike = number(
+        "rad",
+        optional=True,
+        doc="elastic deflection; deflection up to which a body with `elasto_plastic` does not creep",
+        above=0.0,
+    )
 
 
 @dataclass(frozen=True)
 class _MovingBody(Body):
-    """Base class of bodies with one coordinate, friction and end stops."""
+    """Base class of bodies that have one position or angle as coordinate, friction and end stops."""
 
     unit: ClassVar[str]  # of the position
     effort: ClassVar[str]  # "force" or "torque", and its unit
@@ -155,7 +187,7 @@ class _MovingBody(Body):
             raise InputError("bodies.beyond_stop", "initial_position", value=start, low=low, high=high, unit=self.unit)
 
     def _bristles(self) -> tuple[float, float, float]:
-        """Return the Coulomb and static friction, and the bristle stiffness."""
+        """Return Coulomb friction, static friction and bristle stiffness, or their defaults, in SI units."""
         coulomb = float(getattr(self.friction, f"coulomb_{self.effort}"))
         static, stiffness = getattr(self.friction, f"static_{self.effort}"), self.friction.bristle_stiffness
         static = coulomb if static is None else float(static)
@@ -202,10 +234,10 @@ class _MovingBody(Body):
         return {state.name: values[state.name] for state in self.states()}
 
     def _dynamics(self, scope: Scope, effort: Any, added_friction: Any, weight: Any) -> BodyDynamics:
-        """Return the rates and outputs of the body.
+        """Return the outputs of the body, and the time derivatives of its states.
 
         `effort` is the total force or torque of all actuators. `added_friction` is the dry friction of their seals.
-        `weight` is a constant force towards smaller positions.
+        `weight` is a constant force or torque towards smaller positions.
         """
         position, velocity, inertia = scope.states["position"], scope.states["velocity"], scope[self.inertia_name]
         rates: dict[str, Any] = {}
@@ -236,7 +268,8 @@ class _MovingBody(Body):
     def _friction(self, scope: Scope, added: Any, rates: dict[str, Any]) -> Any:
         """Return the friction force or torque against the motion.
 
-        `added` is additional dry friction. The rate of the bristle deflection is stored in `rates`.
+        `added` is additional dry friction. The time derivative of the bristle deflection, if it is a state, is added to
+        `rates`.
         """
         velocity = scope.states["velocity"]
         if self._law == "none":
@@ -279,7 +312,10 @@ class _MovingBody(Body):
         return *impact_notes("velocity", f"{self.unit}/s", impacts), *self._drift_notes(name, series)
 
     def _drift_notes(self, name: str, series: Callable[[str], Any]) -> Iterator[Note]:
-        """Yield a note on the largest drift of a body that sticks under an oscillating load."""
+        """Yield a note on the largest drift of the body while it sticks under an oscillating load.
+
+        `series` is a function that returns the recorded series for the address of an output.
+        """
         if self._law not in BRISTLE_LAWS:
             return
         stiffness, limit = self._bristles()[2], CREEP_LIMIT * float(self.friction.stribeck_velocity)
@@ -309,9 +345,10 @@ class _MovingBody(Body):
 
 
 def impact_notes(address: str, unit: str, impacts: Sequence[tuple[float, float]]) -> tuple[Note, ...]:
-    """Return a note on the fastest of several impacts on an end stop.
+    """Return a tuple with a note on the fastest of several impacts on an end stop.
 
-    Each impact is a pair of time and velocity. Without impacts, the list is empty.
+    `impacts` contains the time [s] and the velocity of each impact in the unit `unit`. The result is empty if there are
+    no impacts.
     """
     if not impacts:
         return ()
@@ -324,9 +361,9 @@ def find_impacts(
 ) -> list[tuple[float, float]]:
     """Return time and velocity of each impact of a body on its end stops.
 
-    The arguments are the recorded motion and stop force of a run, and the positions of the stops. Slow impacts are
-    omitted, because the body then settles. Between the last row before an impact and the stop, the velocity is
-    extrapolated by the parabola of the last three rows, because a body can be decelerated before its stop.
+    The arguments are the recorded motion of a run, shape (n_times,), the force of the stops, and the positions of the
+    lower and the upper stop. An impact usually occurs between two rows of the recording. Its velocity is extrapolated
+    by a parabola through the last three rows before it. Impacts with less than 0.01 m/s or 0.01 rad/s are omitted.
     """
     impacts = []
     for k in np.flatnonzero((force[1:] != 0.0) & (force[:-1] == 0.0)).tolist():
@@ -344,10 +381,10 @@ def find_impacts(
 
 
 def _extrapolate_motion(previous: Sequence[tuple[float, float]], last: float, gap: float) -> tuple[float, float]:
-    """Extrapolate the motion of a body until it has travelled the distance `gap`.
+    """Return the time in which a body travels the distance `gap`, and its final velocity.
 
-    The result contains the duration and the final velocity. The velocity follows a parabola through the two pairs of
-    time and velocity in `previous`, and through the velocity `last` at time zero.
+    The velocity follows a parabola through the two pairs of time and velocity in `previous`, and through the velocity
+    `last` at time zero. The result is (-1, 0) if the velocity becomes zero before.
     """
     (t0, v0), (t1, v1) = previous
     first, second = (v1 - v0) / (t1 - t0), (last - v1) / -t1
@@ -370,16 +407,17 @@ class Mass(_MovingBody):
 
     Notes
     -----
-    At an inclination alpha of 90 degrees, larger positions are higher.
+    At an inclination :math:`\alpha` of 90 degrees, larger positions are higher.
 
-    The friction laws `lugre` and `elasto_plastic` stick. `lugre` drifts under an oscillating load below the break-away
-    force. `elasto_plastic` does not drift while the deflection is below the break-away displacement; at larger loads it
-    creeps. A note reports both. `stribeck` has no force at a velocity of zero: a body under less than the break-away
-    force creeps at a speed of the order of the transition velocity, which therefore has no default.
+    With the friction laws `lugre` and `elasto_plastic`, the body can stick. With `lugre`, a stuck body drifts under an
+    oscillating load below the break-away force. With `elasto_plastic`, it does not drift while the deflection of the
+    bristles is below the break-away displacement; at larger deflections it creeps. A note reports drift and creep. With
+    `stribeck`, the friction is zero at zero velocity: a body under a load below the break-away force creeps at a speed
+    of the order of the transition velocity, which therefore has no default.
 
-    The default bristle stiffness breaks away after 10 um; the default bristle damping makes the stuck mass critically
-    damped. The default break-away displacement is 95 % of the deflection at the Coulomb force. Seal friction increases
-    it by 95 % of the deflection at this friction.
+    With the default bristle stiffness, the friction breaks away at a deflection of 10 um. With the default bristle
+    damping, the stuck mass is critically damped. The default break-away displacement is 95 % of the deflection at the
+    Coulomb force; the seal friction of actuators increases it by 95 % of the deflection at this friction.
 
     Examples
     --------
@@ -471,7 +509,7 @@ class Joint(_MovingBody):
 class Guide(Body):
     """Body with a prescribed motion, for tests of actuators.
 
-    Only a signal can drive the position: points on straight lines, or a sine.
+    Only a signal can drive the position: straight lines between points, or a sine.
 
     Examples
     --------

@@ -15,7 +15,7 @@ ASSUMED = "*"
 
 
 def format_value(value: float, unit: str) -> str:
-    """Format an SI value in a readable unit.
+    """Format an SI value in a practical unit, such as bar, with four digits.
 
     Examples
     --------
@@ -29,16 +29,16 @@ def format_value(value: float, unit: str) -> str:
 
 @dataclass(frozen=True)
 class CaptionNumbers:
-    """Function object that formats the numbers of a part for the caption in a schematic.
+    """Formatter of the numbers in the caption of a part in a schematic.
 
     Parameters
     ----------
     parameter : callable
-        Return the run-time value of a parameter by its local name [SI].
+        Function from the name of a parameter of the part to its value in a run [SI].
     signals : frozenset of str
-        Inputs of the part that a signal drives.
+        Names of the inputs of the part that a signal drives.
     ambient_pressure : float
-        Reference of gauge values [Pa].
+        Absolute ambient pressure to which gauge pressures refer [Pa].
     """
 
     parameter: Callable[[str], float]
@@ -46,16 +46,17 @@ class CaptionNumbers:
     ambient_pressure: float = 1e5
 
     def text(self, number: NumberLike) -> str:
-        """Format a number in a readable unit; an asterisk marks an assumed number.
+        """Format a number of the part in a practical unit.
 
         Parameters
         ----------
         number : Number
-            Number of the part.
+            Number with a source.
 
         Returns
         -------
         str
+            Value and unit, followed by an asterisk if the source of the number is `assumed`.
 
         Examples
         --------

@@ -33,17 +33,19 @@ class Chamber(Store):
 
     Notes
     -----
-    The default of `wall_temperature`, which is the initial one if the wall has a heat capacity, and of
-    `ambient_temperature` is the ambient temperature. `natural` is free convection with Nu = c Ra^(1/3), `woodfield` is
-    the charging jet with free convection. `isentrope` is the tank model of the paper: a closed gas on one
-    isentrope. It is not valid for charging.
+    The thermal law `energy` is the energy balance above. `isentrope` is the tank model of Varga & Keski-Honkola 2012:
+    the gas follows the isentrope of a constant mass, which is not valid for charging. The heat-transfer law `natural`
+    is free convection with Nu = c Ra^(1/3); `woodfield` is free convection with the jet of a charged vessel.
 
-    States are mass, and with `energy` the pressure: mass and energy are then linear in the states, and the integrator
-    conserves both to round-off.
+    The defaults of `wall_temperature` and `ambient_temperature` are the ambient temperature of the circuit. If the wall
+    has a heat capacity, `wall_temperature` is its initial temperature.
+
+    The states are the mass and, with the law `energy`, the pressure. Mass and energy are linear in these states, so the
+    integrator conserves both except for rounding errors.
 
     References
     ----------
-    Varga & Keski-Honkola 2012, section 3 (the isentropic tank) and section 5 (the wish for a polytropic one).
+    Varga & Keski-Honkola 2012, section 3, for the isentropic tank; section 5 suggests a polytropic tank.
     """
 
     kind: ClassVar[str] = "chamber"
@@ -96,9 +98,10 @@ class Chamber(Store):
         return (*result, *self._unused(unused, "heat_transfer"))
 
     def _unused(self, names: tuple[str, ...], option: str) -> list[Note]:
-        """Return a note on fields that are specified but have no effect.
+        """Return a list with a note on fields that are specified but have no effect.
 
-        `names` are fields that the present choice of the option `option` does not use.
+        `names` are fields that have no effect with the present choice of the option `option`. The list is empty if none
+        of them is specified.
         """
         specified = [name for name in names if getattr(self, name) is not None]
         if "wall_conductance" in specified and float(self.wall_conductance) == 0.0:  # type: ignore[arg-type]

@@ -8,7 +8,7 @@ from typing import Any, ClassVar
 
 from poppet import library
 from poppet.core.codes import Note
-from poppet.core.errors import ErrorCollector, InputError, collect
+from poppet.core.errors import ErrorCollector, InputError, raise_errors
 from poppet.core.provenance import Number
 from poppet.parts.fields import (
     MemberSpec,
@@ -27,11 +27,12 @@ MIN_MISSING = 4
 
 
 class Compound(Part):
-    """Part that consists of connected member parts and has no equations of its own.
+    """Part that consists of connected member parts, and has no equations itself.
 
-    A subclass declares its members with `fields.member`. It also declares the fields that it sets in them
-    (`inherited_fields`), their connections (`links`), and the outer names of inputs and outputs. A subclass whose
-    members depend on its numbers overrides `members`, `stores`, `outside` and `numbers`.
+    A subclass declares its members with `fields.member`, the fields that it sets in them (`inherited_fields`), their
+    connections (`links`), and the names of its inputs (`inlets`) and outputs (`outlets`). A subclass whose members
+    depend on its numbers, such as a tube with a number of cells, overrides `members`, `stores`, `outside` and
+    `numbers`.
     """
 
     links: ClassVar[Mapping[str, str]] = {}
@@ -42,9 +43,9 @@ class Compound(Part):
     """Mapping from outer names of outputs to the outputs of members, in the order of recordings."""
 
     def inherited_fields(self, member: str) -> dict[str, Any]:
-        """Return the field values that the compound sets in one member.
+        """Return the field values that the compound sets in the member with a given name.
 
-        Examples are ports and the library set.
+        Examples are the ports, and the name of a published parameter set.
         """
         return {}
 
@@ -72,7 +73,7 @@ class Compound(Part):
             example = library.complete_sets(*(spec.part.kind for _, spec in self._member_specs()))[0]
             error = InputError("parts.forgotten_set", "data", count=len(missing), first=addresses, set=example)
             problems = [error, *(p for p in problems if p not in missing)]
-        collect(problems)
+        raise_errors(problems)
         self.check()
 
     def _member_specs(self) -> Iterable[tuple[str, MemberSpec]]:
@@ -101,19 +102,19 @@ class Compound(Part):
     def members(self) -> dict[str, Part]:
         """Mapping from the name of each member to the member part.
 
-        The order is that of declaration. Optional members that this compound does not have are not included.
+        The order is that of declaration. Optional members that are absent are not included.
         """
         parts = {name: getattr(self, attribute(name)) for name, _ in self._member_specs()}
         return {name: part for name, part in parts.items() if part is not None}
 
     def has(self, member: str) -> bool:
-        """Return True if this compound has the optional member with a given name."""
+        """Return True if the compound has the optional member whose name is `member`."""
         return True
 
     def outside(self) -> dict[str, str]:
-        """Return a mapping from outer names of inputs and outputs to their names inside.
+        """Return a mapping from names of inputs and outputs of the compound to those of its members.
 
-        The inputs come first.
+        For example, `setpoint` is mapped to `electronics.setpoint`. The inputs come first.
         """
         names = {**self.inlets, **self.outlets}
         return {name: inner for name, inner in names.items() if inner.partition(".")[0] in self.members}
@@ -155,7 +156,7 @@ class Compound(Part):
         return tuple(dataclasses.replace(state, name=f"{name}.{state.name}") for name, state in states)
 
     def inputs(self) -> tuple[Input, ...]:
-        """Return the inputs that other parts and signals can drive.
+        """Return the inputs of the compound, which signals and outputs of other parts can drive.
 
         Their names are the keys of `inlets`.
         """
@@ -183,9 +184,10 @@ class Compound(Part):
 
 
 def number_spec(part: Part, path: str) -> NumberSpec:
-    """Return the declaration of the number at a dotted path in a part.
+    """Return the declaration (unit, limits, default) of a number of a part.
 
-    The number can be a field of the part, of a group or of a member.
+    `path` is the dotted name of the number, such as `pilot.fill.frequency`. The number can be a field of the part, of a
+    group or of a member.
     """
     kind: Any = type(part)
     *heads, last = path.split(".")
@@ -204,8 +206,8 @@ def expand_compounds(
 ) -> tuple[dict[str, Part], dict[str, str], dict[str, str]]:
     """Replace each compound part of a circuit by its members.
 
-    The result contains the elementary parts, all connections between them, and a mapping from inner names of outputs to
-    outer names.
+    The result contains all parts that are not compounds, all connections between them, and a mapping from the addresses
+    of outputs of members to the addresses under which the compounds publish them.
     """
     flat: dict[str, Part] = {}
     flat_connections: dict[str, str] = {}

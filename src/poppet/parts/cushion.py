@@ -20,28 +20,29 @@ MIN_DEAD_FRACTION = 0.01
 
 
 def cover_distance(side: str, scope: Scope) -> tuple[Any, float]:
-    """Return the distance of the piston from one cover, and its derivative.
+    """Return the distance of the piston from one cover [m], and its derivative.
 
-    `side` selects the cover. The derivative by the position of the piston is 1 or -1.
+    `side` is `cap` or `rod`, the side of the cover. The derivative with respect to the piston position is 1 or -1.
     """
     from_cap = scope["offset"] + scope["direction"] * scope.body.position
     return (from_cap, 1.0) if side == CAP else (scope["stroke_length"] - from_cap, -1.0)
 
 
 def ring_area(outer: Any, inner: Any) -> Any:
-    """Return the area between two concentric circles with given diameters."""
+    """Return the area of a ring with the diameters `outer` and `inner`."""
     return 0.25 * math.pi * (outer**2 - inner**2)
 
 
 def spear_travel(depth: Any, length: Any, closing_length: Any) -> tuple[Any, Any]:
     r"""Return the effective travel of a spear in its bore, and the closed fraction of the bore.
 
-    A spear is a plug on the piston that closes the bore of the port. `depth` is the distance of the piston from the
-    end of the stroke.
+    A spear is a plug on the piston that closes the bore of the port near the end of the stroke. `depth` is the distance
+    y of the piston from the end of the stroke, `length` the length L of the spear, and `closing_length` the length l of
+    the transition between the closed and the open bore.
 
-    For a depth y below the length L the travel is y and the bore is closed. Over the closing length l beyond L the bore
-    opens by a cubic of s = (y - L)/l, and the travel is the integral of this cubic. The work of the gas on the spear is
-    then consistent with the volumes.
+    Up to y = L the travel is y, and the bore is closed. From L to L + l the closed fraction decreases to 0 by a cubic
+    polynomial of s = (y - L)/l. The travel is the integral of the closed fraction over y, so the work of the gas on the
+    spear is consistent with the volumes.
     """
     s = clip((depth - length) / closing_length, 0.0, 1.0)
     return minimum(depth, length) + closing_length * s * (1.0 - s * s * (1.0 - 0.5 * s)), 1.0 - s * s * (3.0 - 2.0 * s)
@@ -51,9 +52,10 @@ def spear_travel(depth: Any, length: Any, closing_length: Any) -> tuple[Any, Any
 class Cushion(MovingGasStore, Passage):
     """Gas between a piston and its cover, with its flow path to the port.
 
-    It is a member part of `Cylinder`. The default of `closing_length` is a quarter of the spear diameter, where the
-    ring between edge and spear has the area of the bore. The default of `open_conductance` is that of an ideal nozzle
-    with the area of the bore. The default initial state is that of the chamber on this side.
+    It is a member part of `Cylinder`. The default of `closing_length` is a quarter of the spear diameter: at this
+    distance, the gap between the spear and the edge of its bore has the area of the bore. The default of
+    `open_conductance` is that of an ideal nozzle with the area of the bore. The default initial pressure and
+    temperature are those of the chamber on the same side.
     """
 
     kind: ClassVar[str] = "cushion"

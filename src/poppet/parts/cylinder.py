@@ -91,15 +91,21 @@ class CylinderChamber(MovingGasStore):
 
 @dataclass(frozen=True)
 class EndStop:
-    """Contact of the piston with the covers by the law of Hunt and Crossley."""
+    """Parameters of the contact between piston and covers, by the law of Hunt and Crossley."""
 
     stiffness: NumberLike = number("N/m^1.5", 1e8, doc="contact stiffness", above=0.0, note="elastic rings")
-    dissipation: NumberLike = number("s/m", 5.0, doc="contact dissipation", low=0.0, note="half of the energy and more")
+    dissipation: NumberLike = number(
+        "s/m",
+        5.0,
+        doc="contact dissipation; inverse of the speed at which damping saturates",
+        low=0.0,
+        note="half of the energy and more",
+    )
 
 
 @dataclass(frozen=True)
 class ReturnSpring:
-    """Spring that retracts the piston of a single-acting cylinder."""
+    """Parameters of the spring that retracts the piston of a single-acting cylinder."""
 
     rate: NumberLike = number("N/m", 0.0, doc="spring rate", low=0.0, note="none by default")
     preload: NumberLike = number("m", 0.0, doc="compression with the piston at the cap", low=0.0, note="none")
@@ -107,7 +113,7 @@ class ReturnSpring:
 
 @dataclass(frozen=True)
 class Leakage:
-    """Leakage between the chambers past the piston, as an ISO 6358 flow path."""
+    """Parameters of the leakage past the piston between both chambers, an ISO 6358 flow path."""
 
     sonic_conductance: NumberLike = number("m^3/(s Pa)", 0.0, doc="sonic conductance C", low=0.0, note="tight")
     critical_ratio: NumberLike = number("1", 0.3, doc="critical ratio b", low=0.0, below=1.0)
@@ -184,17 +190,19 @@ class Cylinder(Compound):
 
     Notes
     -----
-    Ports of other parts name the chambers `NAME.cap` and `NAME.rod`. A single-acting cylinder has no rod chamber: that
-    side is open to the ambient. `seal_friction` increases the dry friction of the body.
+    In the first equation, A is the piston area, A_r the rod area, p_a the ambient pressure, k the spring rate, h the
+    compression of the spring at the cap, and x the piston position. Ports of other parts are connected to the chambers
+    by the names `NAME.cap` and `NAME.rod`, where NAME is the name of the cylinder. A single-acting cylinder has no rod
+    chamber: its rod side is open to the ambient. `seal_friction` increases the dry friction of the body.
 
-    With a cushion, `cap` and `rod` are the volumes at the ports. `cap_cushion` and `rod_cushion` are the volumes
-    between piston and cover and exchange heat with the wall of their side. Within `length` before the end of the stroke
-    the spear closes the bore, and the two volumes are connected only by the throttle. The dead volume of a side
-    includes that of its cushion.
+    On a side with a cushion, `cap` or `rod` is the volume at the port, and `cap_cushion` or `rod_cushion` the volume
+    between piston and cover, which exchanges heat with the wall. Within the distance `length` of the cushion from the
+    end of the stroke, its spear closes the bore, and only a throttle connects the two volumes. The dead volume of a
+    side includes that of its cushion.
 
-    `force` is the force on the piston, without friction and contact with the end covers. `stop_force` is the contact
-    force of the end covers. The gas in each chamber has one temperature. The wall conductance does not depend on the
-    stroke.
+    The output `force` is the force on the piston, without friction and without contact with the covers. `stop_force` is
+    the contact force of the covers. The gas in each chamber has one temperature. The wall conductance does not depend
+    on the stroke.
 
     Examples
     --------

@@ -31,7 +31,7 @@ NumberLike = Number | float | str | Mapping[str, Any] | None
 
 @dataclass(frozen=True)
 class Declaration:
-    """Base class of declarations of a field.
+    """Base class of the declaration of one field of a part.
 
     `doc` contains the meaning of the field as a noun phrase. Details can follow after a semicolon.
     """
@@ -41,7 +41,7 @@ class Declaration:
 
     @property
     def meaning(self) -> str:
-        """Meaning of the field as a noun phrase, for messages and labels.
+        """Meaning of the field as a noun phrase, which messages and labels contain.
 
         It is the part of `doc` before the first semicolon.
         """
@@ -64,7 +64,7 @@ class NumberSpec(Declaration, NumberRange):
 
         For example, the unit of a controller gain depends on the controlled quantity.
         """
-        return self if self.varies is None else _vary(self, tuple(self.varies(part).items()))
+        return self if self.varies is None else dataclasses.replace(self, varies=None, **self.varies(part))
 
     def check(self, name: str, value: float, text: str) -> None:
         """Raise `OutOfRangeError` if a value is outside the declared limits.
@@ -74,16 +74,11 @@ class NumberSpec(Declaration, NumberRange):
         self.check_range(name, value, text, self.meaning)
 
 
-@cache
-def _vary(spec: NumberSpec, changes: tuple[tuple[str, Any], ...]) -> NumberSpec:
-    return dataclasses.replace(spec, varies=None, **dict(changes))
-
-
 @dataclass(frozen=True)
 class OptionSpec(Declaration):
-    """Declaration of an option, a field with a choice of words.
+    """Declaration of an option, a field whose value is one of several words.
 
-    Another choice changes the structure of the model.
+    The choice determines the equations of the part.
     """
 
     choices: tuple[str, ...]
@@ -99,24 +94,24 @@ class BodySpec(Declaration):
 
 @dataclass(frozen=True)
 class GroupSpec(Declaration):
-    """Declaration of a group of numbers, whose addresses have a common prefix.
+    """Declaration of a field that contains a group of numbers.
 
-    An example is `lower_spring.rate` in the group `lower_spring`.
+    Their addresses begin with the name of the group, such as `lower_spring.rate`. `group` is the class of the group.
     """
 
     group: type
 
 
 class ReferenceSpec(Declaration):
-    """Declaration of a field that names a library set, or contains a table instead."""
+    """Declaration of a field that contains a name from the parameter library, or a table of values."""
 
 
 @dataclass(frozen=True)
 class MemberSpec(Declaration):
-    """Declaration of a member part of a compound.
+    """Declaration of a member, which is a part within a compound part.
 
-    `inherited` contains the names of the member fields that the compound sets. If `optional` is True, the compound can
-    omit the member.
+    `inherited` contains the names of the fields of the member that the compound sets. If `optional` is True, a compound
+    can lack this member.
     """
 
     part: Any  # class of the part
@@ -130,40 +125,41 @@ Spec = NumberSpec | OptionSpec | PortSpec | BodySpec | GroupSpec | ReferenceSpec
 def number(
     unit: str, default: str | float | None = None, *, doc: str, source: SourceKind = "assumed", note: str = "",
     **limits: Any,
-) -> Any:  # fmt: skip
-    """Declare a field that is a number with a unit.
+) -> NumberLike:  # fmt: skip
+    """Declare a field that is a number with the SI unit `unit`.
 
-    The number is required if it has no default and is not `optional`.
+    The number is required if `default` is None and `optional` is not set. `limits` contains further properties of
+    `NumberSpec`, such as limits.
     """
     assert source in SOURCE_KINDS
-    return _field(NumberSpec(unit, doc, default=default, source=source, note=note or "default", **limits))
+    return _field(NumberSpec(unit, doc, default=default, source=source, note=note or "default", **limits), None)
 
 
-def anr_temperature(doc: str) -> Any:
-    """Declare a field for a temperature, by default 20 degC."""
+def anr_temperature(doc: str) -> NumberLike:
+    """Declare a field for a temperature whose default is 20 degC."""
     return number("K", "20 degC", doc=doc, kind="temperature", above=0.0, source="standard", note="ISO 8778, ANR")
 
 
-def anr_pressure(doc: str) -> Any:
-    """Declare a field for a pressure, by default 1 bar absolute."""
+def anr_pressure(doc: str) -> NumberLike:
+    """Declare a field for a pressure whose default is 1 bar absolute."""
     return number("Pa", "1 bar", doc=doc, kind="pressure", above=0.0, source="standard", note="ISO 8778, ANR")
 
 
-def subsonic_index_m(source: SourceKind = "standard", note: str = "ISO 6358:1989, the ellipse") -> Any:
-    """Declare the field for the exponent m of the subsonic flow law."""
+def subsonic_index_m(source: SourceKind = "standard", note: str = "ISO 6358:1989, the ellipse") -> NumberLike:
+    """Declare the field for the exponent m of the subsonic flow law, with the default 0.5."""
     return number("1", 0.5, doc="subsonic index m", above=0.0, high=2.0, source=source, note=note)
 
 
-def laminar_limit() -> Any:
-    """Declare the field for the pressure ratio p2/p1 above which flow is regularised."""
-    doc = "laminar ratio, where the regularisation begins"
+def laminar_limit() -> NumberLike:
+    """Declare the field for the pressure ratio p2/p1 above which the flow law is regularised."""
+    doc = "laminar ratio; pressure ratio p2/p1 above which the flow law is regularised"
     return number("1", 0.999, low=0.5, below=1.0, doc=doc, note="width of the C1 zone")
 
 
-def option(default: str, *choices: str, doc: str) -> Any:
+def option(default: str, *choices: str, doc: str) -> str:
     """Declare a field whose value is one of several words.
 
-    `default` is the default, and `choices` are the other permitted words.
+    `default` is the default, `choices` are the other valid words, and `doc` is the meaning of the field.
     """
     return _field(OptionSpec(doc, (default, *choices)), default)
 
@@ -172,51 +168,51 @@ OFF_ON = ("false", "true")
 """Choices of a switch; a circuit file has booleans for them."""
 
 
-def switch(*, doc: str) -> Any:
-    """Declare an option with the choices false (default) and true.
+def switch(*, doc: str) -> str:
+    """Declare an option whose choices are the words `false` (default) and `true`.
 
-    The value is stored as text.
+    A boolean in a circuit file is converted to the word.
     """
     return option(*OFF_ON, doc=doc)
 
 
-def port(doc: str, *, optional: bool = False) -> Any:
+def port(doc: str, *, optional: bool = False) -> str | None:
     """Declare a field that names the gas node to which a port is connected."""
-    return _field(PortSpec(doc, optional=optional))
+    return _field(PortSpec(doc, optional=optional), None)
 
 
-def body(doc: str) -> Any:
+def body(doc: str) -> str | None:
     """Declare a field that names the body on which an actuator acts."""
-    return _field(BodySpec(doc))
+    return _field(BodySpec(doc), None)
 
 
 def group(kind: type, *, doc: str, optional: bool = False) -> Any:
-    """Declare a group of numbers, which is an object of the class `kind`."""
-    return _field(GroupSpec(doc, kind, optional=optional))
+    """Declare a field that contains a group of numbers, an object of the class `kind`."""
+    return _field(GroupSpec(doc, kind, optional=optional), None)
 
 
 def member(kind: type, *, doc: str, inherited: Sequence[str], is_open: bool = False, optional: bool = False) -> Any:
-    """Declare a member part of a compound.
+    """Declare a field of a compound part that contains one of its member parts.
 
-    `kind` is the class of the member. The compound sets the fields in `inherited`.
+    `kind` is the class of the member. The compound sets those fields of the member that `inherited` names.
     """
-    return _field(MemberSpec(doc, kind, tuple(inherited), is_open, optional=optional))
+    return _field(MemberSpec(doc, kind, tuple(inherited), is_open, optional=optional), None)
 
 
 def reference(*, doc: str) -> Any:
-    """Declare a field that names a library set."""
-    return _field(ReferenceSpec(doc))
+    """Declare a field that contains a name from the parameter library, or a table of values."""
+    return _field(ReferenceSpec(doc), None)
 
 
-def _field(spec: Spec, default: str | None = None) -> Any:
+def _field(spec: Spec, default: T) -> T:
     # A required number defaults to None too, so that a missing number is reported together with all other errors.
     return dataclasses.field(default=default, metadata={"spec": spec})
 
 
 def specs(kind: Any) -> Mapping[str, Spec]:
-    """Return the declarations of all fields of a part class by field name.
+    """Return the declarations of all fields of the part class `kind` by field name.
 
-    `kind` is the class. The names are those of a circuit file (`from`, not `from_`).
+    The names are those in a circuit file: `from`, not the Python attribute `from_`.
     """
     # A separate function: type checkers do not accept a class as an argument of a cached function.
     return _specs(kind)
@@ -230,26 +226,26 @@ def _specs(kind: Any) -> Mapping[str, Spec]:
 
 @cache
 def declared(kind: Any, *types: type) -> tuple[tuple[str, str, Any], ...]:
-    """Return name, Python attribute and declaration of each field of a class.
+    """Return name, Python attribute and declaration of each field of the part class `kind`.
 
-    If `types` contains classes of declarations, only these are included.
+    If `types` contains classes of declarations, such as `NumberSpec`, only fields with these classes are included.
     """
     # Cached: a changed number makes its part again, and a run reads every part.
     return tuple((n, attribute(n), spec) for n, spec in _specs(kind).items() if not types or isinstance(spec, types))
 
 
 def attribute(name: str) -> str:
-    """Return the Python attribute in which a field is stored.
+    """Return the name of the Python attribute that contains the field `name`.
 
-    It has the name of the field, except for `from`, a Python keyword, which is stored as `from_`.
+    Both names are equal, except for `from`: it is a Python keyword, so its attribute is `from_`.
     """
     return "from_" if name == "from" else name
 
 
 class ParameterDocstring:
-    """Docstring of a class, extended by a section on its parameters.
+    """Docstring of a part class, extended by the section "Parameters".
 
-    The section describes the declared fields. It is generated when the docstring is read.
+    The section is generated from the declarations of the fields when the docstring is read.
     """
 
     def __init__(self, text: str) -> None:
@@ -315,7 +311,9 @@ def read_number(name: str, spec: NumberSpec, argument: NumberLike) -> Number:
         kind = str(argument.get("source", "given"))
         if kind not in SOURCE_KINDS:
             near = NameSuggestion(kind, SOURCE_KINDS)
-            raise InputError("fields.not_an_option", f"{name}.source", value=kind, meaning="kind of source", near=near)
+            raise InputError(
+                "fields.not_an_option", f"{name}.source", value=kind, meaning="kind of source", suggestion=near
+            )
         source = Source(kind, str(argument.get("locator", "")), str(argument.get("note", "")))
         argument = argument["value"]
     if isinstance(argument, Number):
@@ -338,10 +336,10 @@ def read_number(name: str, spec: NumberSpec, argument: NumberLike) -> Number:
 
 
 def forget_library(part: Any, sets: Sequence[Mapping[str, Number]], path: str = "") -> None:
-    """Remove all numbers that come from library sets from a copied part.
+    """Reset to None all numbers of a copied part that come from the parameter library.
 
-    `sets` are these sets. The present library set then supplies the numbers again. `path` is the prefix of the
-    addresses in the sets.
+    `sets` contains the numbers of all parameter sets for this kind of part. The selected parameter set then supplies
+    new numbers. `path` is the prefix of the names in the sets.
     """
     if not sets:
         return
@@ -372,9 +370,9 @@ def default_number(name: str, spec: NumberSpec) -> Number | None:
 
 
 def from_table(kind: type[T], table: Any) -> T:
-    """Create an object of the class `kind` from a table of a file.
+    """Create an object of the class `kind` from a table of a TOML file.
 
-    All errors are reported together.
+    The keys of the table are the names of the fields. All errors are reported together.
     """
     if not isinstance(table, Mapping):
         raise InputError("fields.no_table", value=table)
@@ -395,10 +393,11 @@ def from_table(kind: type[T], table: Any) -> T:
 
 
 def complete(part: Any, library: Mapping[str, Number]) -> None:
-    """Set all fields of a part to their final values.
+    """Set all fields of a new part to their final values.
 
-    A field has the value of its argument. If there is none, it has the value in `library`, and otherwise its default. A
-    required field without any of them is an error. The part is frozen, but this function changes it in place.
+    A field whose argument is None gets the value from `library`, the numbers of the selected parameter set, or else its
+    default. A required field without any of these values is an error. The function changes the part in place, although
+    its class is frozen.
     """
     with ErrorCollector() as errors:
         _complete(part, library, "", errors, part)
@@ -430,13 +429,25 @@ def _read_field(
                 raise InputError("fields.missing", address, meaning=spec.meaning, unit=unit, plain=not unit, example="")
             return value
         case GroupSpec():
-            return _read_group(argument, spec, address, library, errors, owner)
+            valid = specs(spec.group)
+            if argument is None and spec.optional and not any(key.startswith(f"{address}.") for key in library):
+                return None
+            if isinstance(argument, Mapping):
+                errors.extend(unknown_field(f"{address}.{key}", key, valid) for key in argument if key not in valid)
+                argument = spec.group(**{attribute(key): value for key, value in argument.items() if key in valid})
+            elif argument is None:
+                argument = spec.group()
+            elif not isinstance(argument, spec.group):
+                raise InputError("fields.not_a_table", address, value=argument, meaning=spec.meaning, fields=[*valid])
+            result = copy(argument)
+            _complete(result, library, f"{address}.", errors, owner)
+            return result
         case OptionSpec():
             if isinstance(argument, bool) and spec.choices == OFF_ON:
                 return OFF_ON[argument]
             if argument not in spec.choices:
                 near = NameSuggestion(str(argument), spec.choices)
-                raise InputError("fields.not_an_option", address, value=argument, meaning=spec.meaning, near=near)
+                raise InputError("fields.not_an_option", address, value=argument, meaning=spec.meaning, suggestion=near)
         case PortSpec() | BodySpec():
             if argument is None and not spec.optional:
                 code = "fields.missing_port" if isinstance(spec, PortSpec) else "fields.missing_body"
@@ -446,36 +457,18 @@ def _read_field(
     return argument
 
 
-def _read_group(
-    argument: Any, spec: GroupSpec, address: str, library: Mapping[str, Number], errors: ErrorCollector, owner: Any
-) -> object:
-    valid = specs(spec.group)
-    if argument is None and spec.optional and not any(key.startswith(f"{address}.") for key in library):
-        return None
-    if isinstance(argument, Mapping):
-        errors.extend(unknown_field(f"{address}.{key}", key, valid) for key in argument if key not in valid)
-        argument = spec.group(**{attribute(key): value for key, value in argument.items() if key in valid})
-    elif argument is None:
-        argument = spec.group()
-    elif not isinstance(argument, spec.group):
-        raise InputError("fields.not_a_table", address, value=argument, meaning=spec.meaning, fields=[*valid])
-    result = copy(argument)
-    _complete(result, library, f"{address}.", errors, owner)
-    return result
-
-
 def unknown_field(address: str, name: str, valid: Mapping[str, Any]) -> InputError:
     """Return the error for a field name that a part does not have.
 
-    `valid` contains the valid names.
+    `address` is the address of the field, `name` its name, and `valid` contains the valid names.
     """
-    return InputError("fields.unknown", address, table="", near=NameSuggestion(name, valid))
+    return InputError("fields.unknown", address, table="", suggestion=NameSuggestion(name, valid))
 
 
 def flatten(part: Any, path: str = "", owner: Any = None) -> list[tuple[str, NumberSpec, Number]]:
-    """Return dotted name, declaration and value of each number in a part or group.
+    """Return dotted name, declaration and value of each number of a part or of a group.
 
-    `path` is the prefix of the names. `owner` is the part that contains the group.
+    `path` is the prefix of the names. `owner` is the part that contains the group; None if `part` is a part.
     """
     owner = part if owner is None else owner
     numbers: list[tuple[str, NumberSpec, Number]] = []

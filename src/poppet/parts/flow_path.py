@@ -37,7 +37,8 @@ _FROM_AIR: dict[str, Callable[..., iso6358.Conductance]] = {
 def read_characteristic(argument: Any, address: str) -> Characteristic:
     """Read a flow characteristic from the library, a TOML file or a table.
 
-    `argument` is the name in the library, the path of the file, or the table.
+    `argument` is the name in the library, the path of the file, or the table. `address` is the address of the field in
+    errors.
     """
     if isinstance(argument, Characteristic):
         return argument
@@ -64,16 +65,15 @@ def _assumed_ratio(size: str) -> Number:
 class FlowPath(Passage):
     """Base class of flow paths after ISO 6358.
 
-    Exactly one field specifies the flow capacity. Subclasses declare the ports.
-
-    Subclasses declare the ports.
+    Exactly one field specifies the flow capacity: `sonic_conductance`, `effective_area`, `flow_coefficient_kv`,
+    `flow_coefficient_cv`, `nominal_flow` or `characteristic`. Subclasses declare the ports.
 
     Notes
     -----
-    If a flow coefficient, a nominal flow or a conductance is given without a critical ratio, this ratio is assumed to
-    be 0.3 and has the source `assumed`. An effective area gives C and b of an isentropic nozzle with the gas of the
-    circuit. A flow coefficient or a nominal flow, which refers to a liquid or to air, is converted to C and b of that
-    gas.
+    If a flow coefficient, a nominal flow or a sonic conductance is specified without a critical ratio, the critical
+    ratio is 0.3 and has the source `assumed`. An effective area is converted to C and b of an isentropic nozzle with
+    the gas of the circuit. A flow coefficient refers to a liquid and a nominal flow to air; both are converted to C and
+    b for the gas of the circuit.
     """
 
     sonic_conductance: NumberLike = number("m^3/(s Pa)", optional=True, doc="sonic conductance C", low=0.0)
@@ -84,7 +84,7 @@ class FlowPath(Passage):
     nominal_flow: NumberLike = number(
         "m^3/s ANR", optional=True, kind="volume_flow_anr", doc="nominal flow qNn (6 to 5 bar g)", low=0.0
     )
-    characteristic: Any = reference(doc="C and b over the stroke: library name, .toml file or table")
+    characteristic: Any = reference(doc="C and b as functions of a stroke; library name, .toml file or table")
     subsonic_index: NumberLike = subsonic_index_m()
     laminar_ratio: NumberLike = laminar_limit()
 
@@ -109,7 +109,7 @@ class FlowPath(Passage):
 
     @property
     def _size(self) -> str:
-        """Name of the one field that specifies the flow capacity."""
+        """Name of the field that specifies the flow capacity, such as `nominal_flow`."""
         return next(name for name in _SIZES if getattr(self, name) is not None)
 
     def notes(self) -> tuple[Note, ...]:
@@ -152,9 +152,9 @@ class FlowPath(Passage):
         return super().structure(), None if self.characteristic is None else self.characteristic.structure()
 
     def size_at(self, scope: Scope, stroke: Any) -> tuple[Any, Any]:
-        """Return sonic conductance and critical ratio at a stroke.
+        """Return sonic conductance [m^3/(s Pa)] and critical pressure ratio [1] at a stroke.
 
-        The stroke has an effect only if the flow path has a characteristic.
+        The stroke [m] has an effect only if a characteristic specifies the flow capacity.
         """
         if self.characteristic is None:
             return scope["sonic_conductance"], scope["critical_ratio"]
@@ -162,16 +162,17 @@ class FlowPath(Passage):
 
 
 def characteristic_at(curve: Characteristic, scope: Scope, prefix: str, stroke: Any) -> tuple[Any, Any]:
-    """Return C and b of a characteristic at a stroke.
+    """Return sonic conductance [m^3/(s Pa)] and critical pressure ratio [1] of a characteristic at a stroke [m].
 
-    `curve` is the characteristic. Its parameters are the elements of `scope` whose names begin with `prefix`.
+    `curve` is the characteristic. Its parameters are the parameters of the part in `scope` whose names begin with
+    `prefix`.
     """
     values = _PrefixedParameters(scope, prefix)
     return curve.sonic_conductance_at(stroke, values), curve.critical_ratio_at(stroke, values)
 
 
 class _PrefixedParameters(Mapping[str, Any]):
-    """Mapping to the parameters of a scope, without the common prefix of their names."""
+    """Mapping of all parameters of a part whose names begin with a prefix, by the name without the prefix."""
 
     def __init__(self, scope: Scope, prefix: str) -> None:
         self._scope, self._prefix = scope, prefix
@@ -195,10 +196,11 @@ def iso_flow(
     scope: Scope, name: str, ports: tuple[str, str], gas: tuple[GasState, GasState], size: tuple[Any, Any], *,
     cracking_pressure: Any = 0.0, one_way: bool = False, regime: str = "regime",
 ) -> tuple[Flow, Quantities]:  # fmt: skip
-    """Return the ISO 6358 flow between two ports, with its outputs.
+    """Return the ISO 6358 flow between two ports, and its outputs.
 
-    `ports` and `gas` are the names and the gas states of the two ports. `size` contains C and b. `name` is the output
-    of the mass flow rate, and `regime` that of the flow regime.
+    `ports` and `gas` are the names and the gas states of the two ports. `size` contains sonic conductance and critical
+    pressure ratio of the flow path. `name` is the name of the output for the mass flow rate, and `regime` that of the
+    output for the flow regime.
     """
     conductance, ratio = scope.surroundings.capacity_in_circuit_gas(*size)
     first, second = gas
@@ -215,9 +217,10 @@ def iso_flow(
 
 
 def single_flow(scope: Scope, gas: Mapping[str, GasState], size: tuple[Any, Any], **law: Any) -> PassageFlows:
-    """Return the flow of a part that has only the ports `from` and `to`.
+    """Return the flow of a part whose ports are `from` and `to`, with its outputs.
 
-    `size` contains C and b.
+    `gas` contains the gas states at the ports, `size` contains sonic conductance and critical pressure ratio, and `law`
+    contains further arguments of `iso_flow`.
     """
     flow, outputs = iso_flow(scope, "mass_flow_rate", ("from", "to"), (gas["from"], gas["to"]), size, **law)
     return PassageFlows((flow,), outputs)
@@ -226,9 +229,10 @@ def single_flow(scope: Scope, gas: Mapping[str, GasState], size: tuple[Any, Any]
 def named_flow(
     scope: Scope, gas: Mapping[str, GasState], name: str, ends: tuple[str, str], size: tuple[Any, Any]
 ) -> tuple[Flow, Quantities]:
-    """Return one of several flows of a part.
+    """Return one of several flows of a part, and its outputs.
 
-    `ends` are the two ports, and `size` contains C and b. The names of its outputs begin with `name`.
+    `gas` contains the gas states at all ports, `ends` the two ports of the flow, and `size` sonic conductance and
+    critical pressure ratio. The names of the outputs begin with `name`.
     """
     first, second = ends
     return iso_flow(scope, f"{name}_mass_flow_rate", ends, (gas[first], gas[second]), size, regime=f"{name}_regime")
@@ -238,7 +242,8 @@ def named_flow(
 class Orifice(FlowPath):
     """Restriction, fitting, line or valve seat with a sonic conductance and a critical ratio.
 
-    Flow from the first to the second port is positive. A characteristic needs a stroke.
+    Flow from the first to the second port is positive. If a characteristic specifies the flow capacity, the part has
+    the input `stroke`.
 
     Examples
     --------

@@ -33,7 +33,7 @@ On the paper's staircase it saves a quarter of the steps without a larger error 
 
 @dataclass(frozen=True)
 class Spring:
-    """Linear spring with the compression `preload` at a stroke of zero."""
+    """Parameters of a linear spring of a main stage, with the compression `preload` at stroke zero."""
 
     rate: NumberLike = number("N/m", doc="spring rate", low=0.0)
     preload: NumberLike = number("m", doc="compression at stroke zero", low=0.0)
@@ -43,30 +43,37 @@ class Spring:
 class Stop:
     """End stop of the plate by the law of Hunt and Crossley.
 
-    The force is k d^1.5 with the depth d of penetration, multiplied by a damping factor.
+    The force is k d^1.5 with the stiffness k and the depth d of penetration, multiplied by a damping factor.
     """
 
     position: NumberLike = number("m", doc="stroke at the stop")
     stiffness: NumberLike = number("N/m^1.5", doc="contact stiffness", above=0.0)
-    dissipation: NumberLike = number("s/m", doc="contact dissipation", low=0.0)
+    dissipation: NumberLike = number(
+        "s/m", doc="contact dissipation; inverse of the speed at which damping saturates", low=0.0
+    )
 
 
 @dataclass(frozen=True)
 class Contact:
-    """Contact between plate and poppet at stroke zero.
+    """Parameters of the contact between plate and poppet of a main stage at stroke zero.
 
-    At larger strokes, the lower spring acts on the plate.
+    At positive strokes, the plate lifts the poppet, and the lower spring acts on the plate.
     """
 
-    width: NumberLike = number("m", doc="width of the contact", above=0.0)
-    dissipation: NumberLike = number("s/m", doc="contact dissipation", low=0.0)
+    width: NumberLike = number(
+        "m", doc="width of the contact; range of strokes below zero in which the lower spring force changes", above=0.0
+    )
+    dissipation: NumberLike = number(
+        "s/m", doc="contact dissipation; inverse of the speed at which damping saturates", low=0.0
+    )
 
 
 @dataclass(frozen=True)
 class Exhaust:
     """Parameters of the exhaust seat of a main stage.
 
-    The seat opens at strokes below minus the overlap. It is fully open after a further stroke of `opening`.
+    The seat opens at strokes below minus `overlap`, a field of the main stage. It is fully open after a further stroke
+    of `opening`.
     """
 
     sonic_conductance: NumberLike = number("m^3/(s Pa)", doc="sonic conductance C of the exhaust", low=0.0)
@@ -76,7 +83,7 @@ class Exhaust:
 
 @dataclass(frozen=True)
 class Friction:
-    """Stribeck friction of the plate."""
+    """Parameters of the Stribeck friction of the plate of a main stage."""
 
     coulomb: NumberLike = number("N", 0.0, doc="Coulomb friction", low=0.0, note="none by default")
     static: NumberLike = number("N", optional=True, doc="breakaway friction", low=0.0)
@@ -87,7 +94,7 @@ class Friction:
 
 @dataclass(frozen=True)
 class MainStage(Passage):
-    r"""Main stage of a piloted valve by eqs (5)-(8) of the paper.
+    r"""Main stage of a piloted pressure valve by the equations of Varga & Keski-Honkola 2012.
 
     One coordinate, the stroke x of the plate, describes filling, overlap and emptying.
 
@@ -100,14 +107,14 @@ class MainStage(Passage):
 
     Notes
     -----
-    The mode `paper` is literally eqs (5)-(8), with the pilot gauge pressure as the only input. In the mode `regulator`
-    the outlet pressure acts against the pilot pressure, and the seat pressure acts on the poppet. The default
-    characteristic is that of `data` with the suffix `.closed`, which has C = 0 for strokes up to 0; the default pilot
-    pressure is the ambient pressure.
+    In the mode `paper`, the equations are eqs (5)-(8) of the reference; the gauge pressure of the pilot is the only
+    drive. In the mode `regulator`, the outlet pressure acts against the pilot pressure, and the pressure drop of the
+    supply seat acts on the poppet. The default characteristic has the name in `data` with the suffix `.closed`; its C
+    is 0 for strokes up to 0. The default pilot pressure is the ambient pressure.
 
-    Fig. 5 of the paper shows k2 (h2 - x), eq. (5) k2 (h2 + x); the model follows the equation. The contact is a ramp of
-    the force of the lower spring over `contact.width` below zero, with the dissipation of Hunt and Crossley. It
-    replaces the discontinuity of the equations by a stiff, damped and differentiable force.
+    Fig. 5 of the reference shows the spring force k2 (h2 - x), but eq. (5) contains k2 (h2 + x); the model follows the
+    equation. At a stroke of 0, the force of the lower spring is discontinuous in the equations. In the model, it
+    changes over the range of strokes `contact.width` below zero, with the dissipation of Hunt and Crossley.
 
     References
     ----------
@@ -122,7 +129,7 @@ class MainStage(Passage):
     supply: str | None = port("gas node at port 1")
     outlet: str | None = port("gas node at port 2")
     exhaust: str | None = port("gas node at port 3")
-    data: Any = reference(doc="library set")
+    data: Any = reference(doc="name of a parameter set of the library")
     mode: str = option(*_MODES, doc="mode; equations of the paper, or a pressure regulator")
     characteristic: Any = reference(doc="C(x), b(x): library name, .toml file or table")
     pilot_pressure: NumberLike = number("Pa", optional=True, doc="pilot pressure", kind="pressure", low=0.0)
@@ -163,7 +170,7 @@ class MainStage(Passage):
 
     @property
     def curve(self) -> Characteristic:
-        """Flow characteristic of the supply seat."""
+        """Flow characteristic of the supply seat: C and b as functions of the stroke."""
         result: Characteristic = self.characteristic
         return result
 

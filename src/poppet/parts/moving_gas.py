@@ -13,9 +13,9 @@ STATES = (State("energy", "J", 100.0, positive=True), State("mass", "kg", 1e-3, 
 
 
 def initial_states(scope: Scope, volume: Any) -> dict[str, Any]:
-    """Return mass and energy of gas at its initial pressure and temperature.
+    """Return the initial values of the states `mass` [kg] and `energy` [J] of the gas in a part.
 
-    `volume` is the initial volume of the gas [m^3].
+    `volume` is the initial volume of the gas [m^3]. Initial pressure and temperature are parameters in `scope`.
     """
     pressure, gas = scope["initial_pressure"], scope.surroundings
     mass = gas_law.mass(pressure, volume, scope["initial_temperature"], gas.gas_constant)
@@ -23,16 +23,16 @@ def initial_states(scope: Scope, volume: Any) -> dict[str, Any]:
 
 
 def gas_state(scope: Scope, volume: Any) -> GasState:
-    """Return pressure and temperature of gas from its states and its volume."""
+    """Return pressure and temperature of the gas in a part from its states and its volume [m^3]."""
     energy, mass, gas = scope.states["energy"], scope.states["mass"], scope.surroundings
     return GasState((gas.isentropic_exponent - 1.0) * energy / volume, energy / (mass * gas.heat_capacity_volume))
 
 
 def balance(scope: Scope, gas: GasState, volume: Any, growth: Any, flows: tuple[tuple[Any, Any], ...]) -> GasBalance:
-    """Return rates and outputs of the gas in a changing volume.
+    """Return the outputs of the gas in a changing volume, and the time derivatives of its states.
 
-    The energy balance is U' = sum of enthalpy flows + heat - p V'. `growth` is the rate of change V' of the volume.
-    `flows` contains the mass flow rate and the enthalpy flow rate of each flow.
+    The energy balance is U' = sum of enthalpy flows + heat - p V'. `growth` is the rate of change V' of the volume
+    [m^3/s]. `flows` contains the mass flow rate [kg/s] and the enthalpy flow rate [W] of each flow into the volume.
     """
     heat = scope["wall_conductance"] * (scope["wall_temperature"] - gas.temperature)
     work = -gas.pressure * growth
@@ -55,9 +55,9 @@ class MovingGasStore(Store):
 
     @abstractmethod
     def volume_and_area(self, scope: Scope) -> tuple[Any, Any]:
-        """Return the gas volume, and its derivative by the travel of the body.
+        """Return the gas volume [m^3], and its derivative with respect to the travel of the actuator [m^2].
 
-        The derivative is an area. The travel is positive in the direction of the part.
+        The travel of the actuator is the travel of the body, with the sign of the field `direction`.
         """
 
     def states(self) -> tuple[State, ...]:

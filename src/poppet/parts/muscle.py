@@ -33,8 +33,8 @@ CONTRACTION_TOLERANCE = 1e-9
 class Hysteresis:
     """Parameters of the hysteresis of a muscle force.
 
-    The hysteresis opposes the motion, and remains when the motion stops. It is the sum of a constant and a term
-    proportional to the gauge pressure.
+    The hysteresis force opposes the motion, and remains if the motion stops. It is the sum of a constant force and a
+    force that is proportional to the gauge pressure.
     """
 
     kind: str = option("coulomb", "maxwell", doc="law of hysteresis")
@@ -47,7 +47,10 @@ class Hysteresis:
 
 @dataclass(frozen=True)
 class Limits:
-    """Range of the force law that was measured, and limits by the manufacturer."""
+    """Measured range of the force law, and limits stated by the manufacturer.
+
+    A note reports if a run exceeds them.
+    """
 
     lowest_contraction: NumberLike = number("1", optional=True, doc="lowest contraction")
     highest_contraction: NumberLike = number("1", optional=True, doc="highest contraction", below=1.0)
@@ -68,10 +71,15 @@ class Muscle(MuscleLawPart, MovingGasStore, Actuator):
 
     Notes
     -----
-    With the volume law `work`, the growth of the volume does the work of the force law on the body, without damping and
-    hysteresis; the passive force is a spring. `braid` is the volume of the threads. A slack muscle has no force, but
-    its volume still depends on the position of the body; the run has a note. Defaults: `nominal_volume` is that of a
-    cylinder, `wall_temperature` the ambient temperature.
+    F is the pulling force, limited to positive values, :math:`p_g` the gauge pressure, :math:`f_1` the force per gauge
+    pressure, :math:`f_0` the force at zero gauge pressure, d the damping, :math:`F_h` the hysteresis, s the contraction
+    distance and x the travel of the body.
+
+    With the volume law `work`, the gas does the same work during a change of volume as the force :math:`p_g f_1` does
+    on the body; :math:`f_0` acts as a spring. With `braid`, the volume is that of the cylinder that the threads
+    enclose. A slack muscle has no force, but its volume still depends on the position of the body; a note then reports
+    this. The default of `nominal_volume` is the volume of a cylinder, that of `wall_temperature` the ambient
+    temperature.
 
     References
     ----------
@@ -92,7 +100,7 @@ class Muscle(MuscleLawPart, MovingGasStore, Actuator):
     internal_outputs: ClassVar[tuple[str, ...]] = ("mass", "volume", "heat_flow_rate", "work_rate")
 
     body: str | None = body("body that it pulls")
-    data: Any = reference(doc="library set")
+    data: Any = reference(doc="name of a parameter set of the library")
     direction: NumberLike = number("1", 1.0, doc="direction, 1 or -1", note="pulls towards larger positions")
     offset: NumberLike = number("m", 0.0, doc="travel of the body at the nominal length", note="position zero")
     volume_law: str = option("work", "braid", doc="law of the volume")
@@ -101,7 +109,11 @@ class Muscle(MuscleLawPart, MovingGasStore, Actuator):
     damping: NumberLike = number("N s/m", 0.0, doc="damping of the contraction", low=0.0, note="none by default")
     hysteresis: Any = group(Hysteresis, doc="hysteresis", optional=True)
     slack_force: NumberLike = number(
-        "N", 1.0, doc="half the range of becoming slack", above=0.0, note="smooths the corner"
+        "N",
+        1.0,
+        doc="half the range of becoming slack; range of forces about zero",
+        above=0.0,
+        note="smooths the corner",
     )
     limits: Any = group(Limits, doc="range of the law")
     wall_conductance: NumberLike = number("W/K", 0.0, doc="wall conductance h A", low=0.0, note="adiabatic by default")

@@ -20,7 +20,7 @@ REQUIRED = {"sarosi": "sarosi", "chou_hannaford": "braid_angle", "tondu_lopez": 
 
 @dataclass(frozen=True)
 class SarosiNumbers:
-    """Parameters a1 to a6 of the muscle force law of Sarosi."""
+    """Parameters a1 to a6 of Sarosi's force law of a muscle."""
 
     a1: NumberLike = number("N/Pa", doc="Sarosi's a1")
     a2: NumberLike = number("N", doc="Sarosi's a2")
@@ -39,7 +39,9 @@ class MuscleLawPart(Part):
     law: str = option(*REQUIRED, doc="force law")
     sarosi: Any = group(SarosiNumbers, doc="parameters of Sarosi's law", optional=True)
     braid_angle: NumberLike = number("rad", optional=True, doc="braid angle to the axis", above=0.0, below=math.pi / 2)
-    end_factor: NumberLike = number("1", 1.0, doc="factor k of the ends", above=0.0, note="cylindrical ends")
+    end_factor: NumberLike = number(
+        "1", 1.0, doc="factor k of the ends; above 1 for tapered ends", above=0.0, note="cylindrical ends"
+    )
     force_table: Any = reference(doc="measured force; mapping of lists contraction, force_per_pressure, passive_force")
 
     def check(self) -> None:
@@ -65,12 +67,12 @@ class MuscleLawPart(Part):
         Parameters
         ----------
         numbers : mapping, optional
-            Floats or symbols by local name; default the numbers of the muscle.
+            Parameters of the law in SI units by name; default those of the part.
 
         Returns
         -------
         ForceLaw
-            With `force`, `pressure_for`, `slope`, `passive` and `swept`.
+            Object whose method `force` returns the force [N] for a gauge pressure [Pa] and a contraction [1].
         """
         values = {name: number.value for name, number in self.numbers().items()} if numbers is None else numbers
         match self.law:
@@ -107,6 +109,6 @@ class MuscleLawPart(Part):
 def braid_of(numbers: Mapping[str, Any]) -> ChouHannaford:
     """Return the force law of a braided muscle from its nominal size.
 
-    `numbers` contains nominal diameter, nominal length and braid angle.
+    `numbers` contains `nominal_diameter` [m], `nominal_length` [m] and `braid_angle` [rad].
     """
     return ChouHannaford(numbers["nominal_diameter"], numbers["nominal_length"], numbers["braid_angle"])

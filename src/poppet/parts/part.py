@@ -54,7 +54,7 @@ Quantities = dict[str, tuple[Any, str]]
 
 @dataclass(frozen=True)
 class State:
-    """Declaration of a continuous state of a part, with local name and SI unit."""
+    """Declaration of a continuous state of a part, with its name within the part and its SI unit."""
 
     name: str
     unit: str
@@ -66,7 +66,7 @@ class State:
 
 @dataclass(frozen=True)
 class Input:
-    """Input of a part, which a signal or a connection can drive."""
+    """Declaration of an input of a part, which a signal or the output of another part can drive."""
 
     name: str
     unit: str
@@ -78,11 +78,12 @@ class Input:
     slope_of: str = ""  # input whose time derivative it is; it cannot be driven on its own
     by_signal: bool = False  # only a signal can drive it
     is_command: bool = False  # setpoint or command that a user changes to move a body
+    is_flag: bool = False  # 0 or 1, a Boolean in exported programs
 
 
 @dataclass(frozen=True)
 class DiscreteState:
-    """State of a part that changes at sample instants only."""
+    """Declaration of a state of a part that changes at sample instants only."""
 
     name: str
     unit: str
@@ -90,9 +91,9 @@ class DiscreteState:
 
 @dataclass(frozen=True)
 class Timer:
-    """Next sample instant of a part [s].
+    """Declaration of a timer of a part, whose value is the time of its next sample instant [s].
 
-    At each instant the part sets a new time. It sets `NEVER` to stop the timer.
+    At each sample instant, the part sets a new time. The time `NEVER` stops the timer.
     """
 
     name: str
@@ -109,7 +110,7 @@ class GasState:
 
 @dataclass(frozen=True)
 class BodyMotion:
-    """Travel [m] and speed [m/s] of a body, as seen by its actuators."""
+    """Travel [m] and speed [m/s] of a body at the point on which its actuators act."""
 
     position: Any
     velocity: Any
@@ -117,9 +118,10 @@ class BodyMotion:
 
 @dataclass(frozen=True)
 class ActuatorForce:
-    """Force of an actuator on a body, and dry friction that it adds [N].
+    """Force of an actuator on a body, and additional dry friction of the body [N].
 
-    The force is positive towards larger positions.
+    The force is positive towards larger positions. The class also contains outputs of the actuator and the time
+    derivatives of its states.
     """
 
     force: Any
@@ -130,7 +132,7 @@ class ActuatorForce:
 
 @dataclass(frozen=True)
 class BodyDynamics:
-    """Outputs, state rates and energy [J] of a body.
+    """Outputs of a body, time derivatives of its states (`rates`), and its energy [J].
 
     `powers` contains the power of the actuators minus that of the load, and the power of friction and stops [W].
     """
@@ -143,9 +145,9 @@ class BodyDynamics:
 
 @dataclass(frozen=True)
 class Flow:
-    """Gas flow between two ports.
+    """Mass and enthalpy flow rate of gas between two ports.
 
-    It is positive from `source` to `target`.
+    Both are positive from `source` to `target`.
     """
 
     name: str  # output of the mass flow rate
@@ -157,7 +159,7 @@ class Flow:
 
 @dataclass(frozen=True)
 class PassageFlows:
-    """Gas flows of a flow path, with its outputs and state rates."""
+    """Gas flows of a flow path, its outputs, and the time derivatives of its states (`rates`)."""
 
     flows: tuple[Flow, ...]
     outputs: Quantities
@@ -167,10 +169,10 @@ class PassageFlows:
 
 @dataclass(frozen=True)
 class GasBalance:
-    """Outputs and state rates that the flows into a gas node cause.
+    """Outputs of a gas node, and time derivatives of its states (`rates`).
 
-    `heat` is the heat from the wall and `work` the work on the gas [W]. `energy` is given only if it is linear in the
-    states [J].
+    `heat` is the heat flow rate from the wall to the gas, and `work` the power of the volume change on the gas [W].
+    `energy` is the energy of the gas [J], or None if it is not linear in the states.
     """
 
     outputs: Quantities
@@ -183,7 +185,7 @@ class GasBalance:
 
 @dataclass(frozen=True)
 class ControlOutputs:
-    """Outputs of a controller, and the rates of its continuous states.
+    """Outputs of a controller, and time derivatives of its continuous states (`rates`).
 
     They are valid between two sample instants.
     """
@@ -217,26 +219,26 @@ class Surroundings:
         return self.gas_constant / (self.isentropic_exponent - 1.0)
 
     def capacity_in_circuit_gas(self, conductance: Any, ratio: Any) -> tuple[Any, Any]:
-        """Convert stated C and b to the gas of the circuit.
+        """Convert C [m^3/(s Pa)] and b [1] as stated in a circuit file to the gas of the circuit.
 
-        A circuit file can state them as measured with air.
+        The file can state values that were measured with air.
         """
         return conductance * self.conductance_factor, ratio + (1.0 - ratio) * self.ratio_shift
 
     def capacity_as_stated(self, conductance: float, ratio: float) -> tuple[float, float]:
-        """Convert C and b of the circuit gas to their stated form.
+        """Convert C [m^3/(s Pa)] and b [1] for the gas of the circuit to the form in a circuit file.
 
-        A circuit file can state them as measured with air. This is the inverse of `capacity_in_circuit_gas`.
+        The file can state values that were measured with air. This is the inverse of `capacity_in_circuit_gas`.
         """
         return conductance / self.conductance_factor, (ratio - self.ratio_shift) / (1.0 - self.ratio_shift)
 
 
 @dataclass(frozen=True)
 class Scope:
-    """Values that the equations of one part can use.
+    """Values that the equations of one part use, as floats or symbols in SI units.
 
-    They are the parameters, states, inputs and discrete states of the part (floats or symbols), the ambient conditions
-    and the time [s].
+    They are the parameters (`numbers`), states, inputs and discrete states (`memory`) of the part, the ambient
+    conditions, the time [s], and the motion of its body.
     """
 
     numbers: Mapping[str, Any]
@@ -246,15 +248,24 @@ class Scope:
     memory: Mapping[str, Any] = field(default_factory=dict)
     time: Any = 0.0
     motion: BodyMotion | None = None  # of the body of the part
+    has_relative_time: bool = False  # timers contain the time that remains until their instants
+    labels: dict[str, tuple[Any, str]] = field(default_factory=dict)  # see `label`
 
     @property
     def body(self) -> BodyMotion:
-        """Motion of the body on which the part acts.
+        """Travel and speed of the body on which the part acts.
 
-        The part must have a body.
+        Only the scope of a part that acts on a body has this property.
         """
         assert self.motion is not None
         return self.motion
+
+    def label(self, name: str, value: Any, meaning: str) -> None:
+        """Name an intermediate value of the equations in exported code.
+
+        `meaning` is its description with unit, which becomes a comment.
+        """
+        self.labels[name] = value, meaning
 
     def __getitem__(self, name: str) -> Any:
         return self.numbers[name]
@@ -294,22 +305,25 @@ class Part(ABC):
         self.check()
 
     def library_sets(self) -> Sequence[Mapping[str, Number]]:
-        """Return all library sets from which numbers of the part can come.
+        """Return the numbers of all published parameter sets for this kind of part.
 
-        If a copy of the part selects another set, numbers from these sets are replaced.
+        If a copy of the part selects another parameter set, numbers from these sets are replaced.
         """
         return library.every_set(self.kind) if hasattr(self, "data") else ()
 
     def library_numbers(self) -> Mapping[str, Number]:
-        """Return the numbers of the selected library set.
+        """Return the numbers of the published parameter set that the field `data` selects.
 
-        They are used for fields without an argument.
+        They are used for fields without an argument. The result is empty if `data` is None.
         """
         data = getattr(self, "data", None)
         return {} if data is None else library.numbers(str(data), self.kind, self.variant())
 
     def variant(self) -> str:
-        """Return the variant of the library set that the options select."""
+        """Return the variant of the parameter set for the options of the part, such as a preset.
+
+        It is empty for parts without variants.
+        """
         return ""
 
     def check(self) -> None:  # noqa: B027 - most parts have no rule beyond those of their fields
@@ -322,17 +336,17 @@ class Part(ABC):
         """
 
     def notes(self) -> tuple[Note, ...]:
-        """Return notes on the fields of the part.
+        """Return notes on the fields of the part, for example on an assumed value.
 
-        They accompany every result. Their addresses are relative to the part.
+        Every result contains them. Their addresses are relative to the part.
         """
         return ()
 
     def remarks(self, name: str, series: Callable[[str], Any]) -> tuple[Note, ...]:
         """Return notes on a finished run, for example on a limit that was exceeded.
 
-        `name` is the name of the part. `series` is a function that returns the (n_times,) array of an output, or of
-        `time`.
+        `name` is the name of the part. `series` is a function that returns the recorded values, shape (n_times,), for
+        the address of an output or for `time`.
         """
         return ()
 
@@ -341,10 +355,10 @@ class Part(ABC):
         return {name: value for name, _, value in flatten(self)}
 
     def parameters(self, ambient: Surroundings) -> dict[str, float]:
-        """Return the values of all parameters of the part in a run, by name.
+        """Return the values of all parameters in the equations of the part, by name.
 
-        They are the numbers, and values that are computed from them. All values are in SI units, and pressures are
-        absolute. The names do not depend on the values.
+        They are the numbers of the part, and values that are computed from them. All values are in SI units, and
+        pressures are absolute. The names do not depend on the values.
         """
         values = {}
         for name, spec, value in flatten(self):
@@ -358,26 +372,26 @@ class Part(ABC):
         return values
 
     def ports(self) -> dict[str, str]:
-        """Return a mapping from the name of each connected port to its gas node."""
+        """Return a mapping from the name of each connected port to the name of its gas node."""
         connected = ((name, getattr(self, attribute)) for name, attribute, _ in declared(type(self), PortSpec))
         return {name: node for name, node in connected if node is not None}
 
     def outer_ports(self) -> dict[str, str]:
-        """Return a mapping from ports of other parts to gas nodes of this part.
+        """Return a mapping from ports of other parts to the gas nodes of this part.
 
-        It contains only ports that are named in a field of this part.
+        It contains those ports that a field of this part names, such as an end of a tube.
         """
         return {}
 
     def stores(self) -> tuple[str, ...]:
-        """Return the local names of the gas nodes of the part.
+        """Return the names of the gas nodes within the part, to which ports can be connected.
 
-        Ports can be connected to them. An empty name is the part itself.
+        An empty name is the part itself.
         """
         return ()
 
     def body_name(self) -> str | None:
-        """Return the name of the body on which the part acts."""
+        """Return the name of the body on which the part acts, or None if it acts on no body."""
         return next((getattr(self, attribute) for _, attribute, _ in declared(type(self), BodySpec)), None)
 
     def list_internal_outputs(self) -> tuple[str, ...]:
@@ -385,7 +399,7 @@ class Part(ABC):
         return self.internal_outputs
 
     def caption(self, numbers: CaptionNumbers) -> list[str]:
-        """Return the lines of text in the box of the part in a schematic."""
+        """Return the lines of text with which a schematic describes the part."""
         first = list(self.numbers().items())[:3]
         values = (f"{name.replace('_', ' ')} {numbers.text(number)}" for name, number in first)
         return [self.kind.replace("_", " "), *values]
@@ -398,63 +412,72 @@ class Part(ABC):
         return self.symbol
 
     def options(self) -> dict[str, str]:
-        """Return the names and choices of all options, which determine the structure of the model."""
+        """Return the selected word of each option by name; the options determine the equations of the part."""
         return {name: getattr(self, attribute) for name, attribute, _ in declared(type(self), OptionSpec)}
 
     def structure(self) -> Hashable:
-        """Return a hashable key that determines the equations of the part.
+        """Return a hashable key of the equations of the part.
 
-        Parts with equal keys differ only in the values of their numbers.
+        Parts with equal keys have the same equations and differ only in the values of their numbers.
         """
         return self.kind, tuple(self.options().items()), tuple(sorted(self.ports().items())), self.body_name()
 
     def replaced_fields(self, fields: Iterable[str]) -> tuple[str, ...]:
-        """Return the names of fields that must be removed if other fields are set.
+        """Return the names of fields that contradict newly set fields and must be removed.
 
-        `fields` are the fields that a file sets. The result contains the fields that would contradict them.
+        `fields` are the names of the newly set fields.
         """
         return ()
 
     def states(self) -> tuple[State, ...]:
-        """Return the continuous states of the part."""
+        """Return the declarations of the continuous states of the part."""
         return ()
 
     def inputs(self) -> tuple[Input, ...]:
-        """Return the inputs of the part."""
+        """Return the declarations of the inputs of the part, which signals or other parts can drive."""
         return ()
 
+    def output_ranges(self) -> dict[str, tuple[str | float, str | float]]:
+        """Return the ranges of outputs that are limited, by name.
+
+        A limit is a number in SI units or the name of a parameter, with a minus sign for its negative value. Outputs
+        that are not in the result can have any value.
+        """
+        return {}
+
     def memory(self) -> tuple[DiscreteState, ...]:
-        """Return the discrete states of the part, without its timers."""
+        """Return the declarations of the discrete states of the part, without its timers."""
         return ()
 
     def timers(self) -> tuple[Timer, ...]:
-        """Return the timers that determine the sample instants of the part."""
+        """Return the declarations of the timers that determine the sample instants of the part."""
         return ()
 
     def start(self, scope: Scope) -> dict[str, Any]:
-        """Return the initial values of states, discrete states and timers by name."""
+        """Return the initial values of all states, discrete states and timers of the part by name."""
         # The scope has no states yet. Inputs have their initial values.
         return {}
 
     def update(self, timer: str, scope: Scope) -> dict[str, Any]:
         """Return the new discrete states and timers at a sample instant.
 
-        `timer` is the timer that is due. The result includes its next time. Discrete states that are not in the result
-        keep their values.
+        `timer` is the name of the timer that is due. The result contains its next time. Discrete states that the result
+        does not contain are unchanged.
         """
         raise NotImplementedError(f"{self.kind} has no timers")
 
     def can_resume(self, target: str) -> bool:
-        """Return True if an initial value has an effect with the present options.
+        """Return True if the parameter `target` is an initial value with the present options of the part.
 
-        `target` is the name of the parameter for this initial value.
+        For example, a wall temperature is an initial value only if the part has it as a state.
         """
         return target != "wall_temperature" or any(state.name == target for state in self.states())
 
     def domains(self) -> dict[str, tuple[Any, tuple[float, float]]]:
-        """Return the characteristics whose domain limits a state or an input.
+        """Return a mapping from each state or input that is a stroke to its flow characteristic.
 
-        The keys are names of states and inputs. Each value is a characteristic with the positions of the two end stops.
+        Each value contains the characteristic and the positions of the two end stops [m]. A run has a note if the
+        stroke leaves the domain of the characteristic.
         """
         return {}
 
@@ -465,13 +488,16 @@ class Store(Part):
     def stores(self) -> tuple[str, ...]:
         return ("",)
 
+    def output_ranges(self) -> dict[str, tuple[str | float, str | float]]:
+        return {"pressure": (0.0, float("inf")), "temperature": (1.0, float("inf"))}
+
     @abstractmethod
     def gas(self, scope: Scope) -> GasState:
         """Return pressure and temperature of the gas at the ports of the node."""
 
     @abstractmethod
     def balance(self, scope: Scope, flows: tuple[tuple[Any, Any], ...]) -> GasBalance:
-        """Return rates and outputs of the gas node.
+        """Return the outputs of the gas node, and the time derivatives of its states.
 
         `flows` contains all its gas flows. Each flow is a pair of mass flow rate [kg/s] and enthalpy flow rate [W],
         positive into the node.
@@ -479,11 +505,11 @@ class Store(Part):
 
 
 class Passage(Part):
-    """Base class of parts through which gas flows between gas nodes."""
+    """Base class of flow paths: parts through which gas flows between gas nodes."""
 
     @abstractmethod
     def flows(self, scope: Scope, gas: Mapping[str, GasState]) -> PassageFlows:
-        """Return the gas flows of the flow path, with rates and outputs.
+        """Return the gas flows and outputs of the flow path, and the time derivatives of its states.
 
         `gas` maps each port name to the gas state at this port.
         """
@@ -494,7 +520,7 @@ class Actuator(Part):
 
     @abstractmethod
     def actuator_force(self, scope: Scope, gas: Mapping[str, GasState]) -> ActuatorForce:
-        """Return the force of the actuator on its body.
+        """Return the force of the actuator on its body, its outputs, and the time derivatives of its states.
 
         `gas` maps each port name to the gas state at this port; `SELF` is the gas in the actuator.
         """
@@ -509,13 +535,13 @@ class Body(Part):
 
     @abstractmethod
     def motion(self, scope: Scope) -> BodyMotion:
-        """Return travel and speed of the body, as its actuators see them."""
+        """Return travel and speed of the body at the point on which its actuators act."""
 
     @abstractmethod
     def dynamics(self, scope: Scope, force: Any, friction: Any) -> BodyDynamics:
-        """Return rates and outputs of the body.
+        """Return the outputs of the body, and the time derivatives of its states.
 
-        `force` is the sum of the forces of all actuators [N], and `friction` the sum of the friction that they add
+        `force` is the sum of the forces of all actuators [N], and `friction` the sum of the dry friction of their seals
         [N].
         """
 
@@ -525,31 +551,35 @@ class Controller(Part):
 
     measured: ClassVar[tuple[str, ...]] = ()
     """Inputs that the controller needs; a run notes each of them that is not connected."""
+    ascending: ClassVar[tuple[tuple[str, str], ...]] = ()
+    """Pairs of parameters of which the first must be below the second; checked in exported programs."""
 
     def sensors(self) -> dict[str, tuple[str, str]]:
-        """Return a mapping from sensor states to measured input and parameter group.
+        """Return the measured input and the parameter group of each sensor, by the name of its state.
 
-        Sensors are not part of an exported controller.
+        The sensors are not part of an exported controller.
         """
         return {}
 
     @abstractmethod
     def control(self, scope: Scope) -> ControlOutputs:
-        """Return the outputs of the controller and the rates of its continuous states."""
+        """Return the outputs of the controller, and the time derivatives of its continuous states."""
 
 
 def is_port(end: str) -> bool:
     """Return True if the end of a tube names a port of another part.
 
-    An example is `valve.outlet`. Otherwise the end names a gas node.
+    An example is `valve.outlet`. An end that is not a port names a gas node.
     """
     return end.partition(".")[2] in PORTS
 
 
 def advance_clock(scope: Scope, timer: str, period: Any, phase: Any = 0.0) -> dict[str, Any]:
-    """Return the next sample instant of a periodic timer, and the incremented counter.
+    """Return the next sample instant of a periodic timer, and its incremented counter, by name.
 
-    The instant is computed from the counter, so rounding errors do not accumulate.
+    The instant [s] is computed from the counter, so rounding errors do not accumulate. A program with relative time
+    adds the period to the time that remains, because a clock of single precision would become coarse.
     """
     count = scope.memory[f"{timer}_count"] + 1.0
-    return {timer: phase + count * period, f"{timer}_count": count}
+    instant = scope.memory[timer] + period if scope.has_relative_time else phase + count * period
+    return {timer: instant, f"{timer}_count": count}

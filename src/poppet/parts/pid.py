@@ -15,14 +15,15 @@ from poppet.parts.part import DiscreteState, Input, Quantities, Scope, Surroundi
 from poppet.parts.quantities import (
     COMMANDS,
     QUANTITIES,
-    as_command,
-    as_command_change,
-    as_difference,
-    as_gain,
-    as_limit,
+    command_change_properties,
     command_of,
+    command_properties,
+    difference_properties,
+    gain_properties,
+    limit_properties,
 )  # fmt: skip
 from poppet.parts.rows import GainSchedule
+from poppet.parts.safe_state import recovers
 from poppet.parts.sampled_loop import SampledLoop, is_first
 
 _SCHEDULED = ("gain", "integral_time", "derivative_time", "vent_factor")
@@ -42,27 +43,34 @@ class PID(SampledLoop):
     .. math:: D_k = \frac{T_f D_{k-1} - K T_d (y_k - y_{k-1})}{T_f + T}, \qquad
               I_{k+1} = I_k + d_k + \frac{T}{T_t} (u_k - v_k)
 
-    The increment :math:`d_k` is :math:`K T e_k / T_i`, limited so that :math:`v_k + d_k` exceeds the limits of the
-    command by at most the smaller of the increment and a tenth of the range of the command. A positive command u fills,
-    a negative one vents with :math:`-\varphi u`. A command of another quantity has a lower and an upper limit.
+    Here w is the setpoint, y the measurement, e = w - y the error, u the command, T the sample time, :math:`y_0` the
+    initial measurement, :math:`v_0` the `bias`, :math:`a_f` the `fill_limit` and :math:`a_v` the `vent_limit`. The
+    increment :math:`d_k` is :math:`K T e_k / T_i`, limited so that :math:`v_k + d_k` exceeds the limits of the command
+    by at most the smaller of the increment and a tenth of the range of the command. A positive opening command u opens
+    the fill valve; a negative one opens the vent valve by :math:`-\varphi u`. Commands of other quantities are limited
+    by `lower_limit` and `upper_limit`.
 
     Notes
     -----
-    Units in this section are those of a pressure. Inputs are `setpoint`, `measurement`, `automatic` (0: the command is
-    `manual_command`) and, if `feedforward` is true, `feedforward`: f, added to the command before its limits. In manual
-    mode the integral follows the command, so the change to automatic is bumpless. Scheduled gains act on changes of the
-    error (velocity form), so their changes are bumpless too.
+    The units of the parameters above are those for a measured pressure. Inputs are `setpoint`, `measurement`,
+    `automatic` (if it is 0, the command is `manual_command`) and, if the option `feedforward` is true, `feedforward`.
+    Its value f is added to the command before its limits. In manual mode the integral follows the command, so the
+    change to automatic is bumpless. A change of scheduled gains is bumpless too: gains act on changes of the error
+    (velocity form).
 
-    The derivative acts on the measurement alone. An integral or derivative time of 0 disables this part, a tracking
-    time of 0 is the integral time. A schedule is a mapping of lists: the quantity by its name (`pressure`), `gain`,
-    `integral_time`, `derivative_time`, `vent_factor`.
+    The input `input_fault` is 1 if an input is not valid. After `fault_time` with an input fault, the command is
+    `safe_command`; if this is outside the limits of the command, it is the lower limit. The first sample with valid
+    inputs continues from the safe command.
+
+    The derivative acts on the measurement alone. An integral or derivative time of 0 disables the integral or the
+    derivative; a tracking time of 0 selects the integral time. A schedule is a mapping with one list per column: the
+    measured quantity by its name (`pressure`), `gain`, `integral_time`, `derivative_time`, `vent_factor`.
 
     References
     ----------
     Aastroem & Haegglund, Advanced PID Control, ISA 2006: setpoint weight, filter, back-calculation and conditional
-    integration, which are combined here. Kaminer, Pascoal,
-    Khargonekar & Coleman, A velocity algorithm for the implementation of gain-scheduled controllers, Automatica 31
-    (1995).
+    integration, which are combined here. Kaminer, Pascoal, Khargonekar & Coleman, A velocity algorithm for the
+    implementation of gain-scheduled controllers, Automatica 31 (1995).
     """
 
     kind: ClassVar[str] = "pid"
@@ -74,25 +82,32 @@ class PID(SampledLoop):
     quantity: str = option(*QUANTITIES, doc="measured quantity")
     command_quantity: str = option(*COMMANDS, doc="commanded quantity")
     feedforward: str = switch(doc="feedforward; adds an input to the command")
-    lower_limit: NumberLike = number("1", optional=True, doc="lower limit of the command", varies=as_limit)
-    upper_limit: NumberLike = number("1", optional=True, doc="upper limit of the command", varies=as_limit)
-    gain: NumberLike = number("1/Pa", optional=True, doc="gain K, command per error", varies=as_gain)
+    lower_limit: NumberLike = number("1", optional=True, doc="lower limit of the command", varies=limit_properties)
+    upper_limit: NumberLike = number("1", optional=True, doc="upper limit of the command", varies=limit_properties)
+    gain: NumberLike = number("1/Pa", optional=True, doc="gain K, command per error", varies=gain_properties)
     integral_time: NumberLike = number("s", optional=True, doc="integral time T_i", low=0.0)
     derivative_time: NumberLike = number("s", optional=True, doc="derivative time T_d", low=0.0)
     derivative_filter: NumberLike = number("s", "5 ms", doc="time constant of the derivative's filter", low=0.0)
     setpoint_weight: NumberLike = number("1", 1.0, doc="setpoint weight beta", low=0.0, high=1.0, note="full")
     tracking_time: NumberLike = number("s", 0.0, doc="tracking time T_t", low=0.0, note="as the integral time")
-    bias: NumberLike = number("1", 0.0, doc="command at zero error", low=-1.0, high=1.0, note="none", varies=as_command)
-    dead_band: NumberLike = number("Pa", 0.0, doc="dead band of the error", low=0.0, note="none", varies=as_difference)
+    bias: NumberLike = number(
+        "1", 0.0, doc="command at zero error", low=-1.0, high=1.0, note="none", varies=command_properties
+    )
+    dead_band: NumberLike = number(
+        "Pa", 0.0, doc="dead band of the error", low=0.0, note="none", varies=difference_properties
+    )
     integral_dead_band: NumberLike = number(
-        "Pa", optional=True, doc="dead band of the integral", above=0.0, varies=as_difference
+        "Pa", optional=True, doc="dead band of the integral", above=0.0, varies=difference_properties
     )
     vent_factor: NumberLike = number("1", optional=True, doc="vent factor phi of commands to vent", above=0.0)
-    initial_integral: NumberLike = number("1", 0.0, doc="integral at the start", note="none", varies=as_command_change)
+    initial_integral: NumberLike = number(
+        "1", 0.0, doc="integral at the start", note="none", varies=command_change_properties
+    )
     schedule: Any = reference(doc="gains over operating points; mapping of lists")
     schedule_by: str = option("measurement", "setpoint", doc="quantity of the operating point")
 
     resume: ClassVar[dict[str, str]] = {"integral": "initial_integral"}
+    ascending: ClassVar[tuple[tuple[str, str], ...]] = (_LIMITS,)
 
     def check(self) -> None:
         invalid = _LIMITS if self.is_of_openings else _OF_OPENINGS
@@ -134,6 +149,14 @@ class PID(SampledLoop):
         if not self.is_of_openings and values["lower_limit"] >= values["upper_limit"]:
             low, high = (values[name] for name in _LIMITS)
             raise OutOfRangeError("pid.limits_exchanged", "lower_limit", value=low, upper=high, unit=self.command_unit)
+        safe = values["safe_command"]
+        is_given = self.safe_command.source.kind == "given"  # type: ignore[union-attr]
+        if not self.is_of_openings and is_given and not values["lower_limit"] <= safe <= values["upper_limit"]:
+            raise OutOfRangeError(
+                "fields.out_of_range", "safe_command", shown=f"{safe:g} {self.command_unit}", meaning="safe command",
+                limits=[f"at least {values['lower_limit']:g}", f"at most {values['upper_limit']:g}"],
+                unit=self.command_unit,
+            )  # fmt: skip
         if self.schedule is not None:
             return values | {f"schedule.{k}": v for k, v in self.schedule.parameters(ambient.pressure).items()}
         values.setdefault("integral_time", 0.0)
@@ -145,13 +168,17 @@ class PID(SampledLoop):
     def structure(self) -> Hashable:
         return super().structure(), None if self.schedule is None else self.schedule.structure()
 
+    def output_ranges(self) -> dict[str, tuple[str | float, str | float]]:
+        return super().output_ranges() if self.is_of_openings else {"command": _LIMITS}
+
     def inputs(self) -> tuple[Input, ...]:
         unit, command = self.command_unit, COMMANDS[command_of(self)]
         manual = Input("manual_command", unit, "bias", kind=command.kind, low=command.low, is_command=True)
         if self.is_of_openings:
             manual = Input("manual_command", unit, 0.0, low=-1.0, high=1.0, is_command=True)
         feedforward = (Input("feedforward", unit, 0.0),) if self.feedforward == "true" else ()
-        return *super().inputs(), Input("automatic", "1", 1.0, low=0.0, high=1.0), manual, *feedforward
+        automatic = Input("automatic", "1", 1.0, low=0.0, high=1.0, is_flag=True)
+        return *super().inputs(), automatic, manual, *feedforward
 
     def start(self, scope: Scope) -> dict[str, Any]:
         values = super().start(scope) | {"integral": scope["initial_integral"]}
@@ -164,7 +191,7 @@ class PID(SampledLoop):
     def law_memory(self) -> tuple[DiscreteState, ...]:
         units = dict.fromkeys(("integral", "derivative"), self.command_unit)
         units |= dict.fromkeys(("origin", "last_measurement", "last_error"), self.unit)
-        units |= {"last_gain": as_gain(self)["unit"]} if self.schedule is not None else {}
+        units |= {"last_gain": gain_properties(self)["unit"]} if self.schedule is not None else {}
         return tuple(DiscreteState(name, unit) for name, unit in units.items())
 
     def law_outputs(self, scope: Scope) -> Quantities:
@@ -178,12 +205,13 @@ class PID(SampledLoop):
         scope : Scope
             Parameters of the controller.
         measured, setpoint : float or symbol
-            Values in SI; a pressure is absolute.
+            Measurement and setpoint in SI units; a pressure is absolute.
 
         Returns
         -------
         dict
-            `gain` (command per quantity, SI), `integral_time`, `derivative_time` [s], `vent_factor` of openings.
+            `gain` [SI unit of the command per unit of the measurement], `integral_time` and `derivative_time` [s], and
+            `vent_factor` [1] if the command opens valves.
         """
         if self.schedule is None:
             return {name: scope[name] for name in _SCHEDULED if name in scope}
@@ -191,16 +219,19 @@ class PID(SampledLoop):
         gains: dict[str, Any] = self.schedule.at(measured if self.schedule_by == "measurement" else setpoint, table)
         return gains
 
-    def compute_command(self, scope: Scope, measured: Any) -> tuple[Any, Any, dict[str, Any]]:
+    def compute_command(self, scope: Scope, measured: Any, is_safe: Any) -> tuple[Any, Any, dict[str, Any]]:
         memory, setpoint, time = scope.memory, scope.inputs["setpoint"], scope["sample_time"]
         gains = self.gains_at(scope, measured, setpoint)
-        gain, first = gains["gain"], is_first(scope)
+        gain, first, recovering = gains["gain"], is_first(scope), recovers(scope, is_safe)
         # The setpoint weight refers to the initial measurement, not to zero.
         origin = where(first, measured, memory["origin"])
-        last = where(first, measured, memory["last_measurement"])
+        # Neither the first sample nor the first one after a safe state has a previous measurement.
+        last = where(first, measured, where(recovering > 0.5, measured, memory["last_measurement"]))
         error = setpoint - measured
         error = maximum(error - scope["dead_band"], 0.0) - maximum(-error - scope["dead_band"], 0.0)
+        scope.label("error", error, f"error beyond the dead band [{self.unit}]")
         weighted = error - (1.0 - scope["setpoint_weight"]) * (setpoint - origin)
+        scope.label("weighted", weighted, f"error with the setpoint weight [{self.unit}]")
         integral = memory["integral"]
         if self.schedule is not None:
             # Compensates the effect of the new gain on the previous error: gains act on changes alone.
@@ -209,24 +240,45 @@ class PID(SampledLoop):
         filter_time = scope["derivative_filter"]
         change = gains["derivative_time"] * (measured - last)
         derivative = (filter_time * memory["derivative"] - gain * change) / (filter_time + time)
+        scope.label("new_derivative", derivative, f"derivative part [{self.command_unit}]")
         without_integral = scope["bias"] + gain * weighted + derivative
         if self.feedforward == "true":
             without_integral = without_integral + scope.inputs["feedforward"]
+        scope.label("without_integral", without_integral, f"all parts except the integral [{self.command_unit}]")
         low = -scope["vent_limit"] / gains["vent_factor"] if self.is_of_openings else scope["lower_limit"]
         high = scope["fill_limit" if self.is_of_openings else "upper_limit"]
+        scope.label("lowest_command", low, f"lower limit of the command [{self.command_unit}]")
+        safe = where(
+            scope["safe_command"] >= low, where(scope["safe_command"] <= high, scope["safe_command"], low), low
+        )
+        scope.label("safe_value", safe, f"safe command within the limits [{self.command_unit}]")
+        # In the first sample after a safe state, the integral continues from the safe command.
+        has_integral = gains["integral_time"] > 0.0
+        integral = where(recovering > 0.5, where(has_integral, safe - without_integral, integral), integral)
         unlimited = without_integral + integral
-        limited = clip(unlimited, low, high)
-        manual = clip(scope.inputs["manual_command"], low, high)
+        scope.label("unlimited", unlimited, f"command before its limits [{self.command_unit}]")
         is_automatic = scope.inputs["automatic"] > 0.5
-        command = where(is_automatic, limited, manual)
+        requested = where(is_automatic, unlimited, scope.inputs["manual_command"])
+        scope.label("requested", requested, f"automatic or manual command before the limits [{self.command_unit}]")
+        command = where(is_safe > 0.5, safe, clip(requested, low, high))
+        scope.label("new_command", command, f"command [{self.command_unit}]")
         increment = self._integral_increment(scope, gains, error, unlimited, (low, high))
-        # In manual mode the integral follows the command: the change to automatic is bumpless.
+        scope.label("increment", increment, f"increment of the integral [{self.command_unit}]")
+        # In manual mode and in the safe state, the integral follows the command: the return is bumpless.
+        following = where(has_integral, command - without_integral, integral)
+        scope.label("following", following, f"integral that gives the present command [{self.command_unit}]")
+        is_active = where(is_automatic, where(is_safe > 0.5, 0.0, 1.0), 0.0)
+        is_cut = where(requested > high, 1.0, where(requested < low, 1.0, 0.0))
+        if self.is_of_openings:
+            # A closed valve is not saturated.
+            is_cut = where(command * command > 0.0, is_cut, 0.0)
         discrete = {
-            "integral": where(is_automatic, integral + increment, manual - without_integral),
+            "integral": where(is_active > 0.5, integral + increment, following),
             "derivative": derivative,
             "origin": origin,
             "last_measurement": measured,
             "last_error": weighted,
+            "is_saturated": where(is_safe > 0.5, 0.0, is_cut),
         } | ({"last_gain": gain} if self.schedule is not None else {})
         return command, clip(-gains["vent_factor"] * command, 0.0, 1.0) if self.is_of_openings else None, discrete
 
@@ -235,8 +287,8 @@ class PID(SampledLoop):
     ) -> Any:
         """Return the change of the integral in one sample, with anti-windup.
 
-        `command` is the command before its limits. The error can move the command to a margin beyond a limit at most.
-        Back-calculation then removes a fraction of the excess.
+        `command` is the command before its limits `limits`. The increment moves it at most to a small margin beyond a
+        limit. Back-calculation then removes a fraction of the amount by which it exceeds the limit.
         """
         time, integral_time, (low, high) = scope["sample_time"], gains["integral_time"], limits
         if "integral_dead_band" in scope:

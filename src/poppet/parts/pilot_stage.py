@@ -49,7 +49,7 @@ MIN_VOLUME_FRACTION = 0.1
 
 @dataclass(frozen=True)
 class Leak:
-    """Leak of the pilot volume as an ISO 6358 flow path."""
+    """Parameters of a leak of the pilot volume, an ISO 6358 flow path."""
 
     sonic_conductance: NumberLike = number("m^3/(s Pa)", 0.0, doc="sonic conductance C", low=0.0, note="tight")
     critical_ratio: NumberLike = number("1", 0.3, doc="critical ratio b", low=0.0, below=1.0)
@@ -66,15 +66,19 @@ class PilotStage(Store, Passage):
 
     Notes
     -----
-    With the drive `averaged`, a duty opens its valve by the average open fraction. With `switched`, the valves switch
-    at their frequency with their delays. The volume is at least a tenth of `volume`. The thermal law `energy` needs the
-    time derivative of the displacement: the connected output must be a function of states, and a signal must not jump.
-    The temperature of `polytropic` is a function of the density alone and remains high in a filled volume; real gas
-    cools within tenths of a second. A resumed run starts with closed valves and a new period.
+    With the drive `averaged`, the opening of a solenoid valve is the fraction of the modulation period in which it is
+    open. With `switched`, the valves open and close at the modulation frequency with their delays. :math:`\Delta V(x)`
+    is the input `displacement`; the volume V is at least a tenth of `volume`. The thermal law `energy` needs the time
+    derivative of the displacement: an output that is connected to it must be a function of states, and a signal must
+    not jump.
+
+    With the thermal law `polytropic`, the temperature is a function of the density alone and remains high in a filled
+    volume; the gas in a valve cools within tenths of a second. A run that continues another run starts with closed
+    valves and a new modulation period.
 
     References
     ----------
-    Varga & Keski-Honkola 2012, section 2 and fig. 1: named, not modelled there.
+    Varga & Keski-Honkola 2012, section 2 and fig. 1, mention the pilot stage without a model.
     """
 
     kind: ClassVar[str] = "pilot_stage"
@@ -87,7 +91,7 @@ class PilotStage(Store, Passage):
 
     supply: str | None = port("gas node that fills it")
     exhaust: str | None = port("gas node into which it is vented")
-    data: Any = reference(doc="library set")
+    data: Any = reference(doc="name of a parameter set of the library")
     drive: str = option(AVERAGED, SWITCHED, doc="drive of the solenoids")
     volume: NumberLike = number("m^3", doc="pilot volume at stroke zero", above=0.0)
     thermal: str = option("energy", "polytropic", doc="thermal law")
@@ -226,9 +230,10 @@ class PilotStage(Store, Passage):
 
 
 def volume_notes(name: str, volume: Any, swept: float) -> list[Note]:
-    """Return a note if a displacement reduces a volume too much.
+    """Return a list with a note if a displacement reduces a volume by more than 90 %.
 
-    `name` is the address of the volume. `swept` is the largest reduction by the displacement [m^3].
+    `name` is the address of the volume. `swept` is the largest reduction by the displacement [m^3]. The list is empty
+    if the reduction is smaller.
     """
     if swept <= (1.0 - MIN_VOLUME_FRACTION) * float(volume):
         return []

@@ -29,10 +29,10 @@ class ProportionalValve(Compound):
 
     Notes
     -----
-    The main stage operates as a regulator. The pilot volume increases with the stroke of the plate, and the pilot
-    pressure drives the plate. The electronics measure pilot and outlet pressure and set the duties of the solenoids.
-    The pilot starts at `pilot.initial_pressure`, 1 bar by default, for any outlet pressure. The default of
-    `pilot_exhaust` is the ambient.
+    The main stage has the mode `regulator`. The pilot pressure drives its plate, and the pilot volume increases with
+    the stroke of the plate. The electronics measure pilot and outlet pressure and set the duties of the solenoid
+    valves. The initial pilot pressure is `pilot.initial_pressure`, by default 1 bar; it does not depend on the outlet
+    pressure. The default of `pilot_exhaust` is the ambient.
 
     References
     ----------
@@ -52,8 +52,8 @@ class ProportionalValve(Compound):
     supply: str | None = port("gas node at port 1")
     outlet: str | None = port("gas node at port 2")
     exhaust: str | None = port("gas node at port 3")
-    data: Any = reference(doc="library set of all members")
-    preset: str = option(*PRESETS, doc="preset")
+    data: Any = reference(doc="name of a parameter set of the library, for all members")
+    preset: str = option(*PRESETS, doc="preset; variant of the parameter set in `data`")
     setpoint_type: str = option(*SCALES, doc="type of setpoint")
     pilot_exhaust: str | None = port("gas node into which the pilot is vented", optional=True)
     main_stage: Any = member(MainStage, doc="main stage", inherited=("data", "mode", "supply", "outlet", "exhaust"))
@@ -68,7 +68,7 @@ class ProportionalValve(Compound):
         "electronics.outlet_pressure": "main_stage.outlet_pressure",
         "electronics.pilot_pressure": "pilot.pressure",
     }
-    inlets: ClassVar[Mapping[str, str]] = {"setpoint": "electronics.setpoint", "power": "electronics.power"}
+    inlets: ClassVar[Mapping[str, str]] = {name: f"electronics.{name}" for name in ("setpoint", "power", "input_fault")}
     # By member. Only the outputs of the pilot state have other names outside.
     outlets: ClassVar[Mapping[str, str]] = {
         **{name: f"electronics.{name}" for name in (
@@ -153,10 +153,10 @@ class ProportionalValve(Compound):
 
 
 def _first_note(code: str, is_true: Any, **series: Any) -> list[Note]:
-    """Return a note with values of the first row in which a condition is true.
+    """Return a list with a note on the first row of a recording in which a condition is true.
 
-    `is_true` contains the condition for each row. The facts of the note are the values of `series` in the row. If the
-    condition is never true, the list is empty.
+    `is_true` contains the condition for each row. The facts of the note are the values of `series` in this row. The
+    list is empty if the condition is never true.
     """
     return [Note(code, **{name: values[k] for name, values in series.items()}) for k in np.flatnonzero(is_true)[:1]]
 
@@ -164,10 +164,11 @@ def _first_note(code: str, is_true: Any, **series: Any) -> list[Note]:
 def _oscillation_notes(
     time: Any, outlet: Any, target: Any, tolerance: float, is_driven: Any, has_power: Any
 ) -> list[Note]:
-    """Return a note if the outlet pressure oscillates in rows in which the target changes often.
+    """Return a list with a note if the outlet pressure oscillates while its target changes often.
 
-    An oscillation is a sequence of rises and falls beyond `tolerance` in which the target changes less than half as
-    much. The note is on the end of the last one.
+    The arrays have one value for each row of the recording, and `is_driven` is True in the rows to be evaluated. An
+    oscillation is a sequence of rises and falls above `tolerance` [Pa] during each of which the target changes less
+    than half as much. The note is on the last oscillation.
     """
     # 1 where driven rows begin, and -1 after their end.
     edges = np.diff(np.concatenate([[0], is_driven.astype(int), [0]]))
@@ -191,7 +192,7 @@ def _oscillation_notes(
 def _turning_points(values: list[float], threshold: float) -> list[int]:
     """Return the indices at which a series changes between rising and falling.
 
-    A rise or fall counts if it exceeds `threshold`.
+    Rises and falls up to `threshold` are ignored.
     """
     turns: list[int] = []
     low = high = 0

@@ -17,7 +17,8 @@ from poppet.core.units import Kind
 class ControlledQuantity:
     """Properties of a physical quantity that a controller can measure or command.
 
-    They are SI unit, kind, default, lower limit and typical size.
+    They are the SI unit, the typical size (`usual`), the kind of value (such as an absolute pressure), the default, the
+    lower limit, and a factor (`floor`) of the absolute tolerance of a sensor for the quantity.
     """
 
     unit: str
@@ -45,19 +46,19 @@ COMMANDS = {OPENING: ControlledQuantity("1", 1.0), **QUANTITIES}
 
 
 def quantity_of(part: Any) -> str:
-    """Return the name of the quantity that a controller measures, for example `pressure`."""
+    """Return the name of the quantity that the controller `part` measures, for example `pressure`."""
     name = getattr(part, "quantity", "pressure")
     return name if name in QUANTITIES else "pressure"  # the field itself reports an invalid name
 
 
 def command_of(part: Any) -> str:
-    """Return the name of the quantity that a controller commands, for example `opening`."""
+    """Return the name of the quantity that the controller `part` commands, for example `opening`."""
     name = getattr(part, "command_quantity", OPENING)
     return name if name in COMMANDS else OPENING
 
 
 def gain_unit(quantity: str, command: str) -> str:
-    """Return the unit of a controller gain, command per measured quantity.
+    """Return the SI unit of a controller gain, which is a command divided by a measured quantity.
 
     Examples
     --------
@@ -71,10 +72,11 @@ def gain_unit(quantity: str, command: str) -> str:
 # --- Changes of declarations ---
 
 
-def as_setpoint(part: Any) -> dict[str, Any]:
-    """Return the declaration of a setpoint, adapted to the measured quantity of a controller.
+def setpoint_properties(part: Any) -> dict[str, Any]:
+    """Return the properties of the field for the setpoint that depend on the measured quantity.
 
-    The result contains changed properties of the declaration, such as the unit and the limits.
+    They are unit, kind of value, default and limits, and override the declaration of the field, which is valid for a
+    pressure. `part` is the controller. The result is empty if it measures a pressure.
     """
     name = quantity_of(part)
     if name == "pressure":
@@ -84,26 +86,27 @@ def as_setpoint(part: Any) -> dict[str, Any]:
     return {"unit": measured.unit, "kind": measured.kind, **limits}
 
 
-def as_difference(part: Any) -> dict[str, Any]:
-    """Return the declaration of a difference, adapted to the measured quantity of a controller.
+def difference_properties(part: Any) -> dict[str, Any]:
+    """Return the unit of a field for a difference of measured values, such as a dead band.
 
-    The result contains changed properties of the declaration, such as the unit.
+    The result overrides the unit in the declaration of the field. `part` is the controller.
     """
     return {"unit": QUANTITIES[quantity_of(part)].unit}
 
 
-def as_gain(part: Any) -> dict[str, Any]:
-    """Return the declaration of a gain (command per error), adapted to a controller.
+def gain_properties(part: Any) -> dict[str, Any]:
+    """Return the unit of the field for the gain, command per error.
 
-    The result contains changed properties of the declaration, such as the unit.
+    The result overrides the unit in the declaration of the field. `part` is the controller.
     """
     return {"unit": gain_unit(quantity_of(part), command_of(part))}
 
 
-def as_command(part: Any) -> dict[str, Any]:
-    """Return the declaration of a command value, adapted to a controller.
+def command_properties(part: Any) -> dict[str, Any]:
+    """Return the properties of a field for a command that depend on the commanded quantity.
 
-    The result contains changed properties of the declaration, such as the unit and the limits.
+    They are unit, kind of value, default and limits, and override the declaration of the field, which is valid for the
+    opening of a valve. `part` is the controller. The result is empty if it commands an opening.
     """
     name = command_of(part)
     if name == OPENING:
@@ -113,25 +116,27 @@ def as_command(part: Any) -> dict[str, Any]:
     return {"unit": command.unit, "kind": command.kind, **limits}
 
 
-def as_limit(part: Any) -> dict[str, Any]:
-    """Return the declaration of a command limit, adapted to a controller.
+def limit_properties(part: Any) -> dict[str, Any]:
+    """Return the properties of a field for a limit of the command, such as its unit.
 
-    It is used if the command is not the opening of a valve. The result contains changed properties of the declaration.
+    They are those of `command_properties` without the default, because a user must specify the limits. `part` is the
+    controller.
     """
-    return {key: value for key, value in as_command(part).items() if key != "default"}
+    return {key: value for key, value in command_properties(part).items() if key != "default"}
 
 
-def as_command_change(part: Any) -> dict[str, Any]:
-    """Return the declaration of a difference of commands, adapted to a controller.
+def command_change_properties(part: Any) -> dict[str, Any]:
+    """Return the unit of a field for a difference of commands, such as the initial integral.
 
-    The result contains changed properties of the declaration, such as the unit.
+    The result overrides the unit in the declaration of the field. `part` is the controller.
     """
     return {"unit": COMMANDS[command_of(part)].unit}
 
 
-def of_openings(part: Any) -> dict[str, Any]:
-    """Return changes that make a declaration optional unless the command is an opening.
+def opening_properties(part: Any) -> dict[str, Any]:
+    """Return the properties of a field that has an effect only on commands that open valves.
 
-    A number with this declaration has an effect only if the command is the opening of a valve.
+    If the controller `part` commands another quantity, the field is optional and has no default. If it commands an
+    opening, the result is empty.
     """
     return {} if command_of(part) == OPENING else {"default": None, "optional": True}

@@ -18,7 +18,7 @@ from poppet.parts.quantities import OPENING, QUANTITIES, gain_unit
 
 @dataclass(frozen=True)
 class NumberTable:
-    """Table of numbers in named columns.
+    """Base class of tables of numbers in named columns.
 
     The values in the first column increase from row to row.
     """
@@ -32,12 +32,18 @@ class NumberTable:
 
     @classmethod
     def column_specs(cls, *form: str) -> Mapping[str, NumberSpec]:
-        """Return the declaration of each column by name, the increasing column first."""
+        """Return the declaration of each column by name, that of the first column first.
+
+        `form` contains options that determine the columns, such as the commanded quantity.
+        """
         raise NotImplementedError
 
     @classmethod
     def read(cls, table: Any, *form: str) -> Self:
-        """Read and check a table from a mapping of column names to lists."""
+        """Read and check a table from a mapping of column names to lists of values.
+
+        `form` contains options that determine the columns, such as the commanded quantity.
+        """
         if isinstance(table, cls):
             if table.form == form:
                 return table
@@ -51,7 +57,7 @@ class NumberTable:
         with ErrorCollector() as errors:
             for key in unknown:
                 near = NameSuggestion(key, column_specs)
-                errors.add("fields.unknown", f"{field}.{key}", table=f"table {field}", near=near)
+                errors.add("fields.unknown", f"{field}.{key}", table=f"table {field}", suggestion=near)
             for key in missing:
                 column = Field(meaning=f"column {key}", example="a list with one value for each row")
                 errors.extend([missing_field(f"{field}.{key}", column)])
@@ -69,16 +75,16 @@ class NumberTable:
         return cls(columns, form)
 
     def numbers(self) -> dict[str, Number]:
-        """Return all numbers of the table by column name and row number.
+        """Return all numbers of the table, named by column and row number.
 
         Examples of names are `pressure_1` and `gain_1`.
         """
         return {f"{name}_{k}": n for name, column in self.columns.items() for k, n in enumerate(column, 1)}
 
     def parameters(self, ambient_pressure: float) -> dict[str, float]:
-        """Return the values of all numbers in a run.
+        """Return the values of all numbers of the table in SI units, with absolute pressures.
 
-        The values are in SI units, and pressures are absolute. The names are those that `numbers` returns.
+        The names are those that `numbers` returns. `ambient_pressure` is the reference of gauge values [Pa].
         """
         values = {name: number.absolute(ambient_pressure) for name, number in self.numbers().items()}
         first_column = next(iter(self.columns))
@@ -88,14 +94,14 @@ class NumberTable:
         return values
 
     def column(self, name: str, values: Mapping[str, Any]) -> list[Any]:
-        """Return the values of one column as a list.
+        """Return the values in the column `name`, one for each row.
 
-        `values` contains floats or symbols for all numbers of the table.
+        `values` contains the values of the complete table, under the names that `numbers` returns.
         """
         return [values[f"{name}_{k}"] for k in range(1, len(self.columns[name]) + 1)]
 
     def structure(self) -> Hashable:
-        """Return the column names and the number of rows, which determine the model."""
+        """Return the column names and the number of rows: tables that share them have the same equations."""
         return tuple(self.columns), len(next(iter(self.columns.values())))
 
     def with_numbers(self, changes: Mapping[str, Number]) -> Self:
@@ -105,7 +111,7 @@ class NumberTable:
 
 
 def as_numbers(values: Sequence[float], unit: str, source: Source) -> tuple[Number, ...]:
-    """Convert values to numbers with a unit and a source."""
+    """Convert values in SI units to `Number` objects with a unit and a source."""
     return tuple(Number(float(value), unit, source) for value in values)
 
 
@@ -144,7 +150,7 @@ class ForceRows(NumberTable):
     def law(self, values: Mapping[str, Any]) -> ForceTable:
         """Return the force law that the table defines.
 
-        `values` contains floats or symbols for all numbers of the table.
+        `values` contains the values of all numbers of the table, under the names that `numbers` returns.
         """
         return ForceTable(*(self.column(name, values) for name in _COLUMNS))
 
@@ -163,7 +169,7 @@ class GainSchedule(NumberTable):
     columns : mapping
         Mapping from the name of each column to its numbers, one for each operating point.
     form : tuple of str
-        Controlled quantity, which is the name of the first column, and commanded quantity.
+        Measured quantity, which is the name of the first column, and commanded quantity.
 
     Examples
     --------
@@ -193,9 +199,9 @@ class GainSchedule(NumberTable):
         return super().read(table, *(form or ("pressure", OPENING)))
 
     def at(self, point: Any, values: Mapping[str, Any]) -> dict[str, Any]:
-        """Return the controller gains at an operating point, interpolated in the table.
+        """Return the controller gains by name at the operating point `point`, interpolated in the table.
 
-        `values` contains floats or symbols for all numbers of the table.
+        `values` contains the values of all numbers of the table, under the names that `numbers` returns.
         """
         point_column = self.form[0]
         gaps = range(1, len(self.columns[point_column]))

@@ -32,9 +32,10 @@ class Solenoid:
 
 
 def check(name: str, valve: Solenoid) -> None:
-    """Raise `OutOfRangeError` if a valve has no time to open and close in one period.
+    """Raise `OutOfRangeError` if a valve cannot open and close within one modulation period.
 
-    The sum of both delays must be shorter than the period. `name` is the prefix of addresses in the error.
+    The sum of opening delay and closing delay must be shorter than the period. `name` is the prefix of the address in
+    the error.
     """
     fraction = (float(valve.opening_delay) + float(valve.closing_delay)) * float(valve.frequency)  # type: ignore[arg-type]
     if fraction >= 1.0:
@@ -45,7 +46,8 @@ def check(name: str, valve: Solenoid) -> None:
 def averaged_opening(duty: Any, frequency: Any, opening_delay: Any, closing_delay: Any) -> Any:
     r"""Return the fraction of a modulation period in which the valve is open.
 
-    It depends on the duty d, the modulation frequency f, the opening delay t_o and the closing delay t_c.
+    It depends on the duty d [1], the modulation frequency f [Hz], the opening delay t_o [s] and the closing delay t_c
+    [s].
 
     .. math:: a(d) = d + (t_c - t_o) f \quad (t_o f < d < 1 - t_c f), \qquad 0 \text{ below}, \qquad 1 \text{ above}
 
@@ -61,17 +63,14 @@ def averaged_opening(duty: Any, frequency: Any, opening_delay: Any, closing_dela
 
 
 def slew_rate(opening: Any, target: Any, rate_limit: Any) -> Any:
-    """Return the rate of change of a valve opening that moves with limited speed [1/s].
-
-    The opening follows `target`.
-    """
+    """Return the rate of change of a valve opening that follows `target` at most with `rate_limit` [1/s]."""
     return rate_limit * clip((target - opening) / SLEW_WIDTH, -1.0, 1.0)
 
 
 def initial_states() -> dict[str, float]:
-    """Return the discrete states and timers of a closed solenoid valve at the start.
+    """Return the initial discrete states and timers of a closed solenoid valve.
 
-    The first period begins at time zero.
+    The first modulation period begins at time zero.
     """
     return {"period": 0.0, "release": NEVER, "change": NEVER, "period_count": 0.0, "command": 0.0, "open": 0.0}
 
@@ -81,7 +80,8 @@ def update(
 ) -> dict[str, Any]:
     """Return the changed discrete states of a switched valve at a sample instant.
 
-    `timer` is the timer that is due. The armature moves only if a command lasts longer than its delay.
+    `timer` is the timer that is due: `period` (a period begins), `release` (the pulse ends) or `change` (the valve has
+    opened or closed). The armature of the valve moves only if a command lasts longer than its delay.
     """
     if timer == "change":
         return {"change": NEVER, "open": states["command"]}

@@ -19,8 +19,8 @@ class Reservoir(Store):
 
     Notes
     -----
-    The output `mass_flow_rate` [kg/s] is the sum of the flows out of the reservoir: positive for a supply, negative if
-    gas flows in, as behind a silencer.
+    The output `mass_flow_rate` [kg/s] is the sum of the flows out of the reservoir. It is positive for a supply, and
+    negative if gas flows into the reservoir, for example from a silencer.
 
     Examples
     --------
@@ -56,9 +56,8 @@ class Reservoir(Store):
 class FlowSource(Passage):
     """Source with a prescribed mass flow rate into a gas node.
 
-    A negative flow rate removes gas from the node.
-
-    Gas that leaves the node has the temperature of the node. Volumetric flow needs its reference: `10 l/min ANR`.
+    A negative flow rate removes gas from the node. This gas has the temperature of the node. A volume flow must be
+    stated with its reference condition, for example `10 l/min ANR`.
 
     Examples
     --------

@@ -39,14 +39,16 @@ class SpoolValve(FlowPath):
 
     Notes
     -----
-    A positive command fills a and vents b. The overlaps determine the centre of a 5/3 valve: closed if both are zero or
-    positive, exhausted if only the exhaust overlap is negative, pressurised if only the supply overlap is negative. A
-    5/2 valve has commands of -1 and 1 only. `switching_time` limits the speed of a switched spool; its default is no
-    limit.
+    In the equation, s is the position of the spool, o the overlap of the edge, :math:`C_e` the conductance of the open
+    edge and :math:`C_l` `leak_conductance`. A positive command fills port a and vents port b. The overlaps determine
+    the centre position of a 5/3 valve: closed if both are zero or positive, exhausted if only the exhaust overlap is
+    negative, pressurised if only the supply overlap is negative. Commands of a 5/2 valve are -1 and 1 only.
+    `switching_time` limits the speed of the spool; by default there is no limit.
 
-    Further defaults: the exhausts are the ambient; `exhaust_overlap` is `overlap`. The edges from supply to b and
-    from a to its exhaust have C and b of the edge from supply to a. The edge from b to its exhaust has C and b of the
-    edge from a to its exhaust. The spool starts at the parameter `command`.
+    By default, the exhausts are the ambient, and `exhaust_overlap` equals `overlap`. The edges from the supply to port
+    b and from port a to its exhaust have the flow capacity of the edge from the supply to port a. The edge from port b
+    to its exhaust has the flow capacity of the edge from port a to its exhaust. The initial position of the spool is
+    the value of `command`.
 
     References
     ----------

@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 
 class Stroke(NamedTuple):
-    """Line of a symbol, which is an open polyline or a closed outline."""
+    """Line of a schematic symbol: an open polyline or a closed outline."""
 
     points: tuple[tuple[float, float], ...]
     is_closed: bool = False
@@ -19,35 +19,35 @@ Symbol = tuple[Stroke, ...]
 
 
 def line(*points: tuple[float, float], dashed: bool = False) -> Symbol:
-    """Return a symbol that consists of one open polyline."""
+    """Return a schematic symbol that consists of one open polyline through points."""
     return (Stroke(points, is_dashed=dashed),)
 
 
 def outline(*points: tuple[float, float], filled: bool = False) -> Symbol:
-    """Return a symbol that consists of one closed outline."""
+    """Return a schematic symbol that consists of one closed outline through points."""
     return (Stroke(points, is_closed=True, is_filled=filled),)
 
 
 def rectangle(left: float, bottom: float, width: float, height: float) -> Symbol:
-    """Return a symbol that is a rectangle with horizontal and vertical sides."""
+    """Return a schematic symbol that is a rectangle with horizontal and vertical sides."""
     right, top = left + width, bottom + height
     return outline((left, bottom), (right, bottom), (right, top), (left, top))
 
 
 def arc(x: float, y: float, radius: float, start: float, end: float) -> Symbol:
-    """Return a symbol that is a circular arc between two angles [deg]."""
+    """Return a schematic symbol that is a circular arc between the angles `start` and `end` [deg]."""
     angles = (math.radians(start + (end - start) * k / 24) for k in range(25))
     return line(*((x + radius * math.cos(angle), y + radius * math.sin(angle)) for angle in angles))
 
 
 def circle(x: float, y: float, radius: float) -> Symbol:
-    """Return a symbol that is a circle."""
+    """Return a schematic symbol that is a circle."""
     angles = (math.tau * k / 48 for k in range(49))
     return outline(*((x + radius * math.cos(angle), y + radius * math.sin(angle)) for angle in angles))
 
 
 def arrow(start: tuple[float, float], end: tuple[float, float]) -> Symbol:
-    """Return a symbol that is a line with a filled arrowhead at its end."""
+    """Return a schematic symbol that is a line with a filled arrowhead at its end."""
     (x0, y0), (x, y) = start, end
     length = math.hypot(x - x0, y - y0)
     dx, dy = (x - x0) / length, (y - y0) / length
@@ -57,14 +57,14 @@ def arrow(start: tuple[float, float], end: tuple[float, float]) -> Symbol:
 
 
 def spring(left: float, right: float, y: float) -> Symbol:
-    """Return a symbol of a spring, a horizontal zigzag line."""
+    """Return the schematic symbol of a spring, a horizontal zigzag line."""
     return line(*((left + (right - left) * k / 6, y + (0.07 if k % 2 else -0.07)) for k in range(7)))
 
 
 def coil(left: float, bottom: float) -> Symbol:
-    """Return the symbol of the coil of a proportional solenoid.
+    """Return the schematic symbol of the coil of a proportional solenoid.
 
-    `left` and `bottom` are the position of its lower left corner.
+    `left` and `bottom` are the coordinates of its lower left corner.
     """
     return rectangle(left, bottom, 0.22, 0.28) + line((left, bottom), (left + 0.22, bottom + 0.28))
 
@@ -88,10 +88,7 @@ RELIEF_VALVE = (
 
 
 def _blocked_port_lines(*positions: float, depth: float, width: float) -> Symbol:
-    """Return the lines that mark blocked ports of a valve square.
-
-    The ports are at its bottom and its top.
-    """
+    """Return the lines that mark a blocked port at the bottom and at the top of a valve square."""
     strokes: Symbol = ()
     for low, stop in ((0.24, 0.24 + depth), (0.76, 0.76 - depth)):
         for x in positions:

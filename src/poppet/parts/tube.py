@@ -52,7 +52,7 @@ _START = {
 
 @dataclass(frozen=True)
 class TubeSegment(Passage):
-    """Flow path between two neighbouring cells of a tube.
+    """Flow path between neighbouring cells of a tube, or between an end cell and a gas node.
 
     It is a member part of `Tube`.
     """
@@ -62,7 +62,7 @@ class TubeSegment(Passage):
 
     from_: str | None = port("cell or gas node at the first end")
     to: str | None = port("cell or gas node at the second end")
-    loss: str = option(ISO, FRICTION, doc="law of the loss")
+    loss: str = option(ISO, FRICTION, doc="law of the pressure loss")
     inertia: str = switch(doc="inertia of the gas")
     length: NumberLike = number("m", doc="length", above=0.0)
     bore: NumberLike = number("m", doc="bore", above=0.0)
@@ -94,20 +94,9 @@ class TubeSegment(Passage):
         if self.inertia != "true":
             flow, outputs = iso_flow(scope, "mass_flow_rate", ("from", "to"), (first, second), size)
             return PassageFlows((flow,), outputs)
-        mass, air = scope.states["mass_flow_rate"], scope.surroundings
-        temperature, loss = self._temperature_and_loss(scope, mass, first, second)
-        area = 0.25 * math.pi * scope["bore"] ** 2
-        rate = area / scope["length"] * (first.pressure - second.pressure - loss)
-        flow = Flow("mass_flow_rate", "from", "to", mass, air.heat_capacity_pressure * temperature * mass)
-        return PassageFlows((flow,), {"mass_flow_rate": (mass, "kg/s")}, {"mass_flow_rate": rate})
-
-    def _temperature_and_loss(self, scope: Scope, mass: Any, first: GasState, second: GasState) -> tuple[Any, Any]:
-        """Return the stagnation temperature of the flow, and its pressure loss.
-
-        `mass` is the mass flow rate. `first` and `second` are the gas states of both cells.
-        """
-        pressures, surroundings = (first.pressure, second.pressure), scope.surroundings
-        conductance, ratio = surroundings.capacity_in_circuit_gas(scope["sonic_conductance"], scope["critical_ratio"])
+        mass, surroundings = scope.states["mass_flow_rate"], scope.surroundings
+        pressures = first.pressure, second.pressure
+        conductance, ratio = surroundings.capacity_in_circuit_gas(*size)
         # Times the square root of the temperature, which follows.
         sonic = conductance * iso6358.REFERENCE_DENSITY * sqrt(iso6358.REFERENCE_TEMPERATURE) * maximum(*pressures)
         temperature = iso6358.temperature_of_flow(
@@ -124,21 +113,25 @@ class TubeSegment(Passage):
             coefficient = maximum(pipe.darcy_coefficient(mass, *tube, scope["roughness"]), smallest)
         reynolds = pipe.reynolds_number(mass, scope["bore"], scope["viscosity"])
         laminar, turbulent = pipe.laminar_resistance(*tube) * mass, coefficient * mass * abs(mass)
-        return temperature, pipe.between_laminar_and_turbulent(reynolds, laminar, turbulent)
+        loss = pipe.between_laminar_and_turbulent(reynolds, laminar, turbulent)
+        area = 0.25 * math.pi * scope["bore"] ** 2
+        rate = area / scope["length"] * (first.pressure - second.pressure - loss)
+        flow = Flow("mass_flow_rate", "from", "to", mass, surroundings.heat_capacity_pressure * temperature * mass)
+        return PassageFlows((flow,), {"mass_flow_rate": (mass, "kg/s")}, {"mass_flow_rate": rate})
 
 
 @dataclass(frozen=True)
 class Profile:
     """Initial states of all cells and flow paths of a tube.
 
-    A state that is not set has the initial value of the whole tube.
+    `specified` contains the states that a user set, and `defaults` the initial values of the tube for all states.
     """
 
     specified: Mapping[str, Number]
     defaults: Mapping[str, Number]
 
     def numbers(self) -> dict[str, Number]:
-        """Return the initial states by name and index, for example `pressure_3`."""
+        """Return all initial states by name and cell number, for example `pressure_3`."""
         return {**self.defaults, **self.specified}
 
     def with_numbers(self, values: Mapping[str, Number]) -> Profile:
@@ -155,14 +148,14 @@ class Tube(Compound):
 
     Notes
     -----
-    See docs/tube.md. An end names a gas node, `tank`, or the port of another part, `valve.outlet`, that names the tube:
-    this port is connected to the cell at that end. Without `to` the second end is closed. Ports of other parts can be
-    connected to any cell, `hose.3`.
+    See docs/tube.md. Each end (`from_` and `to`) is the name of a gas node, such as `tank`, or a port of another part,
+    such as `valve.outlet`. This port must name the tube, and is connected to the cell at that end. If `to` is omitted,
+    the second end is closed. Ports of other parts can be connected to any cell, for example `hose.3`.
 
-    With inertia the mass flow rates are states, and pressure waves travel. The default C and b are those of the tube
-    formula. The loss `friction`, Darcy-Weisbach with a roughness, is for tubes with inertia. Up to Re = 2000 the loss
-    of a tube with inertia is laminar; its flow is limited by the choked one, and the model neglects kinetic energy. A
-    run that continues another one starts with its `profile`.
+    If `inertia` is true, the mass flow rates are states, and pressure waves travel in the tube. The default C and b are
+    those of `poppet.iso6358.tube`. The loss `friction`, by Darcy-Weisbach with a roughness, requires inertia. The loss
+    of a tube with inertia is laminar up to Re = 2000. Its flow does not exceed the choked flow, and the model neglects
+    kinetic energy. A run that continues another run starts with the `profile` at the end of that run.
 
     Examples
     --------
@@ -183,7 +176,7 @@ class Tube(Compound):
     bore: NumberLike = number("m", doc="bore", above=0.0)
     cells: NumberLike = number("1", 8.0, doc="number of cells", low=1.0, high=float(MAX_CELLS))
     inertia: str = switch(doc="inertia of the gas")
-    loss: str = option(ISO, FRICTION, doc="law of the loss")
+    loss: str = option(ISO, FRICTION, doc="law of the pressure loss")
     sonic_conductance: NumberLike = number("m^3/(s Pa)", optional=True, doc="sonic conductance C", above=0.0)
     critical_ratio: NumberLike = number("1", optional=True, doc="critical ratio b of the tube", low=0.0, below=1.0)
     roughness: NumberLike = number("m", 0.0, doc="height of the wall's roughness", low=0.0, note="smooth")
@@ -228,7 +221,7 @@ class Tube(Compound):
 
     @property
     def _ends(self) -> tuple[str, str]:
-        """Connection types of both ends: at a port, at a gas node, or closed."""
+        """Types of both ends: `AT_PORT` of another part, `AT_NODE` for a gas node, or `CLOSED`."""
         first, second = (
             CLOSED if end is None else AT_PORT if is_port(end) else AT_NODE for end in (self.from_, self.to)
         )
@@ -244,15 +237,15 @@ class Tube(Compound):
     def _spacing(self) -> float:
         """Distance between neighbouring cells, divided by the length of the tube.
 
-        A cell at a port has half the length of the others.
+        A cell at a port of another part has half the length of the other cells.
         """
         return 1.0 / (self._count - sum(0.5 for end in self._ends if end == AT_PORT))
 
     @cached_property
     def _passages(self) -> dict[str, tuple[str, str, float]]:
-        """Mapping from the name of each flow path to its two ends and its length.
+        """Mapping from the name of each flow path in the tube to its two ends and its length.
 
-        The length is in units of the cell spacing. A closed end is included with a length of half a spacing.
+        The length is relative to the spacing of the cells. A closed end is included with a length of 0.5.
         """
         names = [str(k) for k in range(1, self._count + 1)]
         paths = {} if self._ends[0] == AT_PORT else {"inlet": (str(self.from_), f".{names[0]}", 0.5)}
@@ -262,13 +255,13 @@ class Tube(Compound):
 
     @property
     def _open_passages(self) -> list[str]:
-        """Names of all flow paths that are not at a closed end."""
+        """Names of all flow paths in the tube, except one at a closed end."""
         return [name for name in self._passages if name != "outlet" or self._ends[1] != CLOSED]
 
     def _cell_index(self, passage: str) -> str:
-        """Return the index of the cell upstream of a flow path.
+        """Return the number of the cell before a flow path, as text.
 
-        The index is 0 for the first flow path, `inlet`.
+        The number is 0 for the first flow path, `inlet`.
         """
         return {"inlet": "0", "outlet": str(self._count)}.get(passage) or passage.partition("_")[0]
 
@@ -307,9 +300,9 @@ class Tube(Compound):
 
     @property
     def _size(self) -> tuple[float, float]:
-        """C [m^3/(s Pa)] and b of the whole tube.
+        """Sonic conductance C [m^3/(s Pa)] and critical pressure ratio b [1] of the whole tube.
 
-        Unspecified values follow from the tube formula.
+        Values that are not specified follow from `poppet.iso6358.tube`.
         """
         conductance, ratio = iso6358.tube(self._value("length"), self._value("bore"))
         return (
@@ -333,9 +326,9 @@ class Tube(Compound):
 
     @property
     def resume(self) -> dict[str, str]:  # type: ignore[override]
-        """Mapping from outputs to the initial values that a continued run takes from them.
+        """Mapping from each output that a run can continue from to the field of its initial value.
 
-        The outputs are those of cells, and of flow paths with inertia.
+        The outputs are pressure and temperature of the cells, and the mass flow rates if the gas has inertia.
         """
         targets = {}
         for key in self.profile.numbers():

@@ -24,7 +24,7 @@ class CheckValve(FlowPath):
 
     Notes
     -----
-    The law is that of ISO 6358-1:2013 with its cracking-pressure term, without a moving mass.
+    The flow law is that of ISO 6358-1:2013 with a cracking pressure. The mass of the closing element is neglected.
     """
 
     kind: ClassVar[str] = "check_valve"
@@ -51,7 +51,8 @@ class ReliefValve(FlowPath):
 
     Notes
     -----
-    The opening is a static C1 function of the inlet pressure, without hysteresis (blow-down) or moving mass.
+    The opening is a static, continuously differentiable function of the inlet pressure. Hysteresis (blow-down) and the
+    mass of the closing element are neglected.
     """
 
     kind: ClassVar[str] = "relief_valve"
@@ -62,7 +63,12 @@ class ReliefValve(FlowPath):
     to: str | None = port("gas node that receives the discharge")
     set_pressure: NumberLike = number("Pa", doc="set pressure, where it begins to open", kind="pressure", above=0.0)
     accumulation: NumberLike = number(
-        "Pa", "0.2 bar", doc="accumulation", kind="pressure_difference", above=0.0, note="rise to full opening"
+        "Pa",
+        "0.2 bar",
+        doc="accumulation; pressure rise from the set pressure to full opening",
+        kind="pressure_difference",
+        above=0.0,
+        note="rise to full opening",
     )
 
     def caption(self, numbers: CaptionNumbers) -> list[str]:
@@ -84,10 +90,10 @@ class DirectionalValve(FlowPath):
 
     Notes
     -----
-    The conductance is proportional to the spool position. In a 3/2 valve the exhaust closes over the first half of the
-    stroke and the supply opens over the second half: they are never open at the same time. Defaults: `closing_time` is
-    `switching_time`, the exhaust has C and b of the supply, and the spool starts in the position that the parameter
-    `command` determines.
+    The conductance of a 2/2 valve is proportional to the spool position. In a 3/2 valve, the exhaust closes over the
+    first half of the stroke, and the supply opens over the second half: they are never open at the same time. By
+    default, `closing_time` equals `switching_time`, the exhaust has the flow capacity of the supply, and the initial
+    position of the spool is that for the value of `command`.
     """
 
     kind: ClassVar[str] = "directional_valve"
@@ -161,7 +167,7 @@ class DirectionalValve(FlowPath):
 
 @dataclass(frozen=True)
 class Silencer(FlowPath):
-    """Silencer at an exhaust, a flow path whose capacity decreases by clogging."""
+    """Silencer at an exhaust: a flow path whose sonic conductance is reduced by clogging."""
 
     kind: ClassVar[str] = "silencer"
     symbol: ClassVar[symbols.Symbol | str] = symbols.SILENCER

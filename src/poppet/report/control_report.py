@@ -58,9 +58,10 @@ def margin_table(tuning: Tuning) -> ReportTable:
 
 
 def verification_table(tuning: Tuning) -> ReportTable:
-    """Return metrics of the simulated response to a setpoint step and its reverse.
+    """Return a table of simulated responses to a setpoint step and the reverse step.
 
-    The simulation uses the nonlinear plant.
+    It contains step size, overshoot, settling time and remaining oscillation for each verification of the tuning. The
+    simulation uses the nonlinear plant.
     """
     si_unit = QUANTITIES[tuning.quantity].unit
     unit = readable_unit_of(si_unit)
@@ -87,7 +88,7 @@ def write_tuning(tuning: Tuning, circuit: BaseCircuit, path: str | Path) -> Path
 def tuning_page(tuning: Tuning, circuit: BaseCircuit) -> str:
     """Return the report of a controller tuning as HTML.
 
-    It contains gains, sensitivities, steps and margins.
+    It contains gains, sensitivities, step responses and margins.
     """
     title = f"{circuit.title or 'A circuit'}: gains of {tuning.controller}"
     step = (
@@ -96,7 +97,7 @@ def tuning_page(tuning: Tuning, circuit: BaseCircuit) -> str:
         else "small setpoint step of the linear loop, without limits and dead zones of the valves"
     )
     caption = f"Left: sensitivity |S| = |1/(1 + L)| of the tuned loops, its maximum Ms and its bound. Right: {step}."
-    lead = f"Form {tuning.form}. Bounded: {tuning.bounded}, {tuning.held}."
+    lead = f"Form {tuning.form}. Bounded: {tuning.bound_text}, {tuning.command_text}."
     with style("A report of a tuning"):
         sections = [
             Section("", head(title, lead) + findings(tuning.notes)),
@@ -111,7 +112,7 @@ def tuning_page(tuning: Tuning, circuit: BaseCircuit) -> str:
 def figure_table(comparison: Comparison) -> ReportTable:
     """Return a table with the metrics of each controller on the nominal plant.
 
-    If the plant parameters were varied, the median and the worst value of all samples follow.
+    If the plant parameters were varied, the table also contains the median and the worst value of all samples.
     """
     kinds = comparison.kinds
     units = {key: readable_metric_unit(kind, *comparison.units) for key, kind in kinds.items()}
@@ -151,9 +152,10 @@ def comparison_page(comparison: Comparison, title: str) -> str:
 
 
 def loop_figure(tuning: Tuning) -> Figure:
-    """Draw the sensitivity and the step response of a tuned control loop.
+    """Draw the sensitivity and the step response of each tuned control loop.
 
-    Each plant for which the sensitivity is bounded has its own curves.
+    The curves belong to operating points, and at each of them to the sides (signs) or the sine amplitudes of the
+    command.
     """
     figure = new_figure(10.0, 3.9)
     left, right = (axes_in(figure, edge, 0.75, 4.0, 2.5) for edge in (0.75, 5.75))
@@ -268,7 +270,7 @@ def _draw_responses(figure: Figure, comparison: Comparison) -> None:
 
 
 def sample_sentence(comparison: Comparison) -> str:
-    """Return a sentence on the random plant parameters of a comparison.
+    """Return a sentence on the random samples of the plant parameters in a comparison.
 
     It contains the number and the seed of the samples, and the ranges of the parameters.
     """

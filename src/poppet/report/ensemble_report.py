@@ -55,9 +55,9 @@ _METHODS = {
 
 
 def yield_table(ensemble: Ensemble) -> ReportTable:
-    """Return a table of yields, the fractions of runs that meet each requirement.
+    """Return a table of the yields, with confidence intervals.
 
-    The table contains confidence intervals.
+    A yield is the fraction of the runs that meet a requirement.
     """
     rows = [
         (y.name, y.text or "all requirements", y.good, 100.0 * y.share, f"{100.0 * y.low:.4g} ... {100.0 * y.high:.4g}")
@@ -205,20 +205,20 @@ def _worst_cases(ensemble: Ensemble, units: Mapping[str, str]) -> list[str | Rep
 
 
 def in_usual_unit(values: Array, unit: str) -> Array:
-    """Convert values from an SI unit to the unit in which reports show them."""
+    """Convert values from an SI unit to the unit that reports use for it."""
     return values if unit not in USUAL else np.asarray(convert(values, unit, USUAL[unit]))
 
 
 def usual_unit(unit: str) -> str:
-    """Return the unit in which reports show values of an SI unit.
-
-    The text is empty for a dimensionless quantity.
-    """
+    """Return the unit that reports use for an SI unit; empty for a dimensionless quantity."""
     return "" if unit == "1" else pretty(USUAL.get(unit, unit))
 
 
 def with_unit(name: str, unit: str) -> str:
-    """Return a label followed by its unit in brackets."""
+    """Return a label with its usual unit in brackets.
+
+    `unit` is an SI unit. A label of a dimensionless quantity has no brackets.
+    """
     return f"{name} [{usual_unit(unit)}]".replace(" []", "")
 
 
@@ -238,7 +238,10 @@ def yield_figure(yields: list[Yield]) -> Figure:
 
 
 def _label_rows(axes: Any, names: list[str], *, is_labelled: bool = True) -> None:
-    """Write names beside horizontal bars, from top to bottom."""
+    """Set the tick labels of horizontal bars, from top to bottom.
+
+    Without `is_labelled`, the ticks have no labels.
+    """
     axes.set_yticks(range(len(names)), list(reversed(names)) if is_labelled else [""] * len(names))
     axes.set_ylim(-0.6, len(names) - 0.4)
     axes.grid(visible=False, axis="y")
@@ -247,7 +250,7 @@ def _label_rows(axes: Any, names: list[str], *, is_labelled: bool = True) -> Non
 def bands_figure(bands: Bands, units: Mapping[str, str], curve: str) -> Figure:
     """Draw quantiles of one output over all runs versus time.
 
-    `curve` is the address of the output.
+    `curve` is the address of the output, and `units` maps addresses to SI units.
     """
     figure = new_figure(WIDTH, 3.4)
     axes = axes_in(figure, 0.8, 0.3, WIDTH - 1.0, 2.5)
@@ -265,7 +268,7 @@ def bands_figure(bands: Bands, units: Mapping[str, str], curve: str) -> Figure:
 def _figure_with_panels(titles: list[str], draw: Callable[[int, Any], None], height: float = _PANEL) -> Figure:
     """Return a figure with a small panel for each title.
 
-    There are two or three panels in a row. `draw` draws the panel with a given index.
+    There are two or three panels in a row. The function `draw` draws the panel with a given index into given axes.
     """
     columns = 2 if len(titles) in (1, 2, 4) else 3
     rows, width = -(-len(titles) // columns), (WIDTH - 0.8 - (columns - 1) * _GAP) / columns
@@ -281,7 +284,7 @@ def _figure_with_panels(titles: list[str], draw: Callable[[int, Any], None], hei
 def histogram_figure(ensemble: Ensemble, rows: Mapping[str, Array]) -> Figure:
     """Draw the histogram of each metric, with the bounds of the requirements.
 
-    `rows` contains the metrics of all runs.
+    `rows` maps each metric to its values in all runs.
     """
     metrics = ensemble.plan.metrics
 
@@ -297,9 +300,10 @@ def histogram_figure(ensemble: Ensemble, rows: Mapping[str, Array]) -> Figure:
 
 
 def _draw_bounds(ensemble: Ensemble, metric: Metric, line: Callable[..., Any], limits: tuple[float, float]) -> None:
-    """Draw the required bounds of a metric into a panel.
+    """Draw the bounds of all requirements on a metric into a panel.
 
-    Bounds far outside the axis limits are omitted. `line` draws one bound.
+    `line` is the method of the axes that draws one line, and `limits` are the limits of the axis. Bounds far outside
+    them are omitted.
     """
     span = limits[1] - limits[0]
     for requirement in ensemble.plan.requirements:
@@ -310,7 +314,10 @@ def _draw_bounds(ensemble: Ensemble, metric: Metric, line: Callable[..., Any], l
 
 
 def scatter_figure(ensemble: Ensemble, rows: Mapping[str, Array], units: Mapping[str, str]) -> Figure:
-    """Draw each metric versus the parameter that affects it most."""
+    """Draw each metric versus the parameter that affects it most.
+
+    `rows` maps metrics and parameters to their values in all runs, and `units` maps parameters to SI units.
+    """
     metrics = ensemble.plan.metrics
     strongest = {name: ranges[0].address for name, ranges in ensemble.tornado().items() if ranges}
     is_good = np.ones(len(rows["done"]), dtype=np.bool_)
@@ -334,7 +341,8 @@ def scatter_figure(ensemble: Ensemble, rows: Mapping[str, Array], units: Mapping
 def tornado_figure(metric: Metric, ranges: list[TornadoRange], indices: list[SobolIndex] | None) -> Figure:
     """Draw the effect of each parameter on a metric as a tornado chart.
 
-    If Sobol indices are available, they are drawn beside the chart.
+    The bars show the metric at a low and at a high value of each parameter. Sobol indices, if available, are drawn
+    beside the chart.
     """
     effects = [effect for effect in ranges if math.isfinite(effect.size)][:MAX_BARS]
     names = [effect.address for effect in effects]
@@ -435,7 +443,7 @@ def _margin_table(sizing: Sizing) -> ReportTable:
 def curve_figure(sizing: Sizing) -> Figure:
     """Draw each metric versus the parameter that is sized.
 
-    If there are several runs at each value, the yield is also drawn.
+    If there are several runs at each value of the parameter, the yield is also drawn.
     """
     unit = readable_unit(sizing.unit, float(np.median(sizing.values)))
     x = np.array([scaled(value, sizing.unit, unit) for value in sizing.values])

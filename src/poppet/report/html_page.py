@@ -29,10 +29,7 @@ Content: TypeAlias = "str | ReportTable | Iterable[str | ReportTable] | None"
 
 
 class Section(NamedTuple):
-    """Section of a page, with heading and content.
-
-    A section without content is omitted.
-    """
+    """Section of a page, with heading and content; omitted without content."""
 
     title: str
     content: Content
@@ -51,8 +48,7 @@ def render(content: Content) -> str:
 def write_page(path: str | Path, text: Callable[[], str]) -> Path:
     """Write an HTML page to a file.
 
-    `text` is a function that returns the page. The file name is checked before this function is called, because it may
-    take long.
+    `text` is a function that returns the page. It may take long, so the file name is checked before it is called.
     """
     target = Path(path)
     by_suffix(target, dict.fromkeys((".html", ".htm"), ""))
@@ -63,7 +59,7 @@ def write_page(path: str | Path, text: Callable[[], str]) -> Path:
 def document(title: str, sections: Iterable[tuple[str, Content]], *, style: str = "", program: str = "") -> str:
     """Return a complete HTML page with the given sections.
 
-    `program` is a script that runs after all others and may use WebAssembly.
+    `style` contains further style sheets. `program` is a script that runs after all others and may use WebAssembly.
 
     Examples
     --------
@@ -102,7 +98,7 @@ def paragraph(text: str, *, css_class: str = "", bold: bool = False) -> str:
 def folded(summary: str, content: Content, *, is_open: bool = False) -> str:
     """Return content as an HTML block that the reader can unfold.
 
-    `summary` is the line that is always visible. Without content, the text is empty.
+    `summary` is the line that is always visible. Without content, the result is empty.
     """
     body, state = render(content), " open" if is_open else ""
     return f"<details{state}><summary>{html.escape(summary)}</summary>\n{body}</details>\n" if body else ""
@@ -111,7 +107,7 @@ def folded(summary: str, content: Content, *, is_open: bool = False) -> str:
 def items(texts: Iterable[object], tag: str = "ul", css_class: str = "") -> str:
     """Return texts as an HTML list.
 
-    `tag` is the kind of list. Without texts, the result is empty.
+    `tag` is the HTML element of the list, `ul` or `ol`. Without texts, the result is empty.
     """
     rows = "".join(f"<li>{html.escape(str(text))}</li>\n" for text in texts)
     kind = f' class="{css_class}"' if css_class else ""
@@ -121,7 +117,7 @@ def items(texts: Iterable[object], tag: str = "ul", css_class: str = "") -> str:
 def findings(notes: Iterable[Note | str], tag: str = "ul") -> str:
     """Return notes as an HTML list.
 
-    `tag` is the kind of list. Without notes, the text is empty.
+    `tag` is the HTML element of the list, `ul` or `ol`. Without notes, the result is empty.
     """
     return items(grouped(notes), tag, "findings")
 
@@ -152,7 +148,7 @@ def picture(
 def inline_svg(svg: str, name: str, label: str) -> str:
     """Return the text of an SVG file as an HTML element.
 
-    `name` is the prefix of its identifiers, `label` the text for screen readers.
+    Identifiers in it get the prefix `name`. `label` is the text for screen readers.
 
     Examples
     --------

@@ -96,9 +96,9 @@ def mode_table(linear: LinearModel) -> ReportTable:
 
 
 def extreme_table(recording: Recording) -> ReportTable:
-    """Return a table of the first, last, lowest and highest value of each output.
+    """Return a table of the first, last, minimum and maximum value of each output.
 
-    State codes are omitted. Internal outputs come last.
+    Outputs that contain codes, such as a flow regime, are omitted. Internal outputs come last.
     """
     units = {
         name: USUAL.get(unit, unit)

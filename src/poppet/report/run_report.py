@@ -96,6 +96,21 @@ def run_page(
         caption = "Residual: increase of the stored quantity minus the integrals of the flows into it."
         columns = numeric("residual", "allowed", "throughput")
         balances = ReportTable(("balance", *columns, ""), balance_rows, caption)
+        # The parameters by the source of their values, the least certain source first.
+        parameters, numbers = "", circuit.numbers()
+        for kind in LEAST_CERTAIN_FIRST:
+            rows = [
+                (
+                    code(address),
+                    number.display(),
+                    with_unit(f"{number.absolute(circuit.surroundings.pressure):.6g}", number.unit),
+                    "; ".join(filter(None, (number.source.locator, number.source.note))),
+                )
+                for address, number in numbers.items()
+                if number.source.kind == kind
+            ]
+            table = ReportTable(("parameter", "as written", Column("SI", "s"), "source"), rows, css_class="numbers")
+            parameters += folded(f"{kind} ({len(rows)})", table, is_open=kind == "assumed")
         start = head(title, lead) + paragraph(recording.outcome, bold=True) + findings(recording.remarks)
         sections = [
             Section("", start),
@@ -105,28 +120,6 @@ def run_page(
             Section("Values", extreme_table(recording) if recording.time.size else ""),
             Section("Balances", balances),
             Section("Solver", ReportTable(("", ""), settings)),
-            Section("Parameters", _parameter_tables(circuit)),
+            Section("Parameters", parameters),
         ]
     return document(title, sections, style=stylesheet("run"))
-
-
-def _parameter_tables(circuit: BaseCircuit) -> str:
-    """Return tables of the parameters, grouped by the source of their values.
-
-    The least certain source comes first.
-    """
-    text, ambient = "", circuit.surroundings.pressure
-    for kind in LEAST_CERTAIN_FIRST:
-        rows = [
-            (
-                code(address),
-                number.display(),
-                with_unit(f"{number.absolute(ambient):.6g}", number.unit),
-                "; ".join(filter(None, (number.source.locator, number.source.note))),
-            )
-            for address, number in circuit.numbers().items()
-            if number.source.kind == kind
-        ]
-        table = ReportTable(("parameter", "as written", Column("SI", "s"), "source"), rows, css_class="numbers")
-        text += folded(f"{kind} ({len(rows)})", table, is_open=kind == "assumed")
-    return text

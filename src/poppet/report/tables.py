@@ -16,7 +16,7 @@ STACKED_COLUMNS = 3
 
 
 class Markup(str):
-    """HTML text that a table or a page includes unchanged.
+    """Text that is HTML already: a table or a page includes it unchanged.
 
     Any other text is escaped.
     """
@@ -25,7 +25,7 @@ class Markup(str):
 
 
 def code(text: object, suffix: str = "") -> Markup:
-    """Return a text as an HTML element of program code, with HTML text after it."""
+    """Return a text as HTML program code, followed by the HTML text `suffix`."""
     return Markup(f"<code>{html.escape(str(text))}</code>{suffix}")
 
 
@@ -40,9 +40,10 @@ def with_detail(text: str, detail: str) -> Markup:
 
 @dataclass(frozen=True)
 class Column:
-    """Column of a table: heading with unit, `time [s]`, and number format, `.2f`.
+    """Column of a table, with heading and number format.
 
-    If it has a format, the column is aligned on the right. Texts are not formatted.
+    Examples are the heading `time [s]` and the format `.2f`. A column with a format is aligned on the right. Cells that
+    are texts are not formatted.
     """
 
     heading: str
@@ -56,7 +57,7 @@ class Column:
 
 
 def numeric(*headings: str, digits: str = "s") -> tuple[Column, ...]:
-    """Return a column of numbers for each heading.
+    """Return a right-aligned column for each heading.
 
     `digits` is the number format. The default `s` is for numbers that are already text.
     """
@@ -67,8 +68,8 @@ def numeric(*headings: str, digits: str = "s") -> tuple[Column, ...]:
 class ReportTable:
     """Table of a report: rows of cells under headings.
 
-    A cell is a number, text, `Markup` or None. A plain text in `columns` is the heading of a column of text. A table
-    without headings has no header row.
+    A cell is a number, text, `Markup` or None. A plain text in `columns` is the heading of a column of texts. If all
+    headings are empty, the table has no header row.
 
     Examples
     --------

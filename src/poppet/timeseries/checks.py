@@ -46,7 +46,7 @@ def numbers(name: str, series: ArrayLike) -> FloatArray:
 
 
 def first_bad_time(time: FloatArray, owner: str = "") -> tuple[int, InputError] | None:
-    """Return the index of the first invalid time and the error, or None.
+    """Return the index of the first invalid time, and the error; None if all times are valid.
 
     Times must be a vector of at least one finite value, and must increase strictly. `owner` is the name of the series
     in the error message.
@@ -67,22 +67,23 @@ def first_bad_time(time: FloatArray, owner: str = "") -> tuple[int, InputError] 
 
 
 def name_problems(names: tuple[str, ...], units: Iterable[str]) -> list[InputError]:
-    """Return an error for each name that occurs twice or that no series has.
+    """Return the errors in the names of series.
 
-    `units` contains the names for which a unit is specified. Each of them must be in `names`.
+    A name that occurs twice is an error. `units` contains names for which a unit is specified: a name in `units` but
+    not in `names` is also an error.
     """
     duplicates = [name for name in dict.fromkeys(names) if names.count(name) > 1]
     unnamed = [name for name in units if name not in names]
     return [InputError("series.twice", name=name) for name in duplicates] + [
-        InputError("series.no_unit_of", name=name, near=NameSuggestion(name, names)) for name in unnamed
+        InputError("series.no_unit_of", name=name, suggestion=NameSuggestion(name, names)) for name in unnamed
     ]
 
 
 def path_problems(owner: str, times: FloatArray, values: FloatArray) -> list[InputError]:
-    """Return all errors in the points of a signal.
+    """Return all errors in the times and values of a signal.
 
-    The number of times must equal the number of values, and all points must be valid. `owner` is the name of the signal
-    in the error messages.
+    `times` and `values` must have equal lengths and be finite. Times must increase strictly and start at 0 or later.
+    `owner` is the name of the signal in the error messages.
     """
     if times.shape != values.shape or times.ndim != 1:
         return [InputError("signals.lengths", owner=owner, times=times.size, values=values.size)]
@@ -100,17 +101,17 @@ def path_problems(owner: str, times: FloatArray, values: FloatArray) -> list[Inp
 
 
 def not_finite(**fields: float) -> list[InputError]:
-    """Return an error for each argument that is not a finite number.
+    """Return an error for each keyword argument that is not a finite number.
 
-    The arguments are values by name.
+    The names of the arguments are the names in the errors.
     """
     return [InputError("numbers.not_finite", name, value=v) for name, v in fields.items() if not _is_finite(v)]
 
 
 def not_positive(unit: str, **fields: float) -> list[InputError]:
-    """Return an error for each argument that is not a finite number above 0.
+    """Return an error for each keyword argument that is not a finite number above 0.
 
-    The arguments are values by name, and `unit` is their unit.
+    The names of the arguments are the names in the errors. `unit` is the unit of all values.
     """
     return [
         InputError("numbers.not_positive", name, value=value, unit=unit)

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from poppet.core.codes import Note, notes_of
-from poppet.core.errors import InputError, NameSuggestion, collect
+from poppet.core.errors import InputError, NameSuggestion, raise_errors
 from poppet.core.note_groups import grouped
 from poppet.core.notebook import HtmlMixin
 from poppet.timeseries.checks import FloatArray, first_bad_time, name_problems, numbers, split_heading
@@ -60,7 +60,7 @@ class Columns(HtmlMixin):
         cls, time: ArrayLike, series: Mapping[str, ArrayLike], *, units: Mapping[str, str] | None = None,
         title: str = "", notes: Iterable[Note | str] = (), ambient_pressure: float = 1e5,
     ) -> Self:  # fmt: skip
-        """Return a recording of measured or computed arrays, after checks.
+        """Check measured or computed arrays, and return them as a recording.
 
         Parameters
         ----------
@@ -98,7 +98,7 @@ class Columns(HtmlMixin):
             for name, row in zip(names, rows, strict=True)
             if row.shape != base.shape
         ]
-        collect(problems)
+        raise_errors(problems)
         return cls(
             base, names, tuple(unit or units_by_name.get(name, "") for name, unit in headings),
             np.array(rows, dtype=float).reshape(len(rows), len(base)), title=title, notes=notes,
@@ -106,10 +106,7 @@ class Columns(HtmlMixin):
         )  # fmt: skip
 
     def fields(self) -> dict[str, Any]:
-        """Return the constructor arguments that create an equal object.
-
-        The keys are the names of the arguments.
-        """
+        """Return the constructor arguments that create an equal recording, by name."""
         arguments = {name: getattr(self, name) for name in _SAME_NAME}
         return arguments | {"notes": self.remarks, "outcome": self.ending or ""}
 
@@ -119,7 +116,7 @@ class Columns(HtmlMixin):
 
     @property
     def remarks(self) -> tuple[Note, ...]:
-        """Notes of the recording as objects, with code, address and facts."""
+        """Notes of the recording as `Note` objects."""
         if callable(self._remarks):
             self._remarks = notes_of(self._remarks())
         return self._remarks
@@ -133,9 +130,9 @@ class Columns(HtmlMixin):
 
     @property
     def figures(self) -> Any:
-        """Metrics of the loads in a simulation (`poppet.circuit.load_metrics.LoadMetrics`).
+        """Load metrics of a simulation, such as strokes and air consumption.
 
-        The value is None if the circuit has no loads.
+        They are a `poppet.circuit.load_metrics.LoadMetrics`. The value is None if the circuit has no loads.
         """
         if callable(self._figures):  # evaluated on first use: most recordings do not need it
             self._figures = self._figures()
@@ -143,17 +140,18 @@ class Columns(HtmlMixin):
 
     @property
     def notes(self) -> tuple[str, ...]:
-        """Notes of the recording as text, grouped by kind.
+        """Notes of the recording as texts.
 
-        `remarks` contains the same notes as objects with a code and facts.
+        Three or more notes with the same message code are combined into one. `remarks` contains the same notes as
+        objects.
         """
         return tuple(map(str, grouped(self.remarks)))
 
     @property
     def outcome(self) -> str:
-        """Reason why a simulation ended, as text.
+        """Termination reason of a simulation as text, empty for measurements.
 
-        The text is empty for measurements. `ending` contains the reason as a note with a code and facts.
+        `ending` contains it as a `Note`.
         """
         return "" if self.ending is None else str(self.ending)
 
@@ -175,7 +173,7 @@ class Columns(HtmlMixin):
         return row
 
     def _ipython_key_completions_(self) -> list[str]:
-        """Return the names of the series, which editors suggest after `recording[`."""
+        """Return the names of the series, which IPython suggests after `recording[`."""
         return list(self.names)
 
     def __contains__(self, name: object) -> bool:
@@ -196,7 +194,7 @@ class Columns(HtmlMixin):
             if kind in _NO_NAMES:
                 raise InputError(f"series.key.{kind}", key=repr(name))
             near = NameSuggestion(str(name), self.names)
-            raise InputError("names.unknown", str(name), meaning="an output of the recording", near=near)
+            raise InputError("names.unknown", str(name), meaning="an output of the recording", suggestion=near)
         return row
 
     def unit(self, name: str) -> str:

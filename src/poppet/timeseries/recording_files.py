@@ -17,7 +17,7 @@ from typing import IO, TYPE_CHECKING, Any
 import numpy as np
 
 from poppet.core.codes import Note, notes_of
-from poppet.core.errors import InputError, NameSuggestion, collect
+from poppet.core.errors import InputError, NameSuggestion, raise_errors
 from poppet.core.files import by_suffix, write_whole
 from poppet.core.units import convert
 from poppet.timeseries.checks import METADATA, first_bad_time, name_problems, split_heading
@@ -41,7 +41,7 @@ def write(recording: Columns, path: Path) -> Path:
 def read(path: Path, *, time: str = "time", time_unit: str = "") -> Columns:
     """Read a recording from a file, whose suffix determines the format.
 
-    For CSV files, `time` is the name of the time column and `time_unit` the unit of the time.
+    The keywords apply only to CSV files: `time` is the name of the time column, and `time_unit` the unit of the time.
     """
     # Imported here: writing a file does not need the readers.
     from poppet.timeseries.tables.reading import read_mat, read_parquet, read_with
@@ -61,18 +61,17 @@ def read(path: Path, *, time: str = "time", time_unit: str = "") -> Columns:
 
 
 def _of_headings(table: Table, title: str, time_name: str, time_unit: str) -> Columns:
-    """Convert a CSV table to a recording.
+    """Convert a CSV table, whose headings contain names and units, to a recording.
 
-    The headings contain names and units. `title` is the title of the recording. `time_name` and `time_unit` are the
-    name and the unit of the time column.
+    `title` is the title of the recording. `time_name` and `time_unit` are the name and the unit of the time column.
     """
     try:
         names, units = zip(*map(split_heading, table.names), strict=True)
         if names.count(time_name) != 1:
             absent = "series.no_time" if time_name == "time" else "series.no_column"
             code = "series.two_times" if time_name in names else absent
-            raise InputError(code, column=time_name, near=NameSuggestion(time_name, names))
-        collect(name_problems(names, {}))
+            raise InputError(code, column=time_name, suggestion=NameSuggestion(time_name, names))
+        raise_errors(name_problems(names, {}))
         time_index = names.index(time_name)
         unit = time_unit or units[time_index]
         convert(0.0, unit or "s", "s")  # rejects a unit that is not a time
@@ -170,9 +169,9 @@ def _write_mat(recording: Columns, stream: IO[bytes]) -> None:
 
 
 def _unique_column_names(names: Iterable[str]) -> list[str]:
-    """Make column names unique, and different from the name of the time column.
+    """Make column names unique, and different from `time`.
 
-    A repeated name gets a number as its ending.
+    A number is added to a repeated name.
     """
     plain_names = list(names)
     assigned = ["time", METADATA]

@@ -111,14 +111,15 @@ class SegmentTable:
 def lines(start: FloatArray, value: FloatArray, slope: FloatArray, jump: NDArray[np.bool_]) -> SegmentTable:
     """Return a signal of straight lines as segments.
 
-    `start`, `value` and `slope` describe each line. `jump` is True for a segment at whose start the signal jumps.
+    `start`, `value` and `slope` describe each line. The elements of `jump` are True if the signal jumps at the start of
+    the line.
     """
     zero = np.broadcast_to(0.0, start.shape)  # takes no memory
     return SegmentTable(start, value, slope, zero, zero, zero, zero, jump)
 
 
 def held(value: float) -> SegmentTable:
-    """Return a signal with one constant value as a segment."""
+    """Return a signal with one constant value as a single segment."""
     return lines(np.zeros(1), np.array([float(value)]), np.zeros(1), np.zeros(1, dtype=bool))
 
 
@@ -140,9 +141,10 @@ def polyline(times: FloatArray, values: FloatArray, end: float) -> SegmentTable:
 def wave(
     mean: float, amplitude: float, phase: float, starts: Floats, frequencies: Floats, rates: Floats
 ) -> SegmentTable:
-    """Return a sine with variable frequency as segments of continuous phase.
+    """Return a sine with variable frequency as segments, without jumps of the phase.
 
-    Each segment has a start, a frequency, and a rate of change of the frequency (`rates`).
+    `starts`, `frequencies` and `rates` are the start of each segment [s], its frequency [Hz], and the rate of change of
+    the frequency [Hz/s].
     """
     start, frequency, rate = (np.array(series, dtype=float) for series in (starts, frequencies, rates))
     tau = np.diff(start)
@@ -158,7 +160,7 @@ def wave(
 class Signal(ABC):
     """Base class of signals over time.
 
-    Each subclass defines how its signal is divided into segments.
+    Each subclass defines how its signal is divided into segments (`SegmentTable`).
     """
 
     remarks: tuple[Note, ...] = ()
@@ -318,7 +320,7 @@ class DelayedSegments(Signal):
 class MergedSegments(NamedTuple):
     """Segments of all inputs, divided at common start times.
 
-    Equal coefficients are stored only once. For a million equal pulses, only the start times need memory.
+    Equal coefficients are stored only once: a million equal pulses need memory only for their start times.
     """
 
     starts: FloatArray  # (n,) start of each segment [s]
@@ -360,31 +362,25 @@ def merge(tables: Sequence[SegmentTable]) -> MergedSegments:
     last_of_group = all_starts[np.append(first_of_group[1:], True)]
     jumps, courses = np.zeros(len(starts), dtype=bool), np.zeros(len(starts), dtype=np.int64)
     rows: list[NDArray[np.int64]] = []  # for each input so far: its coefficient row in every course
-    courses_by_table = [_distinct_coefficients(table) for table in tables]
-    for table, (coefficients, of_segment) in zip(tables, courses_by_table, strict=True):
+    distinct_coefficients: list[FloatArray] = []  # of each input, (m, 7)
+    names = ("value", "slope", "amplitude", "frequency", "chirp_rate", "phase", "start")
+    for table in tables:
+        # Constant segments with equal values share their coefficients.
+        constant = np.flatnonzero((table.slope == 0.0) & (table.amplitude == 0.0))
+        of_segment = np.arange(len(table))
+        _, first, same = np.unique(table.value[constant], return_index=True, return_inverse=True)
+        of_segment[constant] = constant[first[same]]
+        distinct_rows, of_segment = np.unique(of_segment, return_inverse=True)
+        distinct_coefficients.append(np.column_stack([getattr(table, name)[distinct_rows] for name in names]))
         k = np.searchsorted(table.start, last_of_group, side="right") - 1
         # The count of jumps increases at a start that has a jump.
         jumps[1:] |= np.diff(np.cumsum(table.jump)[k]) > 0
-        n = len(coefficients)
+        n = len(distinct_rows)
         if n == 1:
             rows.append(np.zeros(int(courses.max()) + 1, dtype=np.int64))
             continue
         distinct, courses = np.unique(courses * n + of_segment[k], return_inverse=True)
         rows = [*(row[distinct // n] for row in rows), distinct % n]
-    sets = [coefficients[row] for (coefficients, _), row in zip(courses_by_table, rows, strict=True)]
+    sets = [coefficients[row] for coefficients, row in zip(distinct_coefficients, rows, strict=True)]
     joined = np.stack(sets, axis=1) if sets else np.empty((1, 0, 7))
     return MergedSegments(starts, courses, np.ascontiguousarray(joined), jumps)
-
-
-def _distinct_coefficients(table: SegmentTable) -> tuple[FloatArray, NDArray[np.int64]]:
-    """Return the distinct coefficients of a signal, and their index for each segment.
-
-    The coefficients have the shape (m, 7). Constant segments with equal values share their coefficients.
-    """
-    constant = np.flatnonzero((table.slope == 0.0) & (table.amplitude == 0.0))
-    row_of_segment = np.arange(len(table))
-    _, first, same = np.unique(table.value[constant], return_index=True, return_inverse=True)
-    row_of_segment[constant] = constant[first[same]]
-    rows, row_of_segment = np.unique(row_of_segment, return_inverse=True)
-    names = ("value", "slope", "amplitude", "frequency", "chirp_rate", "phase", "start")
-    return np.column_stack([getattr(table, name)[rows] for name in names]), row_of_segment

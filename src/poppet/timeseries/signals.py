@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from poppet.core.codes import Note
-from poppet.core.errors import InputError, collect
+from poppet.core.errors import InputError, raise_errors
 from poppet.timeseries.checks import not_finite, not_positive, numbers, path_problems
 from poppet.timeseries.segments import DelayedSegments, Floats, SegmentTable, Signal, held, lines, merge, polyline, wave
 
@@ -27,7 +27,7 @@ _MAX_PERIODS = _MAX_BITS // 2  # two edges per period
 
 @dataclass(frozen=True, eq=False)
 class _Course(Signal):
-    """Base class of signals that are given by values at strictly increasing times.
+    """Base class of signals that are defined by values at strictly increasing times.
 
     The first time is not negative. The arrays are read-only.
     """
@@ -38,7 +38,7 @@ class _Course(Signal):
     def __post_init__(self) -> None:
         name = self.name if isinstance(self, SampledSignal) else type(self).__name__.lower()
         times, values = numbers(f"{name}: times", self.times), numbers(f"{name}: values", self.values)
-        collect(path_problems(name, times, values))
+        raise_errors(path_problems(name, times, values))
         for field, series in (("times", times), ("values", values)):
             series.flags.writeable = False
             object.__setattr__(self, field, series)
@@ -68,7 +68,7 @@ class Constant(Signal):
     value: float
 
     def __post_init__(self) -> None:
-        collect(not_finite(value=self.value))
+        raise_errors(not_finite(value=self.value))
 
     def bounds(self) -> tuple[float, float]:
         return self.value, self.value
@@ -187,7 +187,7 @@ class _Wave(Signal):
                 problems += not_finite(**{name: value})
             elif value is not None:  # None: the sweep lasts as long as the run
                 problems += not_positive("s" if name == "duration" else "Hz", **{name: value})
-        collect(problems)
+        raise_errors(problems)
 
     def bounds(self) -> tuple[float, float]:
         return self.mean - abs(self.amplitude), self.mean + abs(self.amplitude)
@@ -295,7 +295,7 @@ class Prbs(Signal):
             problems.append(InputError("signals.order", low=self.low, high=self.high))
         if isinstance(self.seed, bool) or not isinstance(self.seed, int) or self.seed < 0:
             problems.append(InputError("signals.seed", seed=self.seed))
-        collect(problems)
+        raise_errors(problems)
 
     def bounds(self) -> tuple[float, float]:
         return self.low, self.high
@@ -315,7 +315,7 @@ class Prbs(Signal):
 class _Pulses(Signal):
     """Base class of signals that alternate between a high and a low level.
 
-    Each period begins with the high level, which has the fraction `duty` of the period.
+    Each period begins with the high level. `duty` is the fraction of the period with this level.
     """
 
     if TYPE_CHECKING:  # declared in each subclass in its own order
@@ -328,12 +328,12 @@ class _Pulses(Signal):
         problems = not_finite(low=self.low, high=self.high) + not_positive("Hz", frequency=self.frequency)
         smallest, largest = self.duty.bounds() if isinstance(self.duty, Signal) else (self.duty, self.duty)
         problems += not_finite(duty=smallest)
-        collect(problems)
+        raise_errors(problems)
         if self.low >= self.high:
             problems.append(InputError("signals.order", low=self.low, high=self.high))
         if not 0.0 <= smallest <= largest <= 1.0:
             problems.append(InputError("signals.duty", least=smallest, most=largest))
-        collect(problems)
+        raise_errors(problems)
 
     def bounds(self) -> tuple[float, float]:
         return self.low, self.high

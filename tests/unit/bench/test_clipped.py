@@ -14,12 +14,12 @@ from poppet.bench.iso10094.flow import flow_trial
 from poppet.bench.iso10094.frequency import frequency_trial
 from poppet.bench.iso10094.resolution import resolution_trial
 from poppet.bench.iso10094.scale import Record, Scale
-from poppet.bench.iso10094.valve_recordings import clipped
-from poppet.bench.iso10094.virtual_valve import StandIn
+from poppet.bench.iso10094.valve_recordings import find_clipped_samples
+from poppet.bench.iso10094.virtual_valve import VirtualValve
 from poppet.signals import Points, Steps
 
 VOLTS = Scale(0.0, 10.0, "V", 1e5, 7e5)
-VALVE = StandIn(scale=VOLTS, time_constant=0.08, dead_time=0.016, play=1.2, droop=20.0, full_flow=0.01)
+VALVE = VirtualValve(scale=VOLTS, time_constant=0.08, dead_time=0.016, play=1.2, droop=20.0, full_flow=0.01)
 NOISES = (0.0, 200.0, 3000.0)
 STEPS = Trial("step", "steps", Steps([0.0, 0.5123, 1.5123], [1.0, 9.0, 1.0]), 2.5, 0.3, 1e-3, 1e-3)
 TRIANGLE = Trial("characteristic", "t", Points(20.0 * np.arange(5.0) + 2.0, [0, 10, 0, 10, 0]), 84.0, 0.0, 0.025, 1e-3)
@@ -42,12 +42,12 @@ def recorded(trial: Trial, noise: float, series: str = "", low: float = -np.inf,
         values[series] = np.clip(values[series], low, high)
     evaluation = replace(record, is_exact=False, **values)
     x, y = VOLTS.percents(evaluation)
-    return replace(evaluation, clipped=clipped({"setpoint": x, "outlet": y, "flow": evaluation.flow}))
+    return replace(evaluation, clipped=find_clipped_samples({"setpoint": x, "outlet": y, "flow": evaluation.flow}))
 
 
 def evaluated(*records: Record) -> tuple[Evaluation, set[str]]:
     """Return the evaluation of records, and the values that are absent because of clipped samples."""
-    evaluation = TESTS[records[0].test].evaluated(records, VOLTS)
+    evaluation = TESTS[records[0].test].evaluate_records(records, VOLTS)
     assert all(map(str, evaluation.notes))
     return evaluation, {note.address for note in evaluation.notes if note.code in CUT}
 
@@ -77,7 +77,7 @@ def test_clipped_peak_bounds_the_overshoot_only():
     time = np.arange(0.0, 3.0, 1e-3)
     y = 10.0 + 60.0 * np.where(time < 1.0, 0.0, 1.0 - np.exp(-8.0 * (time - 1.0)) * np.cos(20.0 * (time - 1.0)))
     x, y = np.where(time < 1.0, 1.0, 7.0), np.minimum(y, 80.0)
-    cut = clipped({"setpoint": 10.0 * x, "outlet": y})
+    cut = find_clipped_samples({"setpoint": 10.0 * x, "outlet": y})
     record = Record("r", "step", time, x, VOLTS.pressure(y), *[np.zeros(0)] * 3, is_exact=True, clipped=cut)
     evaluation, _ = evaluated(record)
     assert (evaluation.figures["overshoot"].bound, evaluation.figures["overshoot"].value) == (

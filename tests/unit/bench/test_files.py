@@ -9,10 +9,10 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from poppet.bench.iso10094.bench_result import TESTS, BenchResult, compared, is_result, read_bench_result
+from poppet.bench.iso10094.bench_result import TESTS, BenchResult, compare_bench_results, is_result, read_bench_result
 from poppet.bench.iso10094.evaluation import CharacteristicValue, PlottedCurve
-from poppet.bench.iso10094.scale import listed, pressure, pressure_range, setpoint_scale
-from poppet.bench.iso10094.valve_recordings import recorded
+from poppet.bench.iso10094.scale import read_pressure, read_pressure_range, read_quantity_list, setpoint_scale
+from poppet.bench.iso10094.valve_recordings import read_valve_recordings
 from poppet.core.codes import Note
 from poppet.core.errors import InputError, InputErrors
 
@@ -27,18 +27,18 @@ from poppet.core.errors import InputError, InputErrors
     ],
 )
 def test_pressure_ranges_are_read(given, ends):
-    assert pressure_range(given, 1e5) == pytest.approx(ends)
+    assert read_pressure_range(given, 1e5) == pytest.approx(ends)
 
 
 @pytest.mark.parametrize("given", ["0 bar g", "7 bar, 1 bar", ["1 bar", "2 bar", "3 bar"], "6 V"])
 def test_invalid_pressure_ranges_are_rejected(given):
     with pytest.raises(InputError):
-        pressure_range(given, 1e5)
+        read_pressure_range(given, 1e5)
 
 
 def test_negative_absolute_pressure_is_rejected():
     with pytest.raises(InputError) as caught:
-        pressure("-2 bar g", 1e5, "supply")
+        read_pressure("-2 bar g", 1e5, "supply")
     assert caught.value.code == "fields.out_of_range"
 
 
@@ -73,9 +73,9 @@ def test_invalid_setpoint_ranges_are_rejected():
 
 
 def test_lists_of_positive_values_are_read():
-    assert listed("1 l, 0.005", "m^3", "--volume") == pytest.approx((0.001, 0.005))
+    assert read_quantity_list("1 l, 0.005", "m^3", "--volume") == pytest.approx((0.001, 0.005))
     with pytest.raises(InputError) as caught:
-        listed("-1 Hz", "Hz", "--frequencies")
+        read_quantity_list("-1 Hz", "Hz", "--frequencies")
     assert (caught.value.code, caught.value.address) == ("fields.out_of_range", "--frequencies")
 
 
@@ -105,7 +105,7 @@ def tables(**changes) -> dict:
 
 
 def read(folder: Path, **changes):
-    return recorded(tables(**changes), folder / "map.toml")
+    return read_valve_recordings(tables(**changes), folder / "map.toml")
 
 
 def test_recording_has_si_units_and_a_common_time_base(folder):
@@ -174,7 +174,7 @@ def test_errors_suggest_names_and_state_missing_channels(folder):
     ):
         with pytest.raises(InputError) as caught:
             read(folder, **changes)
-        assert caught.value.facts["near"].names == names
+        assert caught.value.facts["suggestion"].names == names
     with pytest.raises(InputError) as caught:
         read(folder, recording={"test": "flow"})
     assert caught.value.address == "recordings.one.outlet.mass_flow_rate"
@@ -273,7 +273,7 @@ def test_spike_is_replaced(folder):
 def test_steps_declared_as_characteristic_give_no_values(folder):
     write_series(folder, *series_of_steps())
     recordings = read(folder, recording={"test": "characteristic"})
-    evaluation = TESTS["characteristic"].evaluated(recordings.records["characteristic"], recordings.scale)
+    evaluation = TESTS["characteristic"].evaluate_records(recordings.records["characteristic"], recordings.scale)
     assert not {"hysteresis", "linearity", "accuracy", "repeatability"} & set(evaluation.figures)
     assert "bench.characteristic.jumps" in {note.code for note in evaluation.notes if str(note)}
 
@@ -283,7 +283,7 @@ def test_dead_sensor_gives_no_frequency_response(folder, value):
     time = np.arange(0.0, 8.0, 0.005)
     write_series(folder, time, 5.0 + np.sin(2.0 * np.pi * time), np.full(time.size, value))
     recordings = read(folder, recording={"test": "frequency"})
-    evaluation = TESTS["frequency"].evaluated(recordings.records["frequency"], recordings.scale)
+    evaluation = TESTS["frequency"].evaluate_records(recordings.records["frequency"], recordings.scale)
     assert evaluation.figures == {}
     assert "bench.frequency.lost" in {note.code for note in evaluation.notes}
 
@@ -317,7 +317,7 @@ def test_probable_errors_of_sines_are_named(folder, case):
     change, expected = SINES[case]
     write_series(folder, *change(*series_of_sines()))
     recordings = read(folder, recording={"test": "frequency"})
-    evaluation = TESTS["frequency"].evaluated(recordings.records["frequency"], recordings.scale)
+    evaluation = TESTS["frequency"].evaluate_records(recordings.records["frequency"], recordings.scale)
     codes = {note.code.removeprefix("bench.") for note in (*recordings.notes, *evaluation.notes) if str(note)}
     suspicions = {"frequency.dead", "frequency.opposite", "frequency.leads", "frequency.not_low"}
     assert {code for code in codes if code in suspicions or code.startswith("recordings.")} == expected
@@ -327,7 +327,7 @@ def test_dead_sensor_has_no_step_to_evaluate(folder):
     time, setpoint, outlet = series_of_steps()
     write_series(folder, time, setpoint, np.full(outlet.size, 3.0))
     recordings = read(folder)
-    evaluation = TESTS["step"].evaluated(recordings.records["step"], recordings.scale)
+    evaluation = TESTS["step"].evaluate_records(recordings.records["step"], recordings.scale)
     reasons = {note.code for note in evaluation.notes if note.code.startswith("bench.absent.")}
     assert reasons == {"bench.absent.no_step"}
 
@@ -404,7 +404,7 @@ def test_comparison_reports_different_conditions():
         {"delay": CharacteristicValue(0.02, "s", "d"), "hysteresis": CharacteristicValue(0.4, "% FS", "d")},
         conditions={"full_scale": [1e5, 5e5], "volumes": [1e-3]},
     )  # fmt: skip
-    comparison = compared(RESULT, reference)
+    comparison = compare_bench_results(RESULT, reference)
     assert comparison["figures"]["delay"]["difference"] == pytest.approx(-0.01)
     assert "difference" not in comparison["figures"]["hysteresis"]
     assert comparison["figures"]["hysteresis"]["value_bound"] == "at most"

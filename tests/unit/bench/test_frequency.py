@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from poppet.bench.iso10094.evaluation import Evaluation
-from poppet.bench.iso10094.frequency import FREQUENCY, falls_to, sines, wave
+from poppet.bench.iso10094.frequency import FREQUENCY, find_sines, first_fall, fit_sine
 from poppet.bench.iso10094.scale import Record, Scale
 
 SCALE = Scale(0.0, 100.0, "V", 1e5, 7e5)
@@ -16,7 +16,7 @@ NONE = np.zeros(0)
 
 
 def evaluated(*records: Record) -> Evaluation:
-    return FREQUENCY.evaluated(records, SCALE)
+    return FREQUENCY.evaluate_records(records, SCALE)
 
 
 def codes(evaluation: Evaluation) -> list[str]:
@@ -39,18 +39,18 @@ def test_sines_of_different_frequencies_are_separated():
     time = np.arange(0.0, 14.0, 0.002)
     turn = np.where(time < 6.0, time, 6.0 + 2.5 * (time - 6.0))
     noise = np.random.default_rng(1).normal(0.0, 0.3, time.size)
-    windows = sines(time, 50.0 + 5.0 * np.sin(2.0 * np.pi * turn) + noise)
+    windows = find_sines(time, 50.0 + 5.0 * np.sin(2.0 * np.pi * turn) + noise)
     assert len(windows) == 2
     ends = [time[index] for part in windows for index in (part.start, part.stop - 1)]
     assert ends == pytest.approx([0.0, 6.0, 6.0, 14.0], abs=0.05)
-    assert sines(time, np.full(time.size, 50.0)) == []
+    assert find_sines(time, np.full(time.size, 50.0)) == []
 
 
 def test_wave_is_fitted_to_uneven_samples_with_drift():
     random = np.random.default_rng(2)
     time = np.sort(random.uniform(0.0, 5.0, 3000))
     turn = 2.0 * np.pi * 1.3 * time
-    fitted = wave(time, 3.0 + 0.2 * time + 2.0 * np.sin(turn + 0.4) + 0.3 * np.sin(3.0 * turn), 1.3)
+    fitted = fit_sine(time, 3.0 + 0.2 * time + 2.0 * np.sin(turn + 0.4) + 0.3 * np.sin(3.0 * turn), 1.3)
     assert abs(fitted.value) == pytest.approx(2.0, rel=1e-3)
     assert math.atan2(fitted.value.imag, fitted.value.real) == pytest.approx(0.4, abs=1e-3)
     assert fitted.distortion == pytest.approx(0.15, rel=1e-2)
@@ -118,9 +118,9 @@ def test_interpolated_bandwidth_of_first_order(spacing):
     corner = 1.37
     gain = -10.0 * np.log10(1.0 + (frequency / corner) ** 2)
     exact = corner * math.sqrt(10.0**0.3 - 1.0)
-    assert falls_to(frequency, gain, -3.0) == pytest.approx(exact, rel=0.005)
-    assert math.isnan(falls_to(frequency, gain, -90.0))
-    assert math.isnan(falls_to(frequency, gain, 1.0))
+    assert first_fall(frequency, gain, -3.0) == pytest.approx(exact, rel=0.005)
+    assert math.isnan(first_fall(frequency, gain, -90.0))
+    assert math.isnan(first_fall(frequency, gain, 1.0))
 
 
 @pytest.mark.parametrize("phase", [0.0, 0.3, 1.6, 3.14, -1.0])

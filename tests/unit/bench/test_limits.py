@@ -18,8 +18,8 @@ import pytest
 from pages import needs_nothing_else
 from poppet import Circuit
 from poppet.bench.limits import maps as room
-from poppet.bench.limits.bandwidth import GAIN, Point, bandwidth_point, crossing
-from poppet.bench.limits.limits_plan import PARTS, ideal, stage_changes
+from poppet.bench.limits.bandwidth import GAIN, BandwidthPoint, bandwidth_point, find_crossing
+from poppet.bench.limits.limits_plan import PARTS, ideal_part_changes, spring_and_damping_changes
 from poppet.bench.limits.maps import LimitsResult, find_limits, limits_plan
 from poppet.bench.limits.stability import Stability
 from poppet.bench.sine_rig import SineRig, fundamental, without_bands
@@ -101,7 +101,7 @@ class TestPlan:
 
     def test_setpoint_in_volts(self):
         plan = limits_plan(valve_circuit(setpoint_type="0-10 V"))
-        assert plan.asked(4e5) == pytest.approx(5.0)
+        assert plan.setpoint_for(4e5) == pytest.approx(5.0)
         assert plan.per_pascal == pytest.approx(10.0 / 6e5)
         case = plan.case(1e-3)
         rig = SineRig(case.instance, plan.setpoint, plan.pressure, settling=0.5)
@@ -128,7 +128,7 @@ class TestPlan:
     def test_unknown_valve_is_rejected(self, valve):
         with pytest.raises(InputError) as caught:
             limits_plan(valve_circuit(), valve)
-        assert (caught.value.code, caught.value.facts["near"].valid_names) == ("names.unknown", ["valve"])
+        assert (caught.value.code, caught.value.facts["suggestion"].valid_names) == ("names.unknown", ["valve"])
 
     def test_several_valves_need_a_name(self):
         parts = valve_circuit().parts
@@ -151,7 +151,7 @@ class TestPlan:
         nominal = plan.case(1e-3).parameters
         changed = {}
         for part in PARTS:
-            ideal_parameters = plan.case(1e-3, ideal(plan, part)).parameters
+            ideal_parameters = plan.case(1e-3, ideal_part_changes(plan, part)).parameters
             changed[part] = {
                 key: ideal_parameters[key] / nominal[key]
                 for key in ideal_parameters
@@ -167,7 +167,9 @@ class TestPlan:
         )
         lags = ("outlet_sensor.lag", "pilot_sensor.lag", "outer.sample_time", "inner.sample_time")
         assert changed["sensors and sampling"] == pytest.approx({f"{e}{name}": 0.1 for name in lags})
-        curve = plan.case(1e-3, ideal(plan, "sonic conductance")).parts["valve"].members["main_stage"].curve
+        curve = (
+            plan.case(1e-3, ideal_part_changes(plan, "sonic conductance")).parts["valve"].members["main_stage"].curve
+        )
         main_curve = valve_circuit().parts["valve"].members["main_stage"].curve
         for stroke in (1e-5, 2e-4, 9e-4):
             assert curve.sonic_conductance_at(stroke) == pytest.approx(10.0 * main_curve.sonic_conductance_at(stroke))
@@ -175,7 +177,7 @@ class TestPlan:
 
     def test_other_springs_keep_the_preload_forces(self):
         plan = limits_plan(valve_circuit())
-        nominal, changed = (plan.case(1e-3, c).parameters for c in ({}, stage_changes(plan, 4.0, 0.5)))
+        nominal, changed = (plan.case(1e-3, c).parameters for c in ({}, spring_and_damping_changes(plan, 4.0, 0.5)))
         for name in ("upper", "lower"):
             path = f"valve.main_stage.{name}_spring"
             assert changed[f"{path}.rate"] == 4.0 * nominal[f"{path}.rate"]
@@ -188,15 +190,15 @@ class TestCrossing:
     @pytest.mark.parametrize("guess", [0.02, 3.0, 50.0, 1e5])
     def test_bandwidth_of_low_pass(self, guess):
         """A first order with a corner at 7 Hz falls by 3 dB at 7 sqrt(10^0.3 - 1) Hz."""
-        frequency = crossing(lambda f: 1.0 / math.hypot(1.0, f / 7.0), GAIN, guess, 0.1, 1000.0)
+        frequency = find_crossing(lambda f: 1.0 / math.hypot(1.0, f / 7.0), GAIN, guess, 0.1, 1000.0)
         assert frequency == pytest.approx(7.0 * math.sqrt(10.0**0.3 - 1.0), rel=0.01)
 
     def test_crossing_outside_the_range(self):
         def low_pass(f: float) -> float:
             return 1.0 / math.hypot(1.0, f / 7.0)
 
-        assert crossing(low_pass, GAIN, 20.0, 10.0, 1000.0) == 0.0
-        assert crossing(low_pass, GAIN, 1.0, 0.1, 5.0) == math.inf
+        assert find_crossing(low_pass, GAIN, 20.0, 10.0, 1000.0) == 0.0
+        assert find_crossing(low_pass, GAIN, 1.0, 0.1, 5.0) == math.inf
 
     def test_fundamental_with_offset_drift_and_harmonic(self):
         t = np.arange(800) / 100.0
@@ -263,10 +265,12 @@ def result_with_points(outcome: str = "done") -> LimitsResult:
     )
     gains = dict.fromkeys((*PARTS, "load volume"), 1.0)
     points = {
-        (1e-3, 5e3): Point(40.0, 50.0, 0.01, 0.02, 0.1, gains | {"solenoids": 2.5}, "solenoids"),
-        (1e-3, 5e4): Point(math.inf, math.inf, 0.01, math.nan, 0.1, {}, ""),
-        (2e-3, 5e3): Point(20.0, 25.0, 0.03, 0.04, 0.1, gains | {"load volume": 3.0, "poppet": 2.0}, "load volume"),
-        (2e-3, 5e4): Point(2.0, 3.0, 0.2, 0.3, 0.1, gains, "controller"),
+        (1e-3, 5e3): BandwidthPoint(40.0, 50.0, 0.01, 0.02, 0.1, gains | {"solenoids": 2.5}, "solenoids"),
+        (1e-3, 5e4): BandwidthPoint(math.inf, math.inf, 0.01, math.nan, 0.1, {}, ""),
+        (2e-3, 5e3): BandwidthPoint(
+            20.0, 25.0, 0.03, 0.04, 0.1, gains | {"load volume": 3.0, "poppet": 2.0}, "load volume"
+        ),
+        (2e-3, 5e4): BandwidthPoint(2.0, 3.0, 0.2, 0.3, 0.1, gains, "controller"),
     }
     calm = Stability(-20.0 + 300.0j, True, "decays", 0.0, math.nan, 400.0, 2.0, True, Note("limits.hunts", points=None))
     hums = Stability(90.0 + 1800.0j, False, "oscillates", 200.0, 280.0, 500.0, 270.0, True)
@@ -290,8 +294,11 @@ class TestResult:
 
     def test_findings_as_text(self):
         text = " ".join(map(str, result_with_points().findings))
-        assert "The solenoids limit the bandwidth at 1 of 3 points (volumes 1 l, amplitudes 5 kPa)." in text
-        assert "The load volume limits the bandwidth at 1 of 3 points" in text
+        assert (
+            "The solenoids limit the bandwidth of the valve at 1 of 3 evaluated points (outlet volumes 1 l, amplitudes"
+            in text
+        )
+        assert "The load volume limits the bandwidth of the valve at 1 of 3 evaluated points" in text
         assert "permit a slow oscillation (hunting). This is the case at 2 points." in text
 
     @pytest.mark.parametrize("suffix", ["toml", "json"])
@@ -320,7 +327,7 @@ class TestResult:
         needs_nothing_else(page)
         assert "a valve: dynamic limits" in page
         assert "Interrupted: missing points are grey." in page
-        assert "The solenoids limit the bandwidth at 1 of 3 points" in page
+        assert "The solenoids limit the bandwidth of the valve at 1 of 3 evaluated points" in page
         with pytest.raises(InputError) as caught:
             write_limits(result_with_points(), tmp_path / "page.pdf")
         assert caught.value.code == "files.suffix"

@@ -10,10 +10,10 @@ from html.parser import HTMLParser
 import pytest
 
 from pages import needs_nothing_else, plots
-from poppet.bench.iso10094.bench_result import DEFINITIONS, TESTS, BenchResult, compared, read_bench_result
+from poppet.bench.iso10094.bench_result import DEFINITIONS, TESTS, BenchResult, compare_bench_results, read_bench_result
 from poppet.bench.iso10094.evaluation import BenchSettings, CharacteristicValue
 from poppet.bench.iso10094.run_bench import run_bench
-from poppet.bench.iso10094.virtual_valve import StandIn
+from poppet.bench.iso10094.virtual_valve import VirtualValve
 from poppet.core.codes import Note
 from poppet.core.errors import InputError
 from poppet.core.note_groups import grouped
@@ -23,12 +23,12 @@ from poppet.report.bench.bench_report import (
     conditions_text,
     figure_text,
     value_text,
-    verdict,
+    verdict_text,
     write_bench,
 )
 
 pytest.importorskip("matplotlib")
-VALVE = StandIn(
+VALVE = VirtualValve(
     play=0.8, dead_zone=2.0, dead_time=0.01, bow=1.0, droop=20.0, rise=4.0, flow_play=0.05, hum=0.1, hum_frequency=80.0,
     leak=1e-6, supply_sensitivity=0.01, offset=0.2, title="a <first> valve",
 )  # fmt: skip
@@ -41,7 +41,7 @@ SETTINGS = BenchSettings(
 @pytest.fixture(scope="module")
 def result(other) -> BenchResult:
     bench_result = run_bench(VALVE, SETTINGS, source="stand-in", notes=("a note & more",))
-    return replace(bench_result, comparison=compared(bench_result, other(bench_result)))
+    return replace(bench_result, comparison=compare_bench_results(bench_result, other(bench_result)))
 
 
 @pytest.fixture(scope="module")
@@ -110,7 +110,7 @@ def test_equal_results_give_equal_reports(result, tmp_path):
 def test_result_from_file_gives_the_same_report(result, tmp_path):
     result.save(tmp_path / "r.toml")
     restored = read_bench_result(tmp_path / "r.toml")
-    assert [verdict(restored, test) for test in TESTS] == [verdict(result, test) for test in TESTS]
+    assert [verdict_text(restored, test) for test in TESTS] == [verdict_text(result, test) for test in TESTS]
     Page(bench_page(restored))
 
 
@@ -125,15 +125,15 @@ def test_report_without_values_and_curves():
 
 
 def test_verdicts_as_text(result):
-    assert verdict(result, "step").startswith(
+    assert verdict_text(result, "step").startswith(
         "The step of 80 % FS takes 0.125 s up and 0.125 s down to 90 % of the change."
     )
-    assert "At rest the outlet oscillates by ± 0.1 % FS at 80 Hz." in verdict(result, "step")
-    assert re.search(r"It has fallen by 10 % FS at 5\.2\d g/s\.", verdict(result, "flow"))
-    assert verdict(result, "supply") == "A change of the supply by 1 bar changes the outlet by 1 kPa."
-    assert verdict(result, "leakage") == "At rest the valve takes 1 mg/s from the supply."
-    assert "of a straight line" in verdict(result, "characteristic")
-    assert "For a sine of ± 5 % FS about 50 % FS, 1 l the amplitude has fallen by 3 dB at" in verdict(
+    assert "At rest the outlet oscillates by ± 0.1 % FS at 80 Hz." in verdict_text(result, "step")
+    assert re.search(r"It has fallen by 10 % FS at 5\.2\d g/s\.", verdict_text(result, "flow"))
+    assert verdict_text(result, "supply") == "A change of the supply by 1 bar changes the outlet by 1 kPa."
+    assert verdict_text(result, "leakage") == "At rest the valve takes 1 mg/s from the supply."
+    assert "of a straight line" in verdict_text(result, "characteristic")
+    assert "For a sine of ± 5 % FS about 50 % FS, 1 l the amplitude has fallen by 3 dB at" in verdict_text(
         result, "frequency"
     )
 
@@ -141,7 +141,7 @@ def test_verdicts_as_text(result):
 @pytest.mark.parametrize("missing", DEFINITIONS)
 def test_missing_value_leaves_complete_sentences(result, missing):
     less = replace(result, figures={name: f for name, f in result.figures.items() if name != missing})
-    text = verdict(less, DEFINITIONS[missing].of.name)
+    text = verdict_text(less, DEFINITIONS[missing].of.name)
     assert "{" not in text
     assert "nan" not in text
     assert text == "" or (text[0].isupper() and text.endswith("."))
@@ -153,7 +153,7 @@ def test_bounds_and_units_as_text():
     assert value_text(1e-9, "% FS") == "0 % FS"
     assert value_text(-0.5, "% FS") == "-0.5 % FS"
     figures = {"resolution": CharacteristicValue(0.05, "% FS", "d", "at most")}
-    assert "by at most 0.05 % FS" in verdict(BenchResult("", "circuit", figures), "resolution")
+    assert "by at most 0.05 % FS" in verdict_text(BenchResult("", "circuit", figures), "resolution")
     assert (
         conditions_text(CharacteristicValue(1.0, "s", "", "", {"from": 10.0, "to": 90.0, "volume": 1e-3}))
         == "step 10 to 90 % FS, 1 l"

@@ -9,7 +9,7 @@ import pytest
 
 from poppet import Chamber, Circuit, MainStage, Reservoir, library
 from poppet.bench.iso10094.evaluation import BenchSettings
-from poppet.bench.iso10094.rig import rig_of, valve_of
+from poppet.bench.iso10094.rig import build_rig, find_valve
 from poppet.bench.iso10094.run_bench import run_bench
 from poppet.bench.iso10094.step import step_trial
 from poppet.bench.iso10094.supply import leakage_trial
@@ -36,43 +36,43 @@ def force(name: str, group: str) -> float:
 
 
 def test_full_scale_and_supply_follow_from_the_circuit():
-    rig = rig_of(circuit(), "valve")
+    rig = build_rig(circuit(), "valve")
     assert (rig.supply, rig.scale.pressure_low, rig.scale.pressure_high) == (7e5, 1e5, 6e5)
     assert rig.scale.setpoint_unit == "Pa"
     assert rig.notes == [Note("rig.full_scale", bars=5)]
-    high = rig_of(circuit(), "valve", full_scale=(1e5, 9e5), supply=8e5)
+    high = build_rig(circuit(), "valve", full_scale=(1e5, 9e5), supply=8e5)
     assert high.notes == [Note("rig.above_supply", high=9e5, supply=8e5)]
 
 
 def test_low_supply_without_full_scale_is_rejected():
     with pytest.raises(InputError) as caught:
-        rig_of(circuit(), "valve", supply=1.5e5)
+        build_rig(circuit(), "valve", supply=1.5e5)
     assert caught.value.code == "rig.low_supply"
 
 
 def test_supply_from_chamber_or_signal():
     base = circuit()
     stored = Circuit({**base.parts, "supply": Chamber(volume="50 l", initial_pressure="8 bar")})
-    assert rig_of(stored, "valve").supply == 8e5
+    assert build_rig(stored, "valve").supply == 8e5
     driven = Circuit(base.parts, {"supply.pressure": Constant(6.5e5)})
-    rig = rig_of(driven, "valve")
+    rig = build_rig(driven, "valve")
     assert rig.supply == 6.5e5
     assert Note("rig.supply_at_start", supply=6.5e5) in rig.notes
     open_air = Circuit({"valve": MainStage(supply="ambient", outlet="tank", exhaust="ambient", data="varga2012"),
                         "tank": Chamber(volume="1 l")})  # fmt: skip
     with pytest.raises(InputError) as caught:
-        rig_of(open_air, "valve")
+        build_rig(open_air, "valve")
     assert caught.value.code == "rig.open_supply"
 
 
 def test_test_valve_is_selected():
     single = circuit()
-    assert valve_of(single) == "valve"
+    assert find_valve(single) == "valve"
     two = Circuit(
         {**single.parts, "second": MainStage(supply="supply", outlet="tank", exhaust="ambient", data="varga2012")}
     )
     with pytest.raises(InputError) as caught:
-        valve_of(two)
+        find_valve(two)
     assert caught.value.code == "rig.several_valves"
     assert caught.value.facts["valves"] == ("valve", "second")
     two_valves = Circuit(
@@ -82,16 +82,16 @@ def test_test_valve_is_selected():
         }
     )
     with pytest.raises(InputError) as caught:
-        valve_of(two_valves)
+        find_valve(two_valves)
     assert caught.value.code == "rig.no_valve"
     with pytest.raises(InputError) as caught:
-        valve_of(single, "tank")
+        find_valve(single, "tank")
     assert (caught.value.code, caught.value.address) == ("names.unknown", "tank")
-    assert caught.value.facts["near"].valid_names == ["valve"]
+    assert caught.value.facts["suggestion"].valid_names == ["valve"]
 
 
 def test_record_begins_in_steady_state_after_the_lead():
-    rig = rig_of(circuit(), "valve")
+    rig = build_rig(circuit(), "valve")
     record = rig.respond(step_trial(rig.scale, 2e-3, 40.0, 2.0))
     assert record.time[0] == 0.0
     assert record.is_exact
@@ -101,7 +101,7 @@ def test_record_begins_in_steady_state_after_the_lead():
 
 
 def test_consumption_equals_the_stored_mass():
-    rig = rig_of(circuit(), "valve")
+    rig = build_rig(circuit(), "valve")
     record = rig.respond(step_trial(rig.scale, 2e-3, 40.0, 2.0))
     in_window = record.time < 2.0
     consumed = np.trapezoid(record.consumption[in_window], record.time[in_window])
@@ -118,7 +118,7 @@ def test_leakage_refilled_in_pulses_is_measured_completely(preset):
 
     valve = ProportionalValve(supply="supply", outlet="tank", exhaust="ambient", data="vppm_6l", preset=preset)
     parts = {"supply": Reservoir(pressure="8 bar"), "valve": valve, "tank": Chamber(volume="1 l")}
-    rig = rig_of(Circuit(parts), "valve")
+    rig = build_rig(Circuit(parts), "valve")
     record = rig.respond(leakage_trial(rig.scale, 1e-3, 50.0, 8.0))
     assert np.count_nonzero(record.consumption) < 0.1 * record.time.size  # single samples
     # The only leak is that of the pilot volume, C = 1e-13 m^3/(s Pa), some 0.2 bar above the outlet.
@@ -133,7 +133,7 @@ def test_too_fast_samples_are_reported():
     quick = {"inner": {"sample_time": "2 us"}}
     valve = ProportionalValve(supply="supply", outlet="tank", exhaust="ambient", data="vppm_6l", electronics=quick)
     parts = {"supply": Reservoir(pressure="8 bar"), "valve": valve, "tank": Chamber(volume="1 l")}
-    rig = rig_of(Circuit(parts), "valve")
+    rig = build_rig(Circuit(parts), "valve")
     for _ in range(2):
         rig.respond(leakage_trial(rig.scale, 1e-3, 50.0, 0.2))
     assert [note for note in rig.notes if note.code == "rig.pulses"] == [Note("rig.pulses", step=0.00025, sample=2e-6)]
@@ -141,7 +141,7 @@ def test_too_fast_samples_are_reported():
 
 def test_hysteresis_of_the_main_stage_is_the_preload_of_its_lower_spring():
     """The hysteresis is k2 h2 / S; the outlet is zero up to (k1 h1 + k2 h2) / S."""
-    rig = rig_of(circuit(), "valve", full_scale=(1e5, 6e5))
+    rig = build_rig(circuit(), "valve", full_scale=(1e5, 6e5))
     figures = run_bench(rig, BenchSettings(volumes=(2e-3,), sweep_time=20.0), ("characteristic", "step")).figures
     upper, lower = force("valve", "upper_spring"), force("valve", "lower_spring")
     assert figures["hysteresis"].value == pytest.approx(100.0 * lower / 5e5, rel=0.01)
@@ -154,7 +154,7 @@ def test_interruption_and_failure_have_different_outcomes(monkeypatch):
     from poppet.engine.problem import Outcome
 
     solve = module.solve
-    rig = rig_of(circuit(), "valve")
+    rig = build_rig(circuit(), "valve")
     for outcome, error in ((Outcome.INTERRUPTED, KeyboardInterrupt), (Outcome.TOO_MANY, SimulationError)):
         monkeypatch.setattr(module, "solve", lambda p, o=outcome, **options: replace(solve(p, **options), outcome=o))
         with pytest.raises(error):
@@ -162,7 +162,7 @@ def test_interruption_and_failure_have_different_outcomes(monkeypatch):
 
 
 def test_load_is_adapted_to_the_valve():
-    rig = rig_of(circuit(), "valve")
+    rig = build_rig(circuit(), "valve")
     result = run_bench(rig, SETTINGS, ("flow",))
     flow_row = next(row for row in result.rows["flow"] if "largest_drawn" in row)
     fed = next(row for row in result.rows["flow"] if "largest_fed" in row)
@@ -183,13 +183,13 @@ def test_complete_valve_defines_the_scale():
         ),
         "tank": Chamber(volume="1 l"),
     }
-    rig = rig_of(Circuit(parts), "valve")
+    rig = build_rig(Circuit(parts), "valve")
     assert (rig.scale.setpoint_low, rig.scale.setpoint_high, rig.scale.setpoint_unit) == (0.004, 0.02, "A")
     assert (rig.scale.pressure_low, rig.scale.pressure_high) == (1e5, 7e5)
-    part = rig_of(Circuit(parts), "valve", full_scale=(1e5, 4e5)).scale
+    part = build_rig(Circuit(parts), "valve", full_scale=(1e5, 4e5)).scale
     assert (part.setpoint_low, part.setpoint_high, part.span) == pytest.approx((0.004, 0.012, 3e5))
     with pytest.raises(InputError) as caught:
-        rig_of(Circuit(parts), "valve", full_scale=(1e5, 8e5))
+        build_rig(Circuit(parts), "valve", full_scale=(1e5, 8e5))
     assert caught.value.code == "rig.beyond_scaling"
     assert [caught.value.facts[f"own_{end}"] for end in ("low", "high")] == [1e5, 7e5]
     settings = BenchSettings(volumes=(1e-3,), amplitudes=(40.0,))

@@ -5,8 +5,17 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from poppet.bench.iso10094.shapes import Branch, at_places, branches, caught_up, jumps, lag_of, rested, stairs
-from poppet.bench.iso10094.step import hum_of
+from poppet.bench.iso10094.shapes import (
+    Branch,
+    branches,
+    constant_sections,
+    delay_by_lags,
+    find_jumps,
+    lag_of,
+    steady_part,
+    values_at_points,
+)
+from poppet.bench.iso10094.step import detect_limit_cycle
 
 RANDOM = np.random.default_rng(7)
 
@@ -32,7 +41,7 @@ def test_small_reversal_does_not_end_a_branch():
 
 
 def test_points_outside_the_samples_are_nan():
-    value, count = at_places(
+    value, count = values_at_points(
         np.linspace(20.0, 80.0, 500), np.linspace(0.0, 60.0, 500), np.array([10.0, 50.0, 90.0]), 1.0
     )
     assert np.isnan(value[[0, 2]]).all()
@@ -43,37 +52,37 @@ def test_points_outside_the_samples_are_nan():
 def test_interpolation_averages_the_noise():
     x = np.linspace(0.0, 100.0, 20_000)
     y = 0.5 * x + RANDOM.normal(0.0, 1.0, x.size)
-    value, count = at_places(x, y, np.linspace(10.0, 90.0, 41), 1.0)
+    value, count = values_at_points(x, y, np.linspace(10.0, 90.0, 41), 1.0)
     assert np.std(value - 0.5 * np.linspace(10.0, 90.0, 41)) == pytest.approx(1.0 / np.sqrt(count[5]), rel=0.5)
 
 
 def test_jumps_between_and_at_samples():
     time = np.arange(0.0, 3.0, 0.01)
     setpoint = np.where(time < 1.0, 10.0, np.where(time < 2.0, 60.0, 20.0))
-    exact = jumps(time, setpoint, 2.0, is_exact=True)
+    exact = find_jumps(time, setpoint, 2.0, is_exact=True)
     assert [jump.time for jump in exact] == pytest.approx([1.0, 2.0])
-    measured = jumps(time, setpoint + RANDOM.normal(0.0, 0.05, time.size), 2.0, is_exact=False)
+    measured = find_jumps(time, setpoint + RANDOM.normal(0.0, 0.05, time.size), 2.0, is_exact=False)
     assert [jump.time for jump in measured] == pytest.approx([0.995, 1.995], abs=1e-3)
-    assert jumps(time, setpoint, 70.0, is_exact=True) == []
+    assert find_jumps(time, setpoint, 70.0, is_exact=True) == []
 
 
 def test_slow_step_has_the_time_of_its_middle():
     time = np.arange(0.0, 2.0, 0.01)
     setpoint = np.clip((time - 1.0) / 0.1, 0.0, 1.0) * 80.0
-    (jump,) = jumps(time, setpoint, 2.0, is_exact=False)
+    (jump,) = find_jumps(time, setpoint, 2.0, is_exact=False)
     assert (jump.time, jump.duration) == pytest.approx((1.05, 0.1), abs=0.011)
 
 
 @pytest.mark.parametrize("noise", [0.0, 0.01])
 def test_ramps_are_not_staircases(noise):
     staircase = np.repeat(np.arange(10.0) * 0.2, 60) + RANDOM.normal(0.0, noise, 600)
-    assert [(s.start, s.stop) for s in stairs(staircase)] == [(60 * k, 60 * k + 60) for k in range(10)]
-    assert len(stairs(np.linspace(0.0, 100.0, 600) + RANDOM.normal(0.0, noise, 600))) <= 1
+    assert [(s.start, s.stop) for s in constant_sections(staircase)] == [(60 * k, 60 * k + 60) for k in range(10)]
+    assert len(constant_sections(np.linspace(0.0, 100.0, 600) + RANDOM.normal(0.0, noise, 600))) <= 1
 
 
 def test_final_part_of_a_hold():
     time = np.arange(0.0, 10.0, 0.1)
-    part = rested(time, slice(20, 70), 0.2)
+    part = steady_part(time, slice(20, 70), 0.2)
     assert time[part][[0, -1]] == pytest.approx([6.0, 6.9], abs=0.15)
 
 
@@ -88,7 +97,7 @@ def test_lag_of_a_sweep_equals_the_dead_time(noise):
     assert lag is not None
     assert lag.time == pytest.approx(0.3, abs=0.01)
     assert lag.moved == pytest.approx(0.9 * 100.0 / 60.0 * 0.3, abs=0.02)
-    assert np.interp(30.0, time, caught_up(time, x, [lag])) == pytest.approx(np.interp(29.7, time, x), abs=0.05)
+    assert np.interp(30.0, time, delay_by_lags(time, x, [lag])) == pytest.approx(np.interp(29.7, time, x), abs=0.05)
 
 
 def test_no_lag_without_a_sufficient_hold():
@@ -103,23 +112,23 @@ def test_no_lag_without_a_sufficient_hold():
 def test_limit_cycle_is_distinguished_from_noise_and_settling():
     time = np.arange(0.0, 4.0, 0.002)
     noise = RANDOM.normal(0.0, 0.05, time.size)
-    assert hum_of(time, 50.0 + noise) is None
-    assert hum_of(time, 50.0 + np.exp(-time)) is None
-    hum = hum_of(time, 50.0 + noise + 0.1 * np.sin(2.0 * np.pi * 13.7 * time))
+    assert detect_limit_cycle(time, 50.0 + noise) is None
+    assert detect_limit_cycle(time, 50.0 + np.exp(-time)) is None
+    hum = detect_limit_cycle(time, 50.0 + noise + 0.1 * np.sin(2.0 * np.pi * 13.7 * time))
     assert hum is not None
     assert (hum.amplitude, hum.frequency) == pytest.approx((0.1, 13.7), rel=0.1)
-    assert hum_of(time[:10], time[:10]) is None
+    assert detect_limit_cycle(time[:10], time[:10]) is None
 
 
 def test_noise_is_rarely_detected_as_limit_cycle():
     time = np.arange(0.0, 1.0, 0.001)
-    hums = [hum_of(time, np.random.default_rng(seed).normal(0.0, 1.0, time.size)) for seed in range(300)]
+    hums = [detect_limit_cycle(time, np.random.default_rng(seed).normal(0.0, 1.0, time.size)) for seed in range(300)]
     assert [hum for hum in hums if hum is not None] == []
 
 
 def test_amplitude_of_non_sinusoidal_limit_cycle():
     time = np.arange(0.0, 5.0, 0.001)
     saw = 0.5 * np.abs(((time * 4.0) % 1.0) * 4.0 - 2.0)  # a triangle between 0 and 1
-    hum = hum_of(time, saw)
+    hum = detect_limit_cycle(time, saw)
     assert hum is not None
     assert (hum.amplitude, hum.frequency) == pytest.approx((0.5, 4.0), rel=0.05)  # ten harmonics of it

@@ -12,9 +12,9 @@ from poppet.bench.iso10094.bench_result import TESTS
 from poppet.bench.iso10094.evaluation import Evaluation
 from poppet.bench.iso10094.run_bench import run_bench, run_recordings
 from poppet.bench.iso10094.scale import Record, Scale
-from poppet.bench.iso10094.smoothing import smoothed
-from poppet.bench.iso10094.uncertainty import Noise, noise_about
-from poppet.bench.iso10094.virtual_valve import StandIn
+from poppet.bench.iso10094.smoothing import smooth_response
+from poppet.bench.iso10094.uncertainty import Noise, estimate_noise
+from poppet.bench.iso10094.virtual_valve import VirtualValve
 from poppet.core.codes import Note
 from poppet.core.errors import InputError
 
@@ -33,7 +33,7 @@ def record(test: str, time, setpoint, outlet, **series) -> Record:
 
 
 def evaluated(test: str, *records: Record, rated_flow: float = math.nan) -> Evaluation:
-    return TESTS[test].evaluated(records, SCALE, rated_flow)
+    return TESTS[test].evaluate_records(records, SCALE, rated_flow)
 
 
 def note_of(evaluation: Evaluation, code: str, address: str | None = None) -> Note | None:
@@ -165,7 +165,7 @@ def test_correlated_noise_of_short_recordings():
     """A line through 60 samples removes part of the noise, whose correlation decays with 0.8 per sample."""
     white = np.random.default_rng(1).normal(0.0, 1.0, (800, 160))
     coloured = lfilter([1.0], [1.0, -0.8], white)[:, 100:]
-    means = [noise_about(list(parts)).mean(60) for parts in coloured.reshape(200, 4, 60)]
+    means = [estimate_noise(list(parts)).mean(60) for parts in coloured.reshape(200, 4, 60)]
     assert np.sqrt(np.mean(np.square(means))) == pytest.approx(np.std(coloured.mean(axis=1)), rel=0.2)
 
 
@@ -175,7 +175,9 @@ def test_crossing_time_is_unbiased_by_noise(noise):
     errors = []
     for seed in range(40):
         part = first_order(time) + np.random.default_rng(seed).normal(0.0, noise, time.size)
-        errors.append(smoothed(time, part, Noise(np.array([noise**2]))).crossing(0.9, 0.0)[0] - 0.1 * math.log(10.0))
+        errors.append(
+            smooth_response(time, part, Noise(np.array([noise**2]))).crossing(0.9, 0.0)[0] - 0.1 * math.log(10.0)
+        )
     assert abs(np.mean(errors)) < 0.002
     assert np.std(errors) < 0.006
 
@@ -264,8 +266,8 @@ def test_each_absent_value_has_a_reason():
 
 def test_unknown_test_is_rejected_and_missing_recording_is_reported():
     with pytest.raises(InputError) as caught:
-        run_bench(StandIn(), tests=("frequancy",))
-    assert (caught.value.code, caught.value.facts["near"].names) == ("fields.not_an_option", ["frequency"])
+        run_bench(VirtualValve(), tests=("frequancy",))
+    assert (caught.value.code, caught.value.facts["suggestion"].names) == ("fields.not_an_option", ["frequency"])
     result = run_recordings("t", {}, SCALE, tests=("step",))
     assert result.figures == {}
     assert result.notes["bench"] == (Note("bench.not_given", "step"),)

@@ -411,7 +411,7 @@ class TestFiles:
         with pytest.raises(InputError) as caught:
             load(tmp_path / "circut.toml")
         assert caught.value.code == "toml.no_file"
-        assert caught.value.facts["near"].names == ["circuit.toml"]
+        assert caught.value.facts["suggestion"].names == ["circuit.toml"]
         assert not caught.value.facts["new"]
 
     def test_missing_file_suggests_circuit_files(self, tmp_path):
@@ -420,7 +420,7 @@ class TestFiles:
         for table, suggestions in (("parts", ["tank.toml"]), ("recordings", ["tank_2.toml"])):
             with pytest.raises(InputError) as caught:
                 TomlFile.read(tmp_path / "tank_1.toml", table)
-            assert caught.value.facts["near"].names == suggestions
+            assert caught.value.facts["suggestion"].names == suggestions
 
     def test_missing_file_without_a_suggestion(self, tmp_path):
         (tmp_path / "pyproject.toml").write_text("[project]\n", encoding="utf-8")
@@ -429,7 +429,7 @@ class TestFiles:
         for name in ("project.toml", "nothing.toml", "latins.toml"):
             with pytest.raises(InputError) as caught:
                 load(tmp_path / name)
-            assert caught.value.facts | {"path": ""} == {"path": "", "near": "", "lost": True, "new": True}
+            assert caught.value.facts | {"path": ""} == {"path": "", "suggestion": "", "lost": True, "new": True}
 
     @pytest.mark.parametrize("content", [b"", b"  \n\n"])
     def test_empty(self, tmp_path, content):

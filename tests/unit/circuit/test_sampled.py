@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from poppet import Circuit
-from poppet.bench.sine_rig import SineRig, agreement, without_bands
+from poppet.bench.sine_rig import SineRig, find_agreement, without_bands
 from poppet.circuit.linear_model import SteadyState
 from poppet.circuit.sampled import sampled_steady_state as rest_module
 from poppet.circuit.sampled.point import SampledPoint
@@ -218,7 +218,7 @@ class TestModel:
     def test_unknown_addresses(self):
         with pytest.raises(InputError) as caught:
             smooth_model().frequency_response(1.0, "valve.setpiont", "tank.pressure")
-        assert (caught.value.code, caught.value.facts["near"].names[:1]) == ("names.unknown", ["valve.setpoint"])
+        assert (caught.value.code, caught.value.facts["suggestion"].names[:1]) == ("names.unknown", ["valve.setpoint"])
 
 
 class TestAgreement:
@@ -226,13 +226,13 @@ class TestAgreement:
         circuit = smooth()
         rig = SineRig(circuit.instance, "valve.setpoint", "tank.pressure", settling=0.1)
         with refused("limits.amplitudes"):
-            agreement(rig, smooth_model(), 5.0, (10.0, 1.0))
+            find_agreement(rig, smooth_model(), 5.0, (10.0, 1.0))
 
     def test_missing_steady_state_is_reported(self):
         """Return a linear model of another circuit."""
         rig = SineRig(smooth().instance, "valve.setpoint", "tank.pressure", settling=0.5)
         other = smooth(**{"tank.volume": "20 l"}).linearise()
-        found = agreement(rig, other, 30.0, (20.0, 40.0))
+        found = find_agreement(rig, other, 30.0, (20.0, 40.0))
         assert np.isnan(found.low)
         assert np.isnan(found.high)
         assert min(found.differences) > 0.1

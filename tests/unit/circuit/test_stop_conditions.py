@@ -90,7 +90,7 @@ def test_invalid_arguments_are_rejected(text, code):
 def test_misspelt_output_has_a_suggestion(name):
     with pytest.raises(InputError) as caught:
         parse_stop_condition(f"tank.pressure > {name}", OUTPUTS, 1e5)
-    assert name.replace("presure", "pressure") in caught.value.facts["near"].names
+    assert name.replace("presure", "pressure") in caught.value.facts["suggestion"].names
 
 
 @pytest.mark.parametrize(

@@ -68,8 +68,8 @@ def test_position_gains_keep_the_bound_on_the_closed_form():
     reported = point.margins["100 mm, fill"]
     assert peaks == pytest.approx((reported.sensitivity, reported.complementary), rel=5e-3)
     assert max(max(m.sensitivity, m.complementary) for m in point.margins.values()) == pytest.approx(1.4, rel=2e-3)
-    assert tuned().bounded == "Ms, Mt <= 1.4 filling and venting at 80, 100 mm"
-    assert tuned().held == "at rest"
+    assert tuned().bound_text == "Ms, Mt <= 1.4 filling and venting at 80, 100 mm"
+    assert tuned().command_text == "at rest"
     fields = tuned().fields()
     assert (fields["gain"].unit, fields["vent_factor"].unit) == ("1/m", "1")
     last = tuned().applied(drive()).simulate("6 s", "10 ms")["slide.position"][-1]
@@ -156,7 +156,7 @@ def test_gains_of_an_outer_loop_keep_the_bound():
     loop = (1.0 - pole**5) / (z - pole**5) * gains.gain * (1.0 + 5e-3 / gains.integral_time / (z - 1.0))
     peak = max(np.max(np.abs(1.0 / (1.0 + loop))), np.max(np.abs(loop / (1.0 + loop))))
     assert peak == pytest.approx(1.6, rel=2e-3)
-    assert tuning.held == "held by a command of 4 bar"
+    assert tuning.command_text == "held by a command of 4 bar"
     assert tuning.fields()["gain"].unit == "Pa/Pa"
     assert "vent_factor" not in tuning.fields()
     assert list(tuning.points[0].margins) == ["4 bar, command"]
@@ -306,8 +306,8 @@ def test_muscle_joint_is_tuned_with_inner_pressure_loop():
     assert [note.code for note in tuning.notes] == ["plant.no_hysteresis"]
     assert list(tuning.points[0].margins) == ["20 deg, command", "20 deg, back"]
     assert tuning.fields()["gain"].unit == "Pa/rad"
-    assert tuning.bounded.endswith("at 20 deg")
-    assert tuning.held.endswith("bar")
+    assert tuning.bound_text.endswith("at 20 deg")
+    assert tuning.command_text.endswith("bar")
     run = tuning.applied(circuit).simulate("6 s", "20 ms")
     assert run["arm.position"][-1] == pytest.approx(np.radians(20.0), abs=np.radians(0.2))
     assert run["muscle.pressure"][-1] == pytest.approx(tuning.points[0].commands[0], rel=0.05)

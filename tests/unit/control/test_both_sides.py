@@ -141,7 +141,7 @@ def test_gains_of_one_side_are_marked_and_fail_on_the_other():
     two_sided = loop(*PLANTS[2])
     fills = {target: source for target, source in two_sided.connections.items() if target != "vent.opening"}
     tuning = tune(replace(two_sided, connections=fills), at=LEVELS)
-    assert tuning.bounded == "Ms, Mt <= 1.4 filling at 2, 5 bar"
+    assert tuning.bound_text == "Ms, Mt <= 1.4 filling at 2, 5 bar"
     (point,) = tuning.points
     peak, pole = worst_of(5e5, "vent", point.gains, point.vent_factor, PLANTS[2])
     assert peak > 3.0
@@ -158,4 +158,4 @@ def test_small_leak_is_held_at_the_operating_point(leak):
 
 
 def test_the_result_names_the_bounded_sides():
-    assert tuned(*PLANTS[1]).bounded == "Ms, Mt <= 1.4 filling and venting at 2, 5 bar"
+    assert tuned(*PLANTS[1]).bound_text == "Ms, Mt <= 1.4 filling and venting at 2, 5 bar"

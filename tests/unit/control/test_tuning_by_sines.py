@@ -12,7 +12,7 @@ import pytest
 from poppet import load
 from poppet.control import Gains, SampledPlant, margins, tune
 from poppet.control.describing_function import MeasuredPlant, make_measured_loop
-from poppet.control.tuning import _Loops
+from poppet.control.tuning import _GainSearch
 from poppet.control.verification import Verification
 from poppet.core.errors import SimulationError
 from position_drive import TIME, drive
@@ -73,7 +73,7 @@ def test_frequency_range_must_cover_the_loop(gain, is_known):
     """The integrator |P| = 1/(2 sin(w T/2)) is between 800 and 0.71 from 0.1 to 125 Hz."""
     plant = SampledPlant(np.eye(1), np.ones(1), np.ones(1), TIME)
     low, high = (0.5 / math.sin(math.pi * fraction) for fraction in (2e-4, 0.25))
-    assert measured_plant(plant).covers(Gains(0.01 * gain), 1.4) == is_known
+    assert measured_plant(plant).keeps_bound_outside(Gains(0.01 * gain), 1.4) == is_known
     assert is_known == (0.01 * gain * low >= 3.5 and 0.01 * gain * high <= 1.0 - 1.0 / 1.4)
 
 
@@ -138,7 +138,7 @@ def test_a_dead_zone_has_its_describing_function(size):
     for overlap in (0.0, 0.03):
         circuit = balanced_cylinder(spool={"overlap": overlap})
         settled = make_measured_loop(circuit, None, [size], None).settle(0.1)
-        answer, command = settled.answer(250, size)
+        answer, command = settled.respond_to_sine(250, size)
         answers.append(answer)
     ratio = answers[1] / answers[0]
     assert abs(ratio) == pytest.approx(dead_zone(abs(command), 0.03), rel=0.02)
@@ -210,7 +210,7 @@ def test_the_loop_does_not_act_where_the_body_sticks():
     """Without a response above the measured range, the magnitude of the loop is bounded for any phase."""
     plant = PLANTS["integrator and lag"]
     measured = measured_plant(plant, highest=2e-3)
-    bounded, free = (_Loops([replace(measured, sticks_above=sticks)], 1.4) for sticks in (True, False))
+    bounded, free = (_GainSearch([replace(measured, sticks_above=sticks)], 1.4) for sticks in (True, False))
     gains = bounded.best("pi", None)
     z = plant.at(measured.known_frequencies[-1:])
     loop = abs(plant.response(z) * gains.response(z, plant.sample_time))[0]

@@ -16,7 +16,7 @@ def test_source_shows_kind_locator_and_note():
 def test_unknown_source_kind_offers_the_near_one():
     with pytest.raises(InputError) as caught:
         Source("asumed")
-    assert (caught.value.code, caught.value.facts["near"].names[0]) == ("fields.not_an_option", "assumed")
+    assert (caught.value.code, caught.value.facts["suggestion"].names[0]) == ("fields.not_an_option", "assumed")
 
 
 def test_every_kind_is_accepted():
@@ -26,7 +26,7 @@ def test_every_kind_is_accepted():
 def test_unknown_reference_is_refused():
     with pytest.raises(InputError) as caught:
         Number(1.0, "Pa", Source("given"), "abslute")
-    assert (caught.value.code, caught.value.facts["near"].names) == ("fields.not_an_option", ["absolute"])
+    assert (caught.value.code, caught.value.facts["suggestion"].names) == ("fields.not_an_option", ["absolute"])
 
 
 def test_float_gives_the_value():

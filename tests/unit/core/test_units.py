@@ -260,8 +260,8 @@ def test_refused_texts_have_a_reason_and_a_hint(argument, unit, code, facts):
     ("unit", "code", "facts"),
     [
         ("m3", "power", {"base": "m", "exponent": "3"}),
-        ("Bar", "misspelt", {"near": ("bar",)}),
-        ("C", "misspelt", {"near": ("degC",)}),
+        ("Bar", "misspelt", {"suggestion": ("bar",)}),
+        ("C", "misspelt", {"suggestion": ("degC",)}),
         ("Nl/(min bar)", "normal", {"base": "l"}),
         ("l/(min bar) ANR", "conductance_marked", {"plain": "l/(min bar)"}),
         ("dm^3/(s bar) (ANR)", "conductance_marked", {"plain": "dm^3/(s bar)"}),
@@ -325,7 +325,7 @@ def test_known_units():
     check_unit("bar g")
     with pytest.raises(UnitError) as caught:
         check_unit("bars")
-    assert caught.value.facts["near"][0] == "bar"
+    assert caught.value.facts["suggestion"][0] == "bar"
 
 
 def test_newton_and_gram_are_marks_only_behind_their_quantity():

@@ -13,7 +13,7 @@ import pytest
 
 from poppet import Circuit, load
 from poppet.deploy.fmu import binaries
-from poppet.deploy.fmu.package import build_fmu, pack
+from poppet.deploy.fmu.package import build_fmu, zip_bytes
 from poppet.deploy.parity.parity_table import ParityRow, compare_targets
 
 EXAMPLES = Path(__file__).parents[3] / "examples"
@@ -36,7 +36,7 @@ def build(circuit: Circuit, fmi: int, path: Path, inputs: tuple[str, ...] = ()) 
     with pytest.MonkeyPatch.context() as patch:
         # The host's compiler is faster at its first run; Zig has tests of its own.
         patch.setattr(binaries, "has_zig", lambda: False)
-        path.write_bytes(pack(build_fmu(circuit, fmi=fmi, inputs=inputs).content))
+        path.write_bytes(zip_bytes(build_fmu(circuit, fmi=fmi, inputs=inputs).content))
     return path
 
 

@@ -49,16 +49,16 @@ def test_parameters_change_between_calls(precision, tmp_path):
     files["own.c"] = """
       #include "ctl.h"
       #include <stdio.h>
-      static ctl_state m;
+      static ctl_t r;
       int main(void) {
         int call;
-        ctl_begin(&m);
+        ctl_init(&r);
         for (call = 0; call < 40; call++) {
-          if (call == 20) m.p[CTL_P_regulator_gain] *= 2.0;
-          m.u[CTL_U_regulator_setpoint] = 4e5;
-          m.u[CTL_U_regulator_measurement] = 396000;
-          ctl_call(&m, (double)call * CTL_CYCLE);
-          printf("%.9g ", (double)m.y[0]);
+          if (call == 20) r.param.gain *= 2;
+          r.in.setpoint = 400000;
+          r.in.measurement = 396000;
+          if (ctl_step(&r) & ~CTL_SATURATED) return 1;
+          printf("%.9g ", (double)r.out.command);
         }
         return 0;
       }
@@ -70,32 +70,44 @@ def test_parameters_change_between_calls(precision, tmp_path):
         program = controller_program(circuit.with_values({"regulator.gain": gain}))
         inputs = {"regulator.setpoint": 4e5, "regulator.measurement": 396000.0}
         rows = [[inputs.get(item.address, item.value) for item in program.inputs]] * 40
-        assert value == pytest.approx(program.run(rows)[-1, 0], rel=1e-5, abs=1e-7)
+        assert value == pytest.approx(program.run(rows).outputs[-1, 0], rel=1e-5, abs=1e-7)
     assert outputs[39] != pytest.approx(outputs[19], rel=0.1)
 
 
 def test_all_sample_instants_are_executed_after_hours(tmp_path):
-    """A single-precision counter stops at 2^24 calls, and a single-precision time is coarse after half an hour."""
+    """A single-precision counter stops at 2^24 calls; a single-precision time would be coarse after half an hour."""
     files = c_controller(load(EXAMPLES / "pressure_control.toml"), name="ctl", precision="single")
     files = {name: text for name, text in files.items() if "host" not in name}
     files["own.c"] = """
       #include "ctl.h"
       #include <stdio.h>
-      static ctl_state m;
+      static ctl_t r;
       int main(void) {
         long call, count = (1L << 24) + 1000, acted = 0;
-        ctl_begin(&m);
+        ctl_init(&r);
+        r.in.automatic = false;
         for (call = 0; call < count; call++) {
-          double before = m.z[0];
-          ctl_call(&m, (double)call * CTL_CYCLE);
-          acted += m.z[0] != before;
+          float before = r.out.command;
+          r.in.manual_command = (float)(call % 7) / 10.0f;
+          ctl_step(&r);
+          acted += r.out.command != before;
         }
         printf("%ld", count - acted);
         return 0;
       }
     """
     executable = compile_c(files, tmp_path, "-std=c99", "-O2")
-    assert subprocess.run([executable], capture_output=True, text=True, check=True).stdout == "0"
+    # The first two calls give zero: the manual command of zero acts in the second call.
+    assert subprocess.run([executable], capture_output=True, text=True, check=True).stdout == "2"
+
+
+def test_single_precision_code_contains_no_double(tmp_path):
+    files = c_controller(
+        load(EXAMPLES / "muscle_joint.toml"), CONTROLLERS["muscle_joint"], name="ctl", precision="single"
+    )
+    text = files["ctl.c"] + files["ctl.h"]
+    assert "double" not in text
+    assert not re.search(r"\d\.\d+(e[-+]?\d+)?(?![\d.f])", re.sub(r"/\*.*?\*/", "", text, flags=re.DOTALL))
 
 
 @pytest.mark.parametrize("precision", ["double", "single"])
@@ -133,6 +145,6 @@ def test_the_command(tmp_path, monkeypatch):
     assert run(["export", "c", file, "--part", "controller", "--precision", "single", "-o", "ctl"]) == 0
     assert {p.name for p in (tmp_path / "ctl").iterdir()} >= {"regulator.h", "regulator.c", "regulator_host.c"}
     text = (tmp_path / "ctl" / "regulator.c").read_text()
-    assert re.search(r"static void update\(const double \*t, const float \*u", text)
+    assert "regulator_status_t regulator_step_dt(regulator_t *r, float dt)" in text
     with refused("names.unknown", "nobody"):
         c_controller(load(file), ("nobody",))

@@ -10,7 +10,8 @@ import numpy as np
 import pytest
 
 from poppet import Circuit, load
-from poppet.deploy.controller import SIGNATURES, controller_program
+from poppet.deploy.controller import controller_program
+from poppet.deploy.controller_program import SIGNATURES
 from poppet.parts.part import ControlOutputs, Scope, State
 from refusals import refused
 
@@ -44,7 +45,7 @@ def test_program_gives_the_commands_of_the_run(case):
     step_limited = circuit.with_values({"run.maximum_step": program.cycle / 2.0})
     run = step_limited.simulate(duration, program.cycle)
     u = np.array([run[sensors.get(item.address, item.address)] for item in program.inputs]).T[:-1]
-    commands = program.run(u)
+    commands = program.run(u).outputs
     assert len(program.outputs) >= 2
     for k, output in enumerate(program.outputs):
         expected = run[output.address][:-1]
@@ -58,15 +59,17 @@ def test_program_excludes_sensors_and_includes_connections():
     assert "position.setpoint" in inputs
     assert not {"inverse.force", "valve.setpoint"} & set(inputs)
     assert not any("sensor" in quantity.address for quantity in (*program.parameters, *program.outputs))
-    assert {name: f.n_in() for name, f in program.functions.items()} == {"start": 1, "update": 5, "outputs": 3}
+    n_in = {name: f.n_in() for name, f in program.functions.items()}
+    assert n_in == {"accept": 3, "start": 1, "advance": 2, "update": 2, "outputs": 1}
     assert [*program.functions] == [*SIGNATURES]
 
 
 def test_sensor_offset_is_part_of_the_input():
     circuit = load(EXAMPLES / "pressure_control.toml")
     offset_circuit = circuit.with_values({"regulator.sensor.offset": "0.2 bar"})
-    u = np.array([[4e5, 3e5, 1.0, 0.0], [4e5, 3.1e5, 1.0, 0.0]])
-    assert np.array_equal(controller_program(circuit).run(u), controller_program(offset_circuit).run(u))
+    u = np.array([[4e5, 3e5, 0.0, 1.0, 0.0], [4e5, 3.1e5, 0.0, 1.0, 0.0]])
+    outputs = [controller_program(one).run(u).outputs for one in (circuit, offset_circuit)]
+    assert np.array_equal(*outputs)
 
 
 def test_parameters_are_free_and_the_cycle_is_the_shortest_sample_time():
@@ -76,13 +79,13 @@ def test_parameters_are_free_and_the_cycle_is_the_shortest_sample_time():
     indices = {parameter.address: k for k, parameter in enumerate(program.parameters)}
     p = np.array([parameter.value for parameter in program.parameters])
     # Held between samples: called four times in each sample time.
-    u = np.array([[4e5, 3e5 + 1e3 * k, 1.0, 0.0] for k in range(12)])
-    slow = program.run(u, cycle=program.cycle / 4.0)
+    u = np.array([[4e5, 3e5 + 1e3 * k, 0.0, 1.0, 0.0] for k in range(12)])
+    slow = program.run(u, intervals=np.full(12, program.cycle / 4.0)).outputs
     assert np.array_equal(slow[:4], np.repeat(slow[:1], 4, axis=0))
-    assert np.array_equal(slow[::4], program.run(u[::4]))
+    assert np.array_equal(slow[::4], program.run(u[::4]).outputs)
     p[indices["regulator.gain"]] *= 0.5
-    changed = controller_program(circuit.with_values({"regulator.gain": "4.605 1/bar"})).run(u)
-    assert np.allclose(program.run(u, p), changed, rtol=1e-15)
+    changed = controller_program(circuit.with_values({"regulator.gain": "4.605 1/bar"})).run(u).outputs
+    assert np.allclose(program.run(u, p).outputs, changed, rtol=1e-15)
 
 
 def test_parts_without_a_program_are_refused():

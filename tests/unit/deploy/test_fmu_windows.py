@@ -13,7 +13,7 @@ from xml.etree import ElementTree
 import numpy as np
 import pytest
 
-from poppet.deploy.fmu.package import build_fmu, pack
+from poppet.deploy.fmu.package import build_fmu, zip_bytes
 from unit.deploy.fmus import example
 
 WINE = shutil.which("wine64") or shutil.which("wine") or shutil.which("/usr/lib/wine/wine64")
@@ -32,7 +32,7 @@ def test_windows_and_linux_libraries_give_the_same_values(name: str, fmi: int, t
     if WINE is None:
         pytest.skip("there is no Wine on this machine")
     path = tmp_path / "it.fmu"
-    path.write_bytes(pack(build_fmu(example(name), fmi=fmi, platforms=("linux64", "win64")).content))
+    path.write_bytes(zip_bytes(build_fmu(example(name), fmi=fmi, platforms=("linux64", "win64")).content))
     with zipfile.ZipFile(path) as archive:
         archive.extractall(tmp_path)
     root = ElementTree.parse(tmp_path / "modelDescription.xml").getroot()

@@ -121,7 +121,7 @@ def test_a_limit_cycle_is_compared_until_changed_kernels_diverge():
     """A change of the size of rounding leads to another run of the valve after 65 ms."""
     reference = run_kernel(load(EXAMPLES / "muscle_joint.toml").with_values({"run.duration": "0.2 s"}))
     of = reference.rows
-    moved = comparison.change_effects(of, comparison.rounding_changes(reference.separate))
+    moved = comparison.change_effects(of, comparison.rounding_changes(reference.unfused_problem))
     found = comparison.compare_runs(reference.run.values, of, moved, 1e-9, np.ones(of.values.shape, dtype=bool))
     assert 5 < found.n_rows < of.values.shape[1]
     assert found.max_ratios().max() < 1.0
@@ -134,7 +134,7 @@ def test_the_rest_of_a_run_is_compared_with_the_effect_of_changes(monkeypatch):
 
     def off(times):
         def run(values, reference):
-            moved = comparison.change_effects(reference.rows, comparison.rounding_changes(reference.separate))
+            moved = comparison.change_effects(reference.rows, comparison.rounding_changes(reference.unfused_problem))
             values[:, -20:] += times * moved[:, -1:] * reference.rows.sizes[:, None]
             return values
 

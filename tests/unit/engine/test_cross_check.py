@@ -122,7 +122,7 @@ def test_longest_step_is_kept(solver):
 def test_unknown_solver():
     with refused("fields.not_an_option", "run.solver", value="cvode") as caught:
         solve(problem_of(filling(), 1.0, 0.5), "cvode")
-    assert caught.value.facts["near"].names[0] == "cvodes"
+    assert caught.value.facts["suggestion"].names[0] == "cvodes"
 
 
 def test_tolerance_tightens_the_solution():

@@ -175,7 +175,7 @@ def test_circuit_fits_its_own_simulation_better_than_both_baselines(bench):
 def test_unknown_command_and_channel_are_rejected(bench):
     with pytest.raises(InputError) as error:
         baselines(read_fit_file(bench), {"tank.pressure": "inlet.opneing"})
-    assert (error.value.code, error.value.facts["near"].names) == ("names.unknown", ["inlet.opening"])
+    assert (error.value.code, error.value.facts["suggestion"].names) == ("names.unknown", ["inlet.opening"])
     with pytest.raises(InputError) as error:
         baselines(read_fit_file(bench), {"tank.presure": "inlet.opening"})
     assert (error.value.code, error.value.address) == ("names.unknown", "tank.presure")

@@ -6,6 +6,7 @@ import dataclasses
 import itertools
 import signal
 import threading
+from concurrent.futures import ThreadPoolExecutor
 
 import numpy as np
 import pytest
@@ -18,7 +19,7 @@ from poppet.identify.fit.experiment import Experiment
 from poppet.identify.fit.fit_plan import FitPlan, recording_parameters
 from poppet.identify.fit.fit_series import apply_lag, first_value, shift_series
 from poppet.identify.fit.intervals import add_bootstrap
-from poppet.identify.fit.search import SearchSettings, kick_rounds, optimise
+from poppet.identify.fit.search import SearchSettings, count_restart_rounds, optimise
 from poppet.identify.free_parameter import FreeParameter, read_free
 from poppet.identify.result import Result
 from poppet.signals import SampledSignal, Steps
@@ -160,23 +161,38 @@ def test_interruption_of_runs_on_threads_keeps_the_best_point(monkeypatch):
     free = tuple(read_free(name, {"start": start}, circuit) for name, start in starts.items())
     experiment = Experiment(circuit.instance, Measurement("run", (channel,), duration=float(TIME[19])), free)
     original_run, expected_slopes = RepeatedCall.run, experiment.slopes(starts, 0.1)[0]
-    started_runs, costs, numbers = [], [], itertools.count(1)
+    started_runs, costs, numbers, is_shut = [], [], itertools.count(1), threading.Event()
+
+    class Pool(ThreadPoolExecutor):
+        def shutdown(self, wait: bool = True, *, cancel_futures: bool = False) -> None:
+            super().shutdown(wait=False, cancel_futures=cancel_futures)
+            is_shut.set()
+            super().shutdown(wait=wait)
 
     def run(runs: RepeatedCall) -> np.ndarray:
         if threading.current_thread() is not threading.main_thread():
             started_runs.append(len(costs))
             # Interrupt the derivatives at the third point of the search. Each run has its own number on all threads.
             if next(numbers) == 2 * 4 + 1:
+                is_shut.clear()
                 signal.pthread_kill(threading.main_thread().ident, signal.SIGINT)
+                # Otherwise this thread can complete the other runs before the main thread cancels them.
+                assert is_shut.wait(60.0)
         return original_run(runs)
 
     monkeypatch.setattr("poppet.identify.fit.experiment.usable_cores", lambda: 1)
+    monkeypatch.setattr("poppet.identify.fit.experiment.ThreadPoolExecutor", Pool)
     monkeypatch.setattr(RepeatedCall, "run", run)
-    optimum = optimise([experiment], free, progress=lambda count, cost: costs.append(cost))
+    # A process that a shell starts in the background ignores the signal.
+    handler = signal.signal(signal.SIGINT, signal.default_int_handler)
+    try:
+        optimum = optimise([experiment], free, progress=lambda count, cost: costs.append(cost))
+    finally:
+        signal.signal(signal.SIGINT, handler)
     assert optimum.interrupted
     assert optimum.cost == costs[-1] < costs[0]
-    # Runs of the interrupted derivatives, and of the statistics at the end.
-    assert len(started_runs) < 4 * 4
+    # Four runs at each of two points, the interrupted run, and four runs for the statistics at the end.
+    assert len(started_runs) == 2 * 4 + 1 + 4
     assert np.array_equal(experiment.slopes(starts, 0.1)[0], expected_slopes)
 
 
@@ -187,7 +203,7 @@ def test_bootstrap_fits_use_the_loss_of_the_fit_without_restarts(monkeypatch):
     result, settings_of_fits = Result("fit", "", {}, {}), []
 
     def optimise_and_store(bootstrapped, free, settings, **arguments):
-        settings_of_fits.append((settings.loss, kick_rounds(settings, bootstrapped)))
+        settings_of_fits.append((settings.loss, count_restart_rounds(settings, bootstrapped)))
         return optimise(bootstrapped, free, settings, **arguments)
 
     optimum = optimise(plan.experiments, FREE, plan.settings)
@@ -279,7 +295,7 @@ def test_unknown_channel_is_rejected():
     with pytest.raises(InputError) as error:
         Experiment(Circuit(PARTS).instance, measurement, FREE)
     assert (error.value.code, error.value.address) == ("names.unknown", "recordings.run.tank.presure")
-    assert error.value.facts["near"].names[0] == "tank.pressure"
+    assert error.value.facts["suggestion"].names[0] == "tank.pressure"
 
 
 def test_invalid_free_parameters_are_rejected():

@@ -232,7 +232,7 @@ def test_too_small_stated_scatter_is_enlarged_and_reported():
     )
     assert optimistic.comparison["chi_square_probability"] < 1e-6
     assert 5.0 < optimistic.comparison["scatter_factor"] < 20.0
-    assert has_finding(optimistic, "times larger than the stated scatter permits")
+    assert has_finding(optimistic, "times larger than expected from the stated scatter of the instruments")
     assert not has_finding(realistic, "times larger")
     assert optimistic.parameters["critical_ratio"].standard_error == pytest.approx(
         realistic.parameters["critical_ratio"].standard_error, rel=0.5
@@ -261,7 +261,7 @@ def test_influential_point_is_reported():
     points = bench(np.linspace(0.05, 0.95, 20))
     points.mass_flow_rate[15] *= 1.05
     result = identify_flow(points)
-    assert has_finding(result, "Without a single point (number 16 at ")
+    assert has_finding(result, "(point number at p2/p1: 16 at ")
 
 
 # Parameters that are not determined
@@ -279,7 +279,7 @@ def test_choked_points_do_not_determine_the_critical_ratio(meters):
     assert conductance.verdict == ("determined" if meters else "weak")
     assert conductance.low < 2e-8 < conductance.high
     assert has_finding(result, "(p2/p1 = 0.05 to 0.25)")
-    assert has_finding(result, "Add a point at p2/p1 of about 0.68")
+    assert has_finding(result, "Measure another point at p2/p1 of about 0.68")
     assert list(result.values()) == ["sonic_conductance"]
 
 
@@ -327,7 +327,7 @@ def test_points_near_equal_pressure_do_not_determine_the_law():
 
 def test_points_near_equal_pressure_are_reported_and_have_no_effect():
     result = identify_flow(bench([*np.linspace(0.05, 0.95, 12), 0.996, 0.999, 1.0], meters=METERS))
-    assert has_finding(result, "Points near p2/p1 = 1 (number 13 at 0.996, 14 at 0.999, 15 at 1) have little weight")
+    assert has_finding(result, "(point number at p2/p1: 13 at 0.996, 14 at 0.999, 15 at 1) have little weight")
     assert abs(result.parameters["critical_ratio"].value - 0.3) < 0.02
     without_uncertainty = identify_flow(bench([*np.linspace(0.05, 0.95, 12), 0.996], meters={}))
     assert has_finding(without_uncertainty, "the uncertainty of the pressures is not stated")

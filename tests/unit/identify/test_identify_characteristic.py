@@ -24,7 +24,7 @@ from poppet.identify.characteristic.stroke_tests import (
     StrokePoint,
     StrokeRecording,
     common_of_result,
-    evidence_of,
+    evaluate_test,
     point_of_result,
 )
 from poppet.identify.free_parameter import read_free
@@ -140,14 +140,14 @@ def test_pchip_interpolates_its_points():
 @given(st.floats(-0.95, 0.95))
 def test_evidence_has_covariance_of_point(correlation):
     point = StrokePoint(1e-3, 1e-8, 0.4, 1e-10, 0.02, correlation)
-    scaled = evidence_of(point, "").root * np.array([1e-10, 0.02])
+    scaled = evaluate_test(point, "").root * np.array([1e-10, 0.02])
     expected = np.array([[1.0, correlation], [correlation, 1.0]])
     assert np.max(np.abs(np.linalg.inv(scaled.T @ scaled) - expected)) < 1e-9
-    assert evidence_of(point, "").uncertainty == pytest.approx([1e-10, 0.02])
+    assert evaluate_test(point, "").uncertainty == pytest.approx([1e-10, 0.02])
 
 
 def test_evidence_without_b_determines_c_only():
-    blind = evidence_of(StrokePoint(1e-3, 1e-8, float("nan"), 1e-10, float("inf")), "")
+    blind = evaluate_test(StrokePoint(1e-3, 1e-8, float("nan"), 1e-10, float("inf")), "")
     assert blind.uncertainty.tolist() == [pytest.approx(1e-10), float("inf")]
 
 
@@ -187,7 +187,7 @@ def test_bootstrap_and_delta_method_bands_agree(printed_fit, draws, tolerance):
 def test_monotone_constraint_is_kept_for_rising_c(rising_spline_fit):
     result = rising_spline_fit
     assert not result.comparison["monotone"]["rejected"]
-    assert result.findings[0].startswith("The data do not contradict a conductance C(x) that never falls")
+    assert "the data agree with this constraint" in result.findings[0]
     curve = result.series["sonic_conductance"]
     tested = curve["x"] >= STROKES[0]
     assert np.max(np.abs(curve["y"] - rising_conductance(curve["x"]))[tested]) < 0.02 * 1.6e-8
@@ -205,7 +205,7 @@ def test_monotone_constraint_is_rejected_for_falling_c(printed_spline_fit):
     result = printed_spline_fit
     assert result.comparison["monotone"]["rejected"]
     assert undocumented(result) == []
-    assert "never falls with the stroke: C falls by" in result.findings[0]
+    assert "the data contradict this constraint" in result.findings[0]
 
 
 def test_common_uncertainty_widens_band_only(printed_fit):
@@ -230,9 +230,9 @@ def test_gaps_repeats_extrapolation_and_missing_b_are_reported():
              for k, p in enumerate(PRINTED) if k not in (8, 9, 10)]  # fmt: skip
     tests.append(replace(tests[5], sonic_conductance=1.1 * tests[5].sonic_conductance, name="again"))
     text = " ".join(identify_characteristic(tests, degree_conductance=5, domain=(0.0, 1e-3)).findings)
-    assert "1 of 13 tests do not determine b (t3)" in text
-    assert "The curve is interpolated between" in text
-    assert "(t5 and again)" in text
+    assert "1 of 13 tests (t3) do not determine b" in text
+    assert "the curves C(x) and b(x) are interpolated" in text
+    assert "The repeated tests t5 and again at" in text
     assert "between 0.05 mm, the last tested stroke, and 0 mm, the end of the domain" in text
 
 
@@ -262,7 +262,9 @@ def test_points_among_recordings_are_reported():
     number = StrokePoint(1e-3, 1.5e-8, 0.4, 1.5e-10, 0.01, name="flow bench")
     mixed = identify_characteristic([*tests, number], degree_conductance=1, degree_ratio=0, joint=False)
     sentences = [
-        sentence for sentence in mixed.findings if "1 of 4 tests contribute only their values of C and b" in sentence
+        sentence
+        for sentence in mixed.findings
+        if sentence.startswith("1 of 4 tests") and "contribute only their values of C and b" in sentence
     ]
     assert len(sentences) == 1
     assert "(flow bench)" in sentences[0]
@@ -277,7 +279,7 @@ def test_joint_fit_shares_bench_parameters():
     shared = result.parameters["tank.wall_conductance"]
     assert shared.low < 8.0 < shared.high
     smallest_error = min(float(np.sqrt(np.diag(np.linalg.inv(o.jacobian.T @ o.jacobian)))[2])
-                for o in (evidence_of(t, "").optimum for t in tests))  # fmt: skip
+                for o in (evaluate_test(t, "").optimum for t in tests))  # fmt: skip
     assert shared.standard_error < smallest_error
     assert result.parameters["sonic_conductance.k1"].value == pytest.approx(1e-8, rel=0.02)
     assert result.comparison["degrees_of_freedom"] == 8 - 3 + 3
@@ -285,7 +287,7 @@ def test_joint_fit_shares_bench_parameters():
 
 def test_evidence_of_recording_equals_its_fit():
     wall = (read_free("tank.wall_conductance", {}, BENCH),)
-    evidence = evidence_of(simulate_recording(0.5e-3, 7, wall), "r")
+    evidence = evaluate_test(simulate_recording(0.5e-3, 7, wall), "r")
     inverse = np.linalg.inv(evidence.optimum.jacobian.T @ evidence.optimum.jacobian)
     assert evidence.uncertainty == pytest.approx(np.sqrt(np.diag(inverse)[:2] * evidence.widening), rel=1e-6)
     assert np.max(np.abs(evidence.centre - [1e-8, 0.4]) / evidence.uncertainty) < 4.0

@@ -11,7 +11,7 @@ import pytest
 from poppet import Chamber, Circuit, Orifice, Reservoir
 from poppet.identify import Result, TankTest, identify_tank
 from poppet.identify.fit.contour import COLUMNS, LEVELS, ROWS
-from poppet.report.identification.cost_figures import contour_figure, profile_figure, starts_figure
+from poppet.report.identification.cost_figures import contour_figure, profile_figure, search_figure
 from poppet.report.identification.identification_report import identification_page
 from poppet.timeseries.plotting.figures import style
 from refusals import refused
@@ -137,7 +137,7 @@ def test_result_lists_all_searches() -> None:
     pytest.importorskip("matplotlib")
     units = {"valve.sonic_conductance": "m^3/(s Pa)", "tank.wall_conductance": "W/K"}
     with style("test"):
-        waterfall, paths = starts_figure(searches, list(units.items())).axes
+        waterfall, paths = search_figure(searches, list(units.items())).axes
     rise = 2.0 * (np.sort([search["cost"] for search in searches]) - min(search["cost"] for search in searches))
     assert waterfall.get_lines()[1].get_ydata() == pytest.approx(rise)
     assert paths.get_lines()[-1].get_xdata() == pytest.approx(ends, rel=1e-6)  # in dm^3/(s bar), 1 where C is 1e-8

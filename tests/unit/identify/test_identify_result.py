@@ -131,7 +131,7 @@ def test_unknown_verdict_is_rejected(result, tmp_path):
     with pytest.raises(InputError) as error:
         read_result(tmp_path / "r.toml")
     assert (error.value.code, error.value.address) == ("fields.not_an_option", "parameters.run 1.outlet.lag.verdict")
-    assert error.value.facts["near"].names == ["weak"]
+    assert error.value.facts["suggestion"].names == ["weak"]
 
 
 def test_other_formats_are_rejected(result, tmp_path):

@@ -258,7 +258,7 @@ def test_errors_of_file_have_line_numbers(tmp_path: Path) -> None:
     with pytest.raises(InputErrors) as error:
         read_tank_file(path)
     assert [(e.code, e.line) for e in error.value.problems] == [("fields.unknown", 1), ("fields.unknown", 3)]
-    assert error.value.problems[0].facts["near"].names == ["volume"]
+    assert error.value.problems[0].facts["suggestion"].names == ["volume"]
 
 
 def test_title_is_converted_to_text(tmp_path: Path) -> None:

@@ -162,8 +162,9 @@ def test_error_edge_names_value_limit_source_and_cure():
     with pytest.raises(OutOfRangeError) as caught:
         strict.sonic_conductance_at(1.2 * MILLIMETRE)
     assert str(caught.value) == (
-        "stroke = 1.20 mm is outside 0 ... 1.00 mm, the range in which C(x) was fitted (varga2012, Table 1). "
-        'Outside this range, the polynomial gives C = 3.94e-08 m^3/(s Pa). Limit the stroke, or set edge = "hold" '
+        "stroke = 1.20 mm is outside the valid range of the curve, 0 ... 1.00 mm "
+        "(C(x) was fitted: varga2012, Table 1). "
+        'At this stroke, the polynomial would give C = 3.94e-08 m^3/(s Pa). Limit the stroke, or set edge = "hold" '
         "to use the value at the nearest end of the range."
     )
 
@@ -219,7 +220,7 @@ def test_outside_says_what_was_held():
     note = characteristic().outside(0.0, 1.2 * MILLIMETRE)
     assert note.code == "curves.left_domain"
     assert (note.facts["strokes_mm"], note.facts["beyond_mm"]) == (pytest.approx((1.2,)), pytest.approx(0.2))
-    assert (note.facts["domain"], note.facts["known"]) == ("0 ... 1.00 mm", "C(x) was fitted (bench)")
+    assert (note.facts["domain"], note.facts["known"]) == ("0 ... 1.00 mm", "C(x) was fitted: bench")
 
 
 def test_outside_on_both_sides_says_by_how_much_the_farther_one_is_beyond():
@@ -480,10 +481,14 @@ def test_read_table_with_options():
         (
             CONSTANT,
             {"source": "messured"},
-            'source = "messured" must begin with the kind of the source. Did you mean',
+            'source = "messured" must begin with the kind of the source, for example "measured". Did you mean',
         ),
         (CONSTANT, {"source": 3}, "source = 3 must be text."),
-        (CONSTANT, {"critical_ratio": 1.2}, "critical_ratio = 1.2 at a stroke of 0 mm is physically impossible: b of"),
+        (
+            CONSTANT,
+            {"critical_ratio": 1.2},
+            "critical_ratio = 1.2 at a stroke of 0 mm is physically impossible: the value of b in",
+        ),
         (POLYNOMIAL, {"domain": ["0 mm"]}, "domain = ['0 mm'] must be a list of two values."),
         (POLYNOMIAL, {"argument_unit": "kg"}, "kg"),
         (POLYNOMIAL, {"sonic_conductance": [-2e-8, 1e-8]}, "sonic_conductance = -1e-08"),

@@ -123,7 +123,7 @@ def test_upstream_temperature_outside_the_zone_is_exact():
     assert upstream_temperature(5e5, [4.9999e5, 5.0001e5], 300.0, 280.0).tolist() == [300.0, 280.0]
 
 
-def test_carried_temperature_turns_where_no_entropy_is_destroyed_either_way():
+def test_upstream_temperature_turns_where_no_entropy_is_destroyed_either_way():
     still = np.log(300.0 / 280.0) / (1.0 / 280.0 - 1.0 / 300.0)
     assert upstream_temperature(5e5, 5e5, 300.0, 280.0) == pytest.approx(still, rel=1e-6)
     assert upstream_temperature(5e5, 5e5, 280.0, 300.0) == pytest.approx(still, rel=1e-6)

@@ -43,7 +43,8 @@ def electronics(**fields: object) -> Electronics:
 
 def scope(part: Electronics, inputs: dict[str, float], memory: dict[str, float] | None = None) -> Scope:
     numbers = part.parameters(AIR)
-    given = {"setpoint": numbers["setpoint"], "power": 1.0, "outlet_pressure": 1e5, "pilot_pressure": 1e5} | inputs
+    given = {"setpoint": numbers["setpoint"], "power": 1.0, "outlet_pressure": 1e5, "pilot_pressure": 1e5}
+    given |= {"input_fault": 0.0} | inputs
     start = part.start(Scope(numbers, {}, given, AIR))
     states = {name: start[name] for name in ("outlet_sensor_pressure", "pilot_sensor_pressure")}
     held = {name: value for name, value in start.items() if name not in states}
@@ -111,12 +112,12 @@ def test_an_unknown_set_is_one_error():
     with refused("library.unknown", "data", name="vppm_6") as caught:
         ProportionalValve(supply="supply", outlet="tank", exhaust="ambient", data="vppm_6")
     (problem,) = caught.value.problems
-    assert problem.facts["near"].names == ["vppm_6l"]
+    assert problem.facts["suggestion"].names == ["vppm_6l"]
 
 
 def test_outputs_are_seen_under_the_name_of_the_whole():
     names = [name for name, _ in circuit().model.outputs]
-    wanted = ["setpoint", "power", "pilot_pressure", "stroke", "actual_value", "fill_duty", "vent_duty"]
+    wanted = ["setpoint", "power", "input_fault", "pilot_pressure", "stroke", "actual_value", "fill_duty", "vent_duty"]
     wanted += [f"{way}_mass_flow_rate" for way in ("supply", "exhaust", "fill", "vent")]
     assert {f"valve.{name}" for name in wanted} <= set(names)
     assert not [name for name in names if name.count(".") > 1]
@@ -466,11 +467,11 @@ def test_a_signal_of_the_setpoint_may_act_later():
 
 def test_a_target_above_the_supply_has_a_note():
     whole = circuit({"valve.setpoint": Steps([0.0, 1.0], [3e5, 6e5])}).with_values({"supply.pressure": "5 bar"})
-    notes = whole.simulate(4.0, 0.01).notes
-    assert (
-        "valve: the target of 6 bar at t = 1 s cannot be reached, because the supply pressure is only 5 bar." in notes
-    )
-    assert any(note.startswith("valve: the target of 6 bar was not reached by t = 4 s") for note in notes)
+    notes = {note.code: note for note in whole.simulate(4.0, 0.01).remarks}
+    above, missed = notes["valve.out_of_reach"], notes["valve.not_reached"]
+    assert above.address == missed.address == "valve"
+    assert above.facts == {"target_bar": pytest.approx(6.0), "time": 1.0, "supply_bar": pytest.approx(5.0)}
+    assert (missed.facts["target_bar"], missed.facts["time"]) == (pytest.approx(6.0), 4.0)
 
 
 def test_a_target_that_is_reached_is_not_mentioned():
@@ -480,7 +481,7 @@ def test_a_target_that_is_reached_is_not_mentioned():
 def test_an_unstable_tuning_is_reported():
     wild = {"outer": {"gain": 20.0}, "inner": {"gain": 1e-3}}
     notes = circuit({"valve.setpoint": Steps([0.0], [3e5])}, "0.1 l", electronics=wild).simulate(2.0, 1e-3).notes
-    assert any("at t = 2 s, so the target of 3 bar is not maintained" in note for note in notes)
+    assert any("does not settle at the target of 3 bar" in note for note in notes)
 
 
 # --- Connections ---
@@ -515,7 +516,7 @@ def test_connections_that_end_nowhere(connections, code, address):
 def test_an_output_that_no_part_has_shows_when_the_circuit_is_traced():
     found = mistake(lambda: joined({"hole.opening": "valve.fil_duty"}).model)
     assert (found.code, found.address) == ("fields.not_an_option", "connections.hole.opening")
-    assert "valve.fill_duty" in found.facts["near"].names
+    assert "valve.fill_duty" in found.facts["suggestion"].names
 
 
 def test_a_signal_and_a_connection_on_one_input():
@@ -582,7 +583,7 @@ def test_an_address_one_level_too_high_is_led_to_its_place():
     with pytest.raises(InputError) as caught:
         circuit().with_values({"valve.outer.gain": 2.0})
     assert caught.value.code == "names.unknown"
-    assert "valve.electronics.outer.gain" in caught.value.facts["near"].names
+    assert "valve.electronics.outer.gain" in caught.value.facts["suggestion"].names
 
 
 # --- What a picture shows first ---

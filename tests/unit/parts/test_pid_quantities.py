@@ -39,7 +39,7 @@ def test_numbers_inputs_and_outputs_have_the_units_of_what_they_are(quantity, co
     circuit = Circuit({"c": part})
     inputs = {item.name: item.unit for item in circuit.model.inputs}
     assert inputs == {
-        "c.setpoint": unit, "c.measurement": unit,
+        "c.setpoint": unit, "c.measurement": unit, "c.input_fault": "1",
         "c.automatic": "1", "c.manual_command": given, "c.feedforward": given,
     }  # fmt: skip
     outputs = dict(circuit.model.outputs)
@@ -55,10 +55,12 @@ def test_a_pressure_loop_is_what_it_was_declared():
     assert plain.schedule is None
     assert {n: str(v) for n, v in plain.numbers().items()} == {
         "setpoint": "0 bar g", "sample_time": "1 ms", "sensor.lag": "0 s", "sensor.offset": "0 Pa", "fill_limit": "1",
-        "vent_limit": "1", "gain": "1e-05 1/Pa", "derivative_filter": "5 ms", "setpoint_weight": "1",
+        "vent_limit": "1", "fault_time": "0.1 s", "safe_command": "0",
+        "gain": "1e-05 1/Pa", "derivative_filter": "5 ms", "setpoint_weight": "1",
         "tracking_time": "0 s", "bias": "0", "dead_band": "0 Pa", "initial_integral": "0",
     }  # fmt: skip
-    assert {item.name for item in plain.inputs()} == {"setpoint", "measurement", "automatic", "manual_command"}
+    names = {item.name for item in plain.inputs()}
+    assert names == {"setpoint", "measurement", "input_fault", "automatic", "manual_command"}
 
 
 def plain_loop(w, y, feed, gain, *, ti, td, tf, low, high, beta, band, quiet, bias):

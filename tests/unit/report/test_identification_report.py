@@ -27,7 +27,7 @@ from poppet.identify.fit.identify_fit import compare_results
 from poppet.identify.flow.identify_flow import identify_flow
 from poppet.identify.flow.points import FlowPoints
 from poppet.iso6358 import mass_flow_rate
-from poppet.report.identification.headline import headline, next_step, verdicts
+from poppet.report.identification.headline import headline, next_step, verdict_counts
 from poppet.report.identification.identification_figures import (
     channel_figure,
     flow_curve,
@@ -121,14 +121,30 @@ def test_page_has_parameters_findings_and_verdicts():
     assert page.text.index("Findings") < positions[0] < page.text.index(" Parameters parameter")
 
 
+def test_page_states_reason_of_each_other_verdict():
+    """A critical ratio gets the limit of its verdict, a bound its finding, a capped verdict the capping finding."""
+    facts = {"value": 0.0, "unit": "W/K", "is_low": True}
+    bound = Note("finding.number.bound", "tank.wall_conductance", **facts)
+    text = Page(identification_page(example_result(remarks=(bound,)))).text.partition("Findings")[0]
+    assert "valve.critical_ratio: the 95 % interval is 0.130 ... 0.490. A ratio is determined if half its" in text
+    assert "is at most 5 % of the range between its bounds (0 to 1 by default). Half the interval is 0.18." in text
+    assert "tank.wall_conductance reached its lower bound" in text
+    assert text.count("valve.sonic_conductance") == 1  # determined: only in the table
+    residuals = Note("finding.residuals.large", "discharge.tank.pressure", times=6.0, noise=50.0, unit="Pa")
+    conditions = {**example_result().conditions, "capped": {"valve.critical_ratio": ["finding.residuals.large"]}}
+    capped = Page(identification_page(example_result(remarks=(residuals,), conditions=conditions))).text
+    assert "the residuals are 6 times larger" in capped.partition("Findings")[0]
+
+
 def test_values_have_readable_and_si_units():
     text = Page(example_page()).text.replace("\N{NO-BREAK SPACE}", " ")
     assert "1.2340 ± 0.0023 dm³/(s bar)" in text
     assert "1.234e-08 m³/(s Pa)" in text
     assert "1.2290 ... 1.2390" in text
-    assert "± 0.41 %" in text
+    assert "0.41 %" in text
+    assert "± 0.41 %" not in text
     assert "0.130 ... 0.490" in text
-    assert "± 58 %" in text
+    assert "58 %" in text
 
 
 def test_page_has_residuals_and_conditions():
@@ -371,7 +387,7 @@ def test_outliers_have_rings_in_both_axes():
 )
 def test_verdicts_are_summarised(verdict_names, expected):
     parameters = {str(k): Estimate(1.0, "s", 0.1, 0.9, 1.1, v) for k, v in enumerate(verdict_names)}
-    assert verdicts(Result("fit", "t", parameters)) == expected
+    assert verdict_counts(Result("fit", "t", parameters)) == expected
 
 
 def test_worst_verdict_sets_summary_colour():

@@ -25,7 +25,7 @@ from poppet.core.errors import MissingDependencyError
 from poppet.ensemble import Ensemble
 from poppet.identify.result import Estimate, Result
 from poppet.report.notebook import CARDS, html_of
-from poppet.report.notebook.cards import COLUMNS, MAX_LINES, MAX_ROWS, STYLE, WIDTH, path, plot
+from poppet.report.notebook.cards import COLUMNS, MAX_LINES, MAX_ROWS, STYLE, WIDTH, svg_path, svg_plot
 from poppet.signals import Constant
 from poppet.timeseries.plotting.panels import Series
 
@@ -259,7 +259,7 @@ def test_every_part_has_a_line_before_a_second_line_of_a_part():
     time = np.linspace(0.0, 1.0, 11)
     names = [f"valve.p{k}" for k in range(MAX_LINES + 3)] + ["tank.pressure"]
     rec = Recording.from_series(time, {f"{name} [Pa]": 1e5 * (1.0 + time) for name in names})
-    document = parse_html(plot(rec))
+    document = parse_html(svg_plot(rec))
     assert len(document.named("path")) == MAX_LINES
     assert "tank" in document.texts
     assert f"and {len(names) - MAX_LINES} more" in document.texts
@@ -269,7 +269,7 @@ def test_steps_are_horizontal_first_and_nan_is_a_gap():
     def drawn(values: list[float]) -> str:
         time = np.arange(float(len(values)))
         series = Series("a", 0, time, np.array(values), "1", "", 0)
-        return path(series, (0.0, float(len(values) - 1)), (0.0, 1.0))
+        return svg_path(series, (0.0, float(len(values) - 1)), (0.0, 1.0))
 
     assert drawn([0.0, 0.0, 0.0, 1.0, 1.0, 1.0]) == "M0 100L400 100H600V0L1000 0"
     assert drawn([0.0, 1.0, np.nan, 0.5, 1.0]) == "M0 100L250 0M750 50L1000 0"
@@ -279,7 +279,7 @@ def test_horizontal_line_that_ends_within_a_column_stays_horizontal():
     """The last point of a horizontal line stays in the path, even if points before it are repeated."""
     time = np.linspace(0.0, 1.0, 4001)
     values = np.where(time < 0.5, 1.0, 0.0) + np.where(time > 0.9, 0.3 * (time - 0.9), 0.0)
-    positions = points(path(Series("a", 0, time, values, "1", "", 0), (0.0, 1.0), (0.0, 1.0)))
+    positions = points(svg_path(Series("a", 0, time, values, "1", "", 0), (0.0, 1.0), (0.0, 1.0)))
     heights = np.interp([100, 300, 490, 600, 800], *zip(*positions, strict=True))
     assert heights.tolist() == [0.0, 0.0, 0.0, 100.0, 100.0]
 

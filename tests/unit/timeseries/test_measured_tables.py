@@ -312,7 +312,7 @@ def test_tdms(tmp_path: Path) -> None:
     assert everything.units[everything.index("slow/T")] == "degC"
     assert np.isnan(everything.columns[everything.index("slow/T")][2:]).all()
     error = refused(tmp_path / "bench.tdms", group="fats")
-    assert (error.code, error.address, error.facts["near"].names) == ("fields.not_an_option", "group", ["fast"])
+    assert (error.code, error.address, error.facts["suggestion"].names) == ("fields.not_an_option", "group", ["fast"])
     assert refused(written(tmp_path, "no such thing", "text.tdms")).code == "table.no_columns"
 
 

@@ -48,7 +48,7 @@ def test_unknown_name_has_a_suggestion(recording):
     with pytest.raises(InputError) as caught:
         recording["tank.presure"]
     assert caught.value.code == "names.unknown"
-    assert caught.value.facts["near"].names[0] == "tank.pressure"
+    assert caught.value.facts["suggestion"].names[0] == "tank.pressure"
 
 
 @pytest.mark.parametrize("shown", ["time", "values"])
@@ -323,7 +323,7 @@ def test_unknown_suffixes(recording, tmp_path, name):
         with pytest.raises(InputError) as caught:
             attempt(tmp_path / name)
         assert caught.value.code == "files.suffix"
-        assert ".csv" in (caught.value.facts["near"].names or caught.value.facts["near"].valid_names)
+        assert ".csv" in (caught.value.facts["suggestion"].names or caught.value.facts["suggestion"].valid_names)
 
 
 @pytest.mark.parametrize("suffix", SUFFIXES)

@@ -41,7 +41,7 @@ MOST_POINTS = 240
 
 @dataclass(frozen=True)
 class BenchResult(ResultFileMixin, HtmlMixin):
-    """Results for one test valve: characteristic values, tables, curves and notes."""
+    """Result of the bench for one test valve: characteristic values, tables, curves and notes."""
 
     title: str
     source: str  # `circuit`, `recordings` or `stand-in`
@@ -50,11 +50,14 @@ class BenchResult(ResultFileMixin, HtmlMixin):
     curves: Mapping[str, list[PlottedCurve]] = field(default_factory=dict)  # mapping from test to curves
     notes: Mapping[str, tuple[Note, ...]] = field(default_factory=dict)  # by test; general notes under `bench`
     conditions: Mapping[str, Any] = field(default_factory=dict)  # conditions of a test under its name
-    comparison: Mapping[str, Any] = field(default_factory=dict)  # result of `compared`
+    comparison: Mapping[str, Any] = field(default_factory=dict)  # result of `compare_bench_results`
     outcome: str = "done"  # `done`, `failed` if a test could not be run, or `interrupted`
 
     def content(self) -> dict[str, Any]:
-        """Return the content of the result file as nested dictionaries."""
+        """Return the content of the result file as nested dictionaries.
+
+        The keys are those of the TOML and JSON files.
+        """
         figures = {
             name: {"value": f.value, "unit": f.unit, "definition": f.definition, "standard": DEFINITIONS[name].standard}
             | ({"bound": f.bound} if f.bound else {})
@@ -111,40 +114,36 @@ def read_bench_result(path: str | Path) -> BenchResult:
                 curves.setdefault(test, []).append(PlottedCurve(name, case, x, y))
         rows = {name: data[test.table or name] for name, test in TESTS.items() if (test.table or name) in data}
         conditions, comparison = data.get("conditions", {}), data.get("comparison", {})
-        outcome, notes = data.get("outcome", "done"), _notes_of_content(data)
+        pairs: list[tuple[str, Any]] = [(entry["test"], {**entry}) for entry in data.get("codes", ())]
+        for _, table in pairs:
+            del table["test"]  # the remaining fields are the note
+        # A file without note codes contains sentences, each of which begins with the name of its test.
+        pairs = pairs or [(entry.partition(": ")[0], entry.partition(": ")[2]) for entry in data.get("notes", ())]
+        notes = {test: notes_of(note for owner, note in pairs if owner == test) for test in dict.fromkeys(dict(pairs))}
+        outcome = data.get("outcome", "done")
         return BenchResult(data["title"], data["source"], figures, rows, curves, notes, conditions, comparison, outcome)
     except (ValueError, KeyError, TypeError, AttributeError, RecursionError) as error:
         raise InputError("bench.no_result", path=str(path), why=str(error)) from None
 
 
 def is_result(data: Mapping[str, Any]) -> bool:
-    """Return True if the content of a file is that of a bench result."""
+    """Return True if the content of a TOML or JSON file is a bench result."""
     return data.get("method") == METHOD
 
 
-def _notes_of_content(data: Mapping[str, Any]) -> dict[str, tuple[Note, ...]]:
-    """Return the notes in the content of a result file, grouped by test.
-
-    If the file contains no note codes, each note is a sentence that begins with the name of a test.
-    """
-    pairs: list[tuple[str, Any]] = [(entry["test"], {**entry}) for entry in data.get("codes", ())]
-    for _, table in pairs:
-        del table["test"]  # the remaining fields are the note
-    pairs = pairs or [(entry.partition(": ")[0], entry.partition(": ")[2]) for entry in data.get("notes", ())]
-    return {test: notes_of(entry for owner, entry in pairs if owner == test) for test in dict.fromkeys(dict(pairs))}
-
-
-def compared(result: BenchResult, other_result: BenchResult) -> dict[str, Any]:
+def compare_bench_results(result: BenchResult, other_result: BenchResult) -> dict[str, Any]:
     """Compare the characteristic values of two bench results.
 
-    Each difference is the value of `result` minus the value of `other_result`. A note names each test condition that
-    affects the comparison and differs between the results.
+    The result contains the title of `other_result`, notes, and one entry per characteristic value. An entry has the
+    unit, both values, and their difference: the value of `result` minus that of `other_result`. Bounds have no
+    difference. The notes name the conditions of the tests that differ and affect the comparison, such as the supply
+    pressure.
 
     Examples
     --------
     >>> figure = CharacteristicValue(2.0, "s", "")
     >>> there = BenchResult("b", "circuit", {"delay": CharacteristicValue(1.0, "s", "")})
-    >>> compared(BenchResult("a", "circuit", {"delay": figure}), there)["figures"]["delay"]["difference"]
+    >>> compare_bench_results(BenchResult("a", "circuit", {"delay": figure}), there)["figures"]["delay"]["difference"]
     1.0
     """
     rows: dict[str, dict[str, Any]] = {}

@@ -16,25 +16,25 @@ from poppet.bench.iso10094.scale import FloatArray, Mask, Record, Scale
 from poppet.bench.iso10094.shapes import (
     CHOSEN,
     Branch,
-    at_places,
     branches,
-    caught_up,
+    constant_sections,
+    delay_by_lags,
     lags_of,
-    moved_by,
-    rested,
-    scatter_of,
-    stairs,
-    stretch_without,
+    mean_lag_change,
+    setpoint_noise,
+    steady_part,
+    unmasked_section,
+    values_at_points,
 )
 from poppet.bench.iso10094.uncertainty import (
     NORMAL,
     Uncertainty,
+    correct_noise_bias,
+    curve_noise,
+    estimate_noise,
     greatest,
     mean_of,
-    noise_about,
-    roughness,
     smooth,
-    unbiased,
 )
 from poppet.timeseries.signals import Points
 
@@ -60,9 +60,10 @@ STOPPING = 70.0  # setpoint above which clipped samples exclude a sweep from the
 
 
 def characteristic_trial(scale: Scale, volume: float, sweep: float, hold: float) -> Trial:
-    """Return a trial of slow sweeps over the setpoint range.
+    """Return a trial with slow sweeps over the setpoint range.
 
-    Each cycle is a sweep up and a sweep down, with a hold at each end. `sweep` and `hold` are durations [s].
+    Each of the three cycles is a sweep up and a sweep down, with a hold after each sweep. `sweep` and `hold` are the
+    durations of one sweep and of one hold [s], and `volume` is the outlet volume [m^3].
     """
     hold = max(hold, 0.05 * sweep)
     times, values = [0.0, 2.0 * hold], [0.0, 0.0]
@@ -76,9 +77,9 @@ def characteristic_trial(scale: Scale, volume: float, sweep: float, hold: float)
 
 @dataclass(frozen=True, eq=False)
 class SetpointSweep:
-    """Recorded sweep of the setpoint `x` with the outlet pressure `y`, in % FS.
+    """Recorded sweep of the setpoint `x` with the outlet pressure `y`, both in % FS.
 
-    `late` is the setpoint, delayed by the lag of the outlet. `parts` are the rising and falling branches.
+    `late` is the setpoint, delayed by the lag of the outlet. `parts` are the rising and the falling branches.
     """
 
     time: FloatArray
@@ -91,10 +92,10 @@ class SetpointSweep:
 
 @dataclass(frozen=True, eq=False)
 class Branches:
-    """Outlet pressure of all rising (`up`) and all falling (`down`) branches.
+    """Outlet pressure [% FS] of all rising (`up`) and all falling (`down`) branches of sweeps.
 
-    Each array has one row for each branch and one column for each setpoint of `GRID`. A value is NaN if the branch does
-    not reach that setpoint.
+    Each array has one row for each branch and one column for each setpoint 0, 1, ..., 100 % FS. A value is NaN if the
+    branch does not reach that setpoint.
     """
 
     up: FloatArray
@@ -114,7 +115,7 @@ def _evaluate(evaluation: Evaluation, records: Sequence[Record]) -> None:
     # All sweeps have the same lag (same valve and rate), and not every sweep ends in a sufficiently long hold.
     complete = [item for item in all_sweeps if not np.any(item.cut & (item.x > STOPPING))]
     lags = [lag for item in complete for lag in lags_of(item.time, item.x, item.y, item.parts)]
-    all_sweeps = [replace(item, late=caught_up(item.time, item.x, lags)) for item in all_sweeps]
+    all_sweeps = [replace(item, late=delay_by_lags(item.time, item.x, lags)) for item in all_sweeps]
     # The evaluated range must not contain clipped samples.
     evaluated = [s for s in all_sweeps if not np.any(s.cut & (s.x >= RANGE[0]) & (s.x <= RANGE[1]))]
     sweep, jump = _branch_curves(evaluated)
@@ -132,7 +133,7 @@ def _evaluate(evaluation: Evaluation, records: Sequence[Record]) -> None:
         "branches_up": len(sweep.up), "branches_down": len(sweep.down), "range": list(RANGE),
         "sweep_rate": float(np.median(rates)) if rates else math.nan, "noise": sweep.error,
     }  # fmt: skip
-    lag_change, uncertainty = moved_by(lags) if lags else (0.0, Uncertainty(0.0))
+    lag_change, uncertainty = mean_lag_change(lags) if lags else (0.0, Uncertainty(0.0))
     shift_error = float(np.linalg.norm([lag.shift_error for lag in lags])) / len(lags) if lags else 0.0
     _add_deviations(evaluation, sweep, up, down, shift_error)
     _add_zero_values(evaluation, all_sweeps, lag_change, uncertainty.standard)
@@ -155,10 +156,10 @@ def _evaluate(evaluation: Evaluation, records: Sequence[Record]) -> None:
 
 
 def _branch_curves(swept: Sequence[SetpointSweep]) -> tuple[Branches, float]:
-    """Return the curves of all branches of a sweep.
+    """Return the outlet pressure along all branches of the sweeps `swept`.
 
-    Branches in which the setpoint jumps are omitted. The second result is the largest change of the setpoint between
-    two samples of these branches.
+    Branches in which the setpoint jumps are omitted. The second item is the largest setpoint change between two samples
+    [% FS] in the omitted branches.
     """
     rows: dict[int, list[FloatArray]] = {1: [], -1: []}
     shares, largest_jump = [1], 0.0
@@ -167,9 +168,9 @@ def _branch_curves(swept: Sequence[SetpointSweep]) -> tuple[Branches, float]:
         raw = sweep.x[branch.samples]
         in_range = (np.maximum(raw[1:], raw[:-1]) >= RANGE[0]) & (np.minimum(raw[1:], raw[:-1]) <= RANGE[1])
         jump = float(np.max(np.abs(np.diff(raw)), where=in_range, initial=0.0))
-        holds = stairs(x)
+        holds = constant_sections(x)
         if len(holds) >= FEWEST_STAIRS and sum(s.stop - s.start for s in holds) > 0.8 * (branch.end - branch.first):
-            ends = [rested(sweep.time[branch.samples], s, 0.2) for s in holds]
+            ends = [steady_part(sweep.time[branch.samples], s, 0.2) for s in holds]
             setpoints, levels = (np.array([float(np.mean(series[s])) for s in ends]) for series in (x, y))
             order = np.argsort(setpoints)
             value = np.interp(GRID, setpoints[order], levels[order], np.nan, np.nan)
@@ -178,20 +179,22 @@ def _branch_curves(swept: Sequence[SetpointSweep]) -> tuple[Branches, float]:
             largest_jump = max(largest_jump, jump)
             continue
         else:
-            value, share = at_places(x, y, GRID, HALF)[0], 1
+            value, share = values_at_points(x, y, GRID, HALF)[0], 1
         if np.mean(np.isfinite(value[INSIDE])) >= COVERED:
             rows[branch.sign].append(value)
             shares.append(share)
     up, down = (np.array(rows[sign]).reshape(-1, GRID.size) for sign in (1, -1))
-    error = roughness(np.concatenate([up, down])[:, INSIDE], max(shares))
-    return Branches(up, down, error, max(*shares, _slow_noise([up, down], error))), largest_jump
+    error = curve_noise(np.concatenate([up, down])[:, INSIDE], max(shares))
+    return Branches(up, down, error, max(*shares, _noise_correlation([up, down], error))), largest_jump
 
 
-def _slow_noise(groups: Sequence[FloatArray], error: float) -> float:
-    """Return the number of neighbouring values with the same noise, from the differences of repeated branches.
+def _noise_correlation(groups: Sequence[FloatArray], error: float) -> float:
+    """Return the number of neighbouring grid values that have the same noise.
 
-    Correlated noise changes slowly along a branch: the differences of repetitions then have larger low-order
-    polynomials than independent values with the standard deviation `error`.
+    Correlated noise changes slowly along a branch, so the differences between repeated branches contain larger
+    low-order polynomials than independent values. The result is the power of these polynomials relative to that of
+    independent values. Each group contains repeated branches, one per row. `error` is the standard deviation of one
+    value [% FS].
     """
     positions = np.linspace(-1.0, 1.0, np.count_nonzero(INSIDE))
     # The constant is left out: a valve that shifts from cycle to cycle is not noise.
@@ -207,8 +210,8 @@ def _slow_noise(groups: Sequence[FloatArray], error: float) -> float:
 def _add_deviations(evaluation: Evaluation, sweep: Branches, up: FloatArray, down: FloatArray, lag: float) -> None:
     """Add linearity, hysteresis, accuracy and repeatability to the evaluation.
 
-    `up` and `down` are the means of all rising and of all falling branches. `lag` is the standard uncertainty of the
-    correction for the lag [% FS].
+    `up` and `down` are the means of all rising and of all falling branches [% FS]. `lag` is the standard uncertainty of
+    the correction for the lag of the outlet [% FS].
     """
     is_common = INSIDE & np.isfinite(up) & np.isfinite(down)
     if np.count_nonzero(is_common) < FEWEST_STAIRS:
@@ -225,11 +228,13 @@ def _add_deviations(evaluation: Evaluation, sweep: Branches, up: FloatArray, dow
         error = sweep.error * math.sqrt(1.0 / len(sweep.up) + 1.0 / len(sweep.down))
         mean_curve, gap_curve = (smooth(x, y, e, sweep.share) for y, e in ((mean, 0.5 * error), (gap, error)))
         k, j = (int(np.argmax(np.abs(y))) for y in (deviation @ mean_curve.values, gap_curve.values))
-        value, uncertainty = unbiased([mean_curve], lambda draws: np.max(np.abs(draws[0] @ deviation.T), axis=1))
+        value, uncertainty = correct_noise_bias(
+            [mean_curve], lambda draws: np.max(np.abs(draws[0] @ deviation.T), axis=1)
+        )
         evaluation.add_nonnegative("linearity", value, uncertainty, at=float(x[k]))
-        value, uncertainty = unbiased([gap_curve], lambda draws: np.max(np.abs(draws[0]), axis=1))
+        value, uncertainty = correct_noise_bias([gap_curve], lambda draws: np.max(np.abs(draws[0]), axis=1))
         # Rising and falling branches lag by the same amount in opposite directions, so the gap has twice the error.
-        evaluation.add_nonnegative("hysteresis", value, uncertainty.wider(2.0 * lag), at=float(x[j]))
+        evaluation.add_nonnegative("hysteresis", value, uncertainty.plus_normal(2.0 * lag), at=float(x[j]))
         if gap_curve.values[j] < -NORMAL * math.hypot(uncertainty.standard, 2.0 * lag):
             evaluation.note("characteristic.leads", at=float(x[j]))
     # The known points of each branch in the evaluated range.
@@ -237,10 +242,12 @@ def _add_deviations(evaluation: Evaluation, sweep: Branches, up: FloatArray, dow
     rows = [(row[is_known], GRID[is_known]) for row, is_known in known_points]
     if rows:
         curves = [smooth(x, row - x, sweep.error, sweep.share) for row, x in rows]
-        value, uncertainty = unbiased(curves, lambda draws: np.max([np.max(np.abs(d), axis=1) for d in draws], axis=0))
+        value, uncertainty = correct_noise_bias(
+            curves, lambda draws: np.max([np.max(np.abs(d), axis=1) for d in draws], axis=0)
+        )
         worst = max(range(len(rows)), key=lambda k: float(np.max(np.abs(curves[k].values))))
         index = int(np.argmax(np.abs(curves[worst].values)))
-        evaluation.add_nonnegative("accuracy", value, uncertainty.wider(lag), at=float(rows[worst][1][index]))
+        evaluation.add_nonnegative("accuracy", value, uncertainty.plus_normal(lag), at=float(rows[worst][1][index]))
     else:
         evaluation.note_absence("no_sweep", "accuracy")
     spreads = []
@@ -249,7 +256,7 @@ def _add_deviations(evaluation: Evaluation, sweep: Branches, up: FloatArray, dow
         if len(branch_rows) > 1 and np.count_nonzero(is_known) > FEWEST_STAIRS:
             deviations = branch_rows[:, is_known] - branch_rows[:, is_known].mean(axis=0)
             curves = [smooth(GRID[is_known], row, sweep.error, sweep.share) for row in deviations]
-            spreads.append(unbiased(curves, lambda draws: np.max(np.ptp(draws, axis=0), axis=1)))
+            spreads.append(correct_noise_bias(curves, lambda draws: np.max(np.ptp(draws, axis=0), axis=1)))
     if spreads:
         value, uncertainty, _ = greatest(*zip(*spreads, strict=True))
         cycles = min(len(branch_rows) for branch_rows in (sweep.up, sweep.down) if len(branch_rows) > 1)
@@ -261,8 +268,9 @@ def _add_deviations(evaluation: Evaluation, sweep: Branches, up: FloatArray, dow
 def _add_zero_values(evaluation: Evaluation, sweeps: Sequence[SetpointSweep], lag: float, error: float) -> None:
     """Add zero suppression and zero offset to the evaluation.
 
-    A note reports an outlet pressure that does not reach the upper end of the range. `lag` is the change of the outlet
-    in the hold after a sweep, and `error` its standard uncertainty [% FS].
+    Zero suppression is the setpoint at which the outlet begins to rise, and zero offset the outlet at setpoint zero.
+    `lag` is the change of the outlet in the hold after a sweep, and `error` its standard uncertainty [% FS]. A note
+    reports an outlet pressure that does not reach the upper end of the range.
     """
     zero, short = [], []
     holds: dict[int, FloatArray] = {}
@@ -283,13 +291,13 @@ def _add_zero_values(evaluation: Evaluation, sweeps: Sequence[SetpointSweep], la
     # A sweep without a hold at zero gives no offset.
     longest = max((part.size for part in holds.values()), default=0)
     holds = {begin: part for begin, part in holds.items() if part.size > 0.3 * longest}
-    noise = noise_about(list(holds.values()))
+    noise = estimate_noise(list(holds.values()))
     offset = [(float(np.mean(part)), Uncertainty(noise.mean(part.size))) for part in holds.values()]
     for name, values, reason in (("zero_suppression", zero, "no_start"), ("zero_offset", offset, "no_zero")):
         pairs = [value for value in values if math.isfinite(value[0])]
         if pairs:
             value, uncertainty = mean_of([sweep for sweep, _ in pairs], [sweep for _, sweep in pairs])
-            evaluation.add(name, value, uncertainty.wider(error) if name == "zero_suppression" else uncertainty)
+            evaluation.add(name, value, uncertainty.plus_normal(error) if name == "zero_suppression" else uncertainty)
         else:
             evaluation.note_absence("clipped" if is_cut else reason, name)
     if short and min(short) < -SHORT:
@@ -297,20 +305,20 @@ def _add_zero_values(evaluation: Evaluation, sweeps: Sequence[SetpointSweep], la
 
 
 def _median_setpoint(x: FloatArray, index: int) -> float:
-    """Return the setpoint near one sample, as a median that is robust to noise.
+    """Return the median of the setpoint samples around the sample `index`.
 
-    `x` is the setpoint, and `index` the index of the sample.
+    `x` is the setpoint. The median of up to nine samples is robust to noise.
     """
     return float(np.median(x[max(0, index - 4) : index + 5]))
 
 
 def _end_of_hold(x: FloatArray, index: int) -> slice:
-    """Return the final part of the hold that contains one sample.
+    """Return the final part of the hold that contains the sample `index`.
 
-    `x` is the setpoint, and `index` the index of the sample. In a hold, the setpoint is constant.
+    In a hold, the setpoint `x` [% FS] is constant. The final part is the last third, without its last samples.
     """
-    is_away = np.abs(x - _median_setpoint(x, index)) > max(ZERO_STEP, 5.0 * scatter_of(x))
-    hold = stretch_without(is_away, index, index)
+    is_away = np.abs(x - _median_setpoint(x, index)) > max(ZERO_STEP, 5.0 * setpoint_noise(x))
+    hold = unmasked_section(is_away, index, index)
     size = hold.stop - hold.start
     # The last third without the last eighth, in which a noisy setpoint may already change.
     middle = max(hold.start, hold.stop - max(1, size // 3))
@@ -320,16 +328,16 @@ def _end_of_hold(x: FloatArray, index: int) -> slice:
 def _setpoint_of_first_rise(x: FloatArray, y: FloatArray, lag: float) -> tuple[float, Uncertainty]:
     """Return the setpoint at which the outlet pressure begins to rise, with its uncertainty.
 
-    `x` is the setpoint, `y` the outlet pressure and `lag` the delay of the outlet, all in % FS. After the start, the
-    outlet needs several lags to reach the rate of the setpoint, so the fit omits these samples. The result is NaN if
-    the setpoint does not start at zero or the outlet does not rise.
+    `x` is the setpoint, `y` the outlet pressure, and `lag` the difference by which the outlet lags, all in % FS. After
+    the start, the outlet needs several lags to reach the rate of the setpoint, so the fit omits these samples. The
+    result is NaN if the setpoint does not start at zero or the outlet does not rise.
     """
-    scatter = 5.0 * scatter_of(x)
+    scatter = 5.0 * setpoint_noise(x)
     if x.size < FEWEST_STAIRS or x[0] > max(ZERO_STEP, scatter):
         return math.nan, Uncertainty(math.nan)
     begin = max(3, int(np.argmax(x > max(x[0] + 0.5 * ZERO_STEP, scatter))))
     zero = float(np.median(y[:begin])) if begin < 8 else float(np.mean(y[:begin]))
-    noise = noise_about([y[(x > RANGE[0]) & (x < 2.5 * RANGE[0])]], 3)
+    noise = estimate_noise([y[(x > RANGE[0]) & (x < 2.5 * RANGE[0])]], 3)
     # Means of as many samples as the setpoint takes for a quarter of a per cent.
     size = max(1, int(np.count_nonzero(x < 2.0 * RANGE[0]) / (8.0 * RANGE[0]))) if noise.sigma > 1e-6 else 1
     blocks = [np.convolve(series, np.full(size, 1.0 / size), "valid")[::size] for series in (x, y - zero)]

@@ -24,7 +24,7 @@ ROWS = 4000  # rows of a sweep over the full range
 
 @dataclass(frozen=True)
 class Trial:
-    """One run of a test valve on the bench: its inputs and times."""
+    """One run of a test valve on the bench: its inputs and durations."""
 
     kind: str  # name of the test
     name: str
@@ -39,10 +39,7 @@ class Trial:
 
 
 class Specimen(Protocol):
-    """Interface of a valve that the bench can test.
-
-    The valve is a circuit model or a virtual valve.
-    """
+    """Interface of a test valve, which is a circuit model or a virtual valve."""
 
     @property
     def title(self) -> str:
@@ -50,19 +47,22 @@ class Specimen(Protocol):
 
     @property
     def scale(self) -> Scale:
-        """Ranges of the setpoint and of the outlet pressure that belong together."""
+        """Range of the setpoint, and the range of the outlet pressure to which it corresponds."""
 
     @property
     def supply(self) -> float:
         """Absolute supply pressure [Pa]."""
 
     def respond(self, trial: Trial) -> Record:
-        """Run a trial, and return the record of its channels."""
+        """Run a trial, and return the recorded channels."""
 
 
 @dataclass(frozen=True)
 class BenchSettings:
-    """Settings of the bench: volumes, amplitudes, frequencies, setpoints and times."""
+    """Settings of the bench: volumes, amplitudes, frequencies, setpoints and times.
+
+    Every field has a default.
+    """
 
     volumes: tuple[float, ...] = (1e-3, 5e-3)  # static tests use the first one [m^3]
     amplitudes: tuple[float, ...] = (80.0, 50.0, 10.0)  # steps about the middle of the range [% FS]
@@ -76,9 +76,9 @@ class BenchSettings:
 
 
 class Pace(NamedTuple):
-    """Response times of a test valve, which determine how long trials take.
+    """Settling time and sweep time of a test valve, which determine the durations of trials.
 
-    The times are valid for the first volume of the settings.
+    Both times are those with the first volume of the settings.
     """
 
     specimen: Specimen
@@ -92,10 +92,10 @@ class Pace(NamedTuple):
         return self.settings.volumes[0]
 
 
-def held(scale: Scale, setpoint: float) -> Constant:
-    """Return a constant setpoint as a signal.
+def constant_setpoint(scale: Scale, setpoint: float) -> Constant:
+    """Return a signal with a constant setpoint.
 
-    `setpoint` is the setpoint in % FS.
+    `setpoint` is in % FS, and the signal in the unit of the scale.
     """
     return Constant(float(scale.setpoint(setpoint)))
 
@@ -108,7 +108,7 @@ Row = dict[str, Any]
 
 @dataclass(frozen=True)
 class BenchTest:
-    """Test of the bench: its trials, its required channels and its evaluation."""
+    """Type of test on the bench: its trials, its required channels and its evaluation."""
 
     name: str  # as in `--tests`; its texts are in `core/messages/bench.toml`
     evaluate: Callable[[Evaluation, Sequence[Record]], None]  # adds results of records to an `Evaluation`
@@ -132,21 +132,22 @@ class BenchTest:
 
     @property
     def definitions(self) -> Mapping[str, Definition]:
-        """Mapping from the names of the characteristic values of this test to definitions."""
+        """Definitions of the characteristic values of this test, by name."""
         return {name: Definition(name, unit, self) for name, unit in self.units.items()}
 
-    def evaluated(self, records: Sequence[Record], scale: Scale, rated_flow: float = math.nan) -> Evaluation:
+    def evaluate_records(self, records: Sequence[Record], scale: Scale, rated_flow: float = math.nan) -> Evaluation:
         """Evaluate the records of this test.
 
-        Records that lack a required channel or have clipped samples are omitted, with a note. `rated_flow` is the mass
-        flow rate at which the droop and the pressure rise of the relief are evaluated [kg/s].
+        A record is omitted, with a note, if a required channel is missing or has clipped samples. `rated_flow` is the
+        mass flow rate [kg/s] at which the pressure changes due to forward flow (droop) and relief flow (rise) are
+        evaluated.
         """
         evaluation = Evaluation(self, scale, rated_flow)
         complete = [record for record in records if not self.needs or getattr(record, self.needs).size]
         for record in records:
             if record not in complete:
                 evaluation.note(f"unrecorded.{self.needs}", record.name)
-        clipped = [record for record in complete if self.whole and record.cuts(*self.whole)]
+        clipped = [record for record in complete if self.whole and record.has_clipped_samples(*self.whole)]
         for record in clipped:
             evaluation.note("clipped", record.name)
         self.evaluate(evaluation, [record for record in complete if record not in clipped])
@@ -157,7 +158,7 @@ class BenchTest:
 
 @dataclass(frozen=True)
 class Definition:
-    """Definition of one characteristic value, with its unit and its test."""
+    """Definition of one characteristic value: its name, unit and test."""
 
     name: str
     unit: str
@@ -165,28 +166,31 @@ class Definition:
 
     @property
     def text(self) -> str:
-        """Description of the characteristic value, without limits of the definition."""
+        """Description of the characteristic value, without the numbers in `limits`."""
         return sentence(f"figure.{self.name}.text", self.of.facts)
 
     @property
     def limits(self) -> str:
-        """Rates, bands and other limits that belong to the definition."""
+        """Numbers of the definition as text, for example the width of the settling band."""
         return sentence(f"figure.{self.name}.limits", self.of.facts)
 
     @property
     def full(self) -> str:
-        """Description of the characteristic value, followed by its limits in brackets."""
-        return f"{self.text} ({self.limits})"
+        """Description of the characteristic value, followed by the text of `limits`."""
+        return f"{self.text} {self.limits}"
 
     @property
     def standard(self) -> str:
-        """Part of ISO 10094 that defines the value, with advice to check its text."""
+        """Part of ISO 10094 that defines the value, as text.
+
+        The text advises the reader to verify the definition against the standard.
+        """
         return f"{self.of.part}; {VERIFY}"
 
 
 @dataclass(frozen=True)
 class CharacteristicValue:
-    """Result for one characteristic value: unit, definition, conditions and uncertainty."""
+    """Measured characteristic value, with its unit, definition, operating conditions and uncertainty."""
 
     value: float  # in `unit`; finite
     unit: str
@@ -200,9 +204,9 @@ class CharacteristicValue:
 
 @dataclass(frozen=True, eq=False)
 class PlottedCurve:
-    """Curve of a figure, `y` versus `x`, in the units of the axes.
+    """Curve `y` versus `x` for the figures, in the units of the axes.
 
-    Curves with the same `case` share axes.
+    Curves with the same `case` are drawn in the same axes.
     """
 
     name: str
@@ -213,9 +217,10 @@ class PlottedCurve:
 
 @dataclass
 class Evaluation:
-    """Results of one test of the bench.
+    """Results of one type of test.
 
-    They are characteristic values, rows, curves, notes and conditions.
+    They are the characteristic values, a table with one row per case, curves, notes and conditions. A case is, for
+    example, one step or one sine.
     """
 
     test: BenchTest
@@ -229,31 +234,31 @@ class Evaluation:
     uncertainties: dict[tuple[int, str], Uncertainty] = field(default_factory=dict)  # by the id of a row and its key
 
     def set_value(self, row: Row, key: str, value: float, uncertainty: Uncertainty) -> None:
-        """Set one value of a row, with its uncertainty.
+        """Store a value with its uncertainty in a row of the results table.
 
-        `key` is the name of the value. The standard uncertainty is stored under the same name with the ending
+        `key` is the column of the value. The standard uncertainty is stored in the column `key` with the ending
         `_uncertainty`.
         """
         row |= {key: value, f"{key}_uncertainty": uncertainty.standard}
         self.uncertainties[id(row), key] = uncertainty
 
-    def pairs(self, rows: Sequence[Row], key: str) -> tuple[list[float], list[Uncertainty]]:
-        """Return one value of each row, and the uncertainties of these values.
+    def values_of(self, rows: Sequence[Row], key: str) -> tuple[list[float], list[Uncertainty]]:
+        """Return one column of some rows of the results table, and its uncertainties.
 
-        `key` is the name of the value.
+        `key` is the name of the column.
         """
         return [row[key] for row in rows], [self.uncertainties[id(row), key] for row in rows]
 
     def add_curve(self, name: str, case: str, x: FloatArray, y: FloatArray) -> None:
-        """Add a curve for the figures.
-
-        Points with undefined values are omitted.
-        """
+        """Add a curve for the figures, without its points of undefined `y`."""
         is_known = np.isfinite(y)
         self.curves.append(PlottedCurve(name, case, x[is_known], y[is_known]))
 
     def note(self, code: str, address: str = "", /, **facts: Any) -> None:
-        """Add a note with the code `code`, unless the same note exists already."""
+        """Add a note, unless an equal note exists.
+
+        `code` is the note code without the prefix `bench.`, and `facts` are the values in the text of the note.
+        """
         note = Note(f"bench.{code}", address, **facts)
         if note not in self.notes:
             self.notes.append(note)
@@ -261,16 +266,17 @@ class Evaluation:
     def note_absence(self, reason: str, *names: str, **facts: Any) -> None:
         """Add a note for each characteristic value that could not be determined.
 
-        `names` are these values, and `reason` is the last part of the note code.
+        `names` are the names of these values, and `reason` is the last part of the note code.
         """
         for name in names:
             self.note(f"absent.{reason}", name, **facts)
 
     def limit_to_bounds(self, *names: str) -> None:
-        """Convert characteristic values to bounds, because some cases are clipped.
+        """Replace characteristic values by bounds, because clipped cases were omitted.
 
-        A maximum over the other cases becomes a lower bound, and a minimum becomes an upper bound. Values that cannot
-        be bounded are removed.
+        `names` are the names of these values. A value that is the maximum of all cases becomes a lower bound, because
+        an omitted case could be larger. A value that is the minimum becomes an upper bound. Other values are removed,
+        with a note.
         """
         for name in names:
             bound = AT_MOST if name in self.test.smallest else AT_LEAST
@@ -278,10 +284,10 @@ class Evaluation:
             if figure is not None and figure.bound in ("", bound) and figure.value >= 0.0:
                 self.figures[name] = replace(figure, bound=bound, uncertainty=None, interval=None)
             else:
-                self.withhold(name)
+                self.remove_values(name)
 
-    def withhold(self, *names: str) -> None:
-        """Remove characteristic values because of clipped samples, and add notes."""
+    def remove_values(self, *names: str) -> None:
+        """Remove characteristic values that clipped samples make invalid, and add a note for each."""
         for name in names:
             self.figures.pop(name, None)
             self.notes = [n for n in self.notes if not (n.address == name and n.code.startswith("bench.absent."))]
@@ -292,8 +298,8 @@ class Evaluation:
     ) -> None:
         """Add a characteristic value with its uncertainty and operating conditions.
 
-        `bound` states whether the value is only a bound. If there is neither a bound nor a finite uncertainty, a note
-        is added.
+        If the value is only a bound, `bound` is `at most` or `at least`. A note reports a value without a finite
+        uncertainty.
         """
         definition = self.test.definitions[name]
         figure = CharacteristicValue(float(value), definition.unit, definition.full, bound, conditions)
@@ -307,10 +313,9 @@ class Evaluation:
     def add_or_bound(
         self, name: str, value: float, limit: float, uncertainty: Uncertainty | None = None, **conditions: Any
     ) -> None:
-        """Add a characteristic value, or an upper bound if it is lost in noise.
+        """Add a characteristic value, or an upper bound if noise hides it.
 
-        `limit` is the smallest magnitude that can be distinguished from noise. Below it, the limit is added as an upper
-        bound.
+        `limit` is the smallest magnitude that can be distinguished from noise. It is the bound of a smaller value.
         """
         if abs(value) >= limit:
             self.add(name, value, uncertainty, **conditions)
@@ -319,10 +324,7 @@ class Evaluation:
         self.add(name, limit, bound=AT_MOST, **conditions)
 
     def add_nonnegative(self, name: str, value: float, uncertainty: Uncertainty, **conditions: Any) -> None:
-        """Add a nonnegative characteristic value, or an upper bound.
-
-        The bound is added if noise alone can explain the value.
-        """
+        """Add a nonnegative characteristic value, or an upper bound if noise alone explains it."""
         half = NORMAL * uncertainty.standard
         self.add_or_bound(name, value, 0.0 if value > half else max(value, 0.0) + half, uncertainty, **conditions)
 
@@ -330,26 +332,26 @@ class Evaluation:
         self, name: str, key: str, reason: str = "", *, rows: Sequence[Row] | None = None,
         conditions: Sequence[str] = (), is_nonnegative: bool = False, **facts: Any,
     ) -> Row | None:  # fmt: skip
-        """Add the largest value in some rows as a characteristic value.
+        """Add the largest value of a table column as a characteristic value.
 
-        `name` is the characteristic value, and `key` the name of the value in the rows, by default all rows of the
-        evaluation. `conditions` are the names of the operating conditions to store with the value. The result is the
-        row of the largest value. If no row contains the value, the result is None, and a note with the code `reason`
-        explains the absence unless `reason` is empty.
+        `name` is the characteristic value, and `key` the column. By default, all rows of the evaluation are compared.
+        `conditions` are the columns that are stored as operating conditions. The result is the row of the largest
+        value. If no row has the value, the result is None, and a note with the code `reason` is added unless `reason`
+        is empty.
         """
         rows = [row for row in (self.rows if rows is None else rows) if key in row]
         if not rows:
             self.note_absence(reason, *[name] * bool(reason))
             return None
-        value, uncertainty, k = greatest(*self.pairs(rows, key))
+        value, uncertainty, k = greatest(*self.values_of(rows, key))
         case = {condition: rows[k][condition] for condition in conditions if condition in rows[k]} | facts
         (self.add_nonnegative if is_nonnegative else self.add)(name, value, uncertainty, **case)
         return rows[k]
 
 
 def largest(rows: Sequence[Row], key: str) -> Row | None:
-    """Return the row in which one value is largest.
+    """Return the row with the largest value in the column `key`.
 
-    `key` is the name of the value. The result is None if no row contains this value.
+    The result is None if no row has a value in this column.
     """
     return max((row for row in rows if key in row), key=lambda row: float(row[key]), default=None)

@@ -8,10 +8,10 @@ from typing import NamedTuple
 
 import numpy as np
 
-from poppet.bench.iso10094.evaluation import AT_LEAST, ROWS, BenchTest, Evaluation, Pace, Row, Trial, held
+from poppet.bench.iso10094.evaluation import AT_LEAST, ROWS, BenchTest, Evaluation, Pace, Row, Trial, constant_setpoint
 from poppet.bench.iso10094.scale import FloatArray, Mask, Record, Scale
-from poppet.bench.iso10094.shapes import Lag, at_places, branches, caught_up, lags_of
-from poppet.bench.iso10094.uncertainty import Uncertainty, noise_about, roughness, smooth, unbiased
+from poppet.bench.iso10094.shapes import Lag, branches, delay_by_lags, lags_of, values_at_points
+from poppet.bench.iso10094.uncertainty import Uncertainty, correct_noise_bias, curve_noise, estimate_noise, smooth
 from poppet.timeseries.measurements.measurement import noise_of
 from poppet.timeseries.signals import Points
 
@@ -31,28 +31,32 @@ LEAST_FLOW = 1e-9  # flow below which there is no flow [kg/s]
 
 
 def flow_trial(scale: Scale, volume: float, setpoint: float, sweep: float, hold: float, load: float) -> Trial:
-    """Return a trial in which the flow is swept at a constant setpoint.
+    """Return a trial at constant setpoint, in which the flow rises and returns to zero.
 
-    `load` is the flow at the end of the sweep, relative to the largest flow: 1 for forward flow, -1 for relief flow.
-    The flow returns to zero after a hold. `sweep` and `hold` are durations [s].
+    `load` is the flow at the end of the rise, relative to the largest flow: 1 for forward flow, -1 for relief flow. The
+    trial has a hold of `hold` seconds before, between and after the two sweeps of `sweep` seconds. `setpoint` is in %
+    FS, and `volume` is the outlet volume [m^3].
     """
     times = np.cumsum([0.0, 2.0 * hold, sweep, hold, sweep, hold])
     signal = Points(times, np.array([0.0, 0.0, load, load, 0.0, 0.0]))
     name = f"flow {'out' if load > 0 else 'in'} at {setpoint:g} % FS"
-    return Trial("flow", name, held(scale, setpoint), float(times[-1]), hold, sweep / ROWS, volume, load=signal)
+    return Trial(
+        "flow", name, constant_setpoint(scale, setpoint), float(times[-1]), hold, sweep / ROWS, volume, load=signal
+    )
 
 
 def flow_trials(pace: Pace) -> list[Trial]:
-    """Return trials that sweep the forward flow and the relief flow at each setpoint."""
+    """Return one trial with forward flow and one with relief flow for each setpoint."""
     scale, sweep = pace.specimen.scale, 0.5 * pace.sweep()
     cases = ((load, setpoint) for load in (1.0, -1.0) for setpoint in pace.settings.setpoints)
     return [flow_trial(scale, pace.volume, setpoint, sweep, pace.hold, load) for load, setpoint in cases]
 
 
-class Side(NamedTuple):
+class FlowDirection(NamedTuple):
     """Direction of the flow: forward (`drawn`, sign +1) or relief (`fed`, sign -1).
 
-    `change` is the name of droop or rise in a row. `figure` and `hysteresis` are names of characteristic values.
+    `change` is the table column of the pressure change: droop for forward flow, rise for relief flow. `figure` and
+    `hysteresis` are the names of the characteristic values.
     """
 
     name: str
@@ -64,16 +68,16 @@ class Side(NamedTuple):
 
 
 SIDES = (
-    Side("drawn", "forward", 1.0, "droop", "flow_droop", "flow_hysteresis"),
-    Side("fed", "relief", -1.0, "rise", "relief_rise", "relief_hysteresis"),
+    FlowDirection("drawn", "forward", 1.0, "droop", "flow_droop", "flow_hysteresis"),
+    FlowDirection("fed", "relief", -1.0, "rise", "relief_rise", "relief_hysteresis"),
 )
 
 
 class FlowSweep(NamedTuple):
-    """Outlet pressure [% FS] versus flow [kg/s] in one direction, on an even grid.
+    """Outlet pressure [% FS] versus flow [kg/s] in one direction, on an equidistant grid.
 
-    `going` is the outlet at increasing flow, and `coming` the outlet at decreasing flow. `coming` is None if the flow
-    does not return.
+    `going` is the outlet at increasing flow, and `coming` the outlet at decreasing flow. `coming` is None if the record
+    ends before the flow decreases to zero.
     """
 
     row: Row
@@ -87,7 +91,7 @@ class FlowSweep(NamedTuple):
 
 
 def _evaluate(evaluation: Evaluation, records: Sequence[Record]) -> None:
-    sweeps: dict[Side, list[FlowSweep]] = {side: [] for side in SIDES}
+    sweeps: dict[FlowDirection, list[FlowSweep]] = {side: [] for side in SIDES}
     for record in records:
         x, y = evaluation.scale.percents(record)
         is_still = np.abs(record.flow) <= max(NONE * float(np.max(np.abs(record.flow))), 5.0 * noise_of(record.flow))
@@ -95,7 +99,7 @@ def _evaluate(evaluation: Evaluation, records: Sequence[Record]) -> None:
         moving = np.flatnonzero(~is_still)
         values_before = y[: moving[0]] if moving.size and moving[0] > 3 else y[is_still][:10]
         part = values_before[-max(3, values_before.size // 3) :]
-        uncertainty = Uncertainty(noise_about([part]).mean(part.size))
+        uncertainty = Uncertainty(estimate_noise([part]).mean(part.size))
         outlet = float(np.mean(part)) if part.size else math.nan
         row: Row = {"record": record.name, "setpoint": float(np.median(x)), "outlet": outlet}
         evaluation.rows.append(row)
@@ -118,12 +122,13 @@ def _evaluate(evaluation: Evaluation, records: Sequence[Record]) -> None:
 
 
 def _evaluate_direction(
-    evaluation: Evaluation, record: Record, y: FloatArray, row: Row, side: Side, rest_uncertainty: Uncertainty
+    evaluation: Evaluation, record: Record, y: FloatArray, row: Row, side: FlowDirection, rest_uncertainty: Uncertainty
 ) -> FlowSweep | None:
-    """Evaluate one direction of the flow in a record.
+    """Evaluate the forward flow or the relief flow of a record.
 
-    `y` is the outlet pressure and `side` the direction. `rest_uncertainty` is the uncertainty of the outlet without
-    flow. The result is None if the record has no flow in this direction, or if the flow does not rise from zero.
+    `y` is the outlet pressure [% FS], `row` the table row of the record, and `rest_uncertainty` the uncertainty of the
+    outlet without flow. The result is None if the record has no flow in this direction, or if the flow does not rise
+    from zero.
     """
     flow = side.sign * record.flow
     # The maximum of noisy samples is biased.
@@ -135,9 +140,20 @@ def _evaluate_direction(
     row[f"largest_{side.name}"] = top
     clipped_flow = np.where(flow > 0.0, flow, 0.0) if width == 1 else flow
     lags = lags_of(record.time, clipped_flow, y, branches(clipped_flow, TURN * top))
-    delayed = caught_up(record.time, clipped_flow, lags)
+    delayed = delay_by_lags(record.time, clipped_flow, lags)
     grid = np.linspace(0.0, top, PLACES)
-    going, coming = _outlet_at_flows(clipped_flow, delayed, y, grid)
+    top_samples = np.flatnonzero(clipped_flow >= FOLD * top)
+    start_samples = np.flatnonzero(clipped_flow <= STILL * top)
+    earlier, later = start_samples[start_samples < top_samples[0]], start_samples[start_samples > top_samples[-1]]
+    # The samples between first and last arrival at the top are excluded: the valve is at its limit.
+    parts = (
+        slice(int(earlier[-1]) + 1, int(top_samples[0]) + 1) if earlier.size else None,
+        slice(int(top_samples[-1]), int(later[0])) if later.size else None,
+    )
+    half = 0.5 * top / (PLACES - 1)
+    going, coming = (
+        None if part is None else values_at_points(delayed[part], y[part], grid, half)[0] for part in parts
+    )
     if going is None:
         evaluation.note("flow.no_rise", record.name, way=side.direction)
         return None
@@ -153,9 +169,9 @@ def _evaluate_direction(
         _set_flow_capacity(evaluation, row, record.time, delayed, row["outlet"] - y, rest_uncertainty)
         if "capacity" in row:
             uncertainty = evaluation.uncertainties[id(row), "capacity"]
-            evaluation.set_value(row, "capacity", row["capacity"], uncertainty.wider(_lag_error(lags)))
+            evaluation.set_value(row, "capacity", row["capacity"], uncertainty.plus_normal(_lag_error(lags)))
     curves = [curve for curve in (going, coming) if curve is not None]
-    sigma = roughness(np.array(curves), 1)
+    sigma = curve_noise(np.array(curves), 1)
     lag = _lag_error(lags) / top
     if coming is None:
         evaluation.note("flow.no_return", record.name, way=side.direction)
@@ -163,15 +179,15 @@ def _evaluate_direction(
     judged = (grid > 0.1 * limit) & (grid < 0.9 * limit) & np.isfinite(going) & np.isfinite(coming)
     if np.count_nonzero(judged) > FEWEST:
         gap = smooth(grid[judged], (going - coming)[judged], math.sqrt(2.0) * sigma)
-        value, uncertainty = unbiased([gap], lambda draws: np.max(np.abs(draws[0]), axis=1))
+        value, uncertainty = correct_noise_bias([gap], lambda draws: np.max(np.abs(draws[0]), axis=1))
         upper = judged & (grid > 0.5 * limit)  # usually the steeper part
         slope = abs(float(np.polyfit(grid[upper] / top, going[upper], 1)[0]))
-        evaluation.set_value(row, f"hysteresis_{side.name}", value, uncertainty.wider(2.0 * lag * slope))
+        evaluation.set_value(row, f"hysteresis_{side.name}", value, uncertainty.plus_normal(2.0 * lag * slope))
     return FlowSweep(row, grid, going, coming, sigma, rest_uncertainty, judged, lag)
 
 
 def _lag_error(lags: Sequence[Lag]) -> float:
-    """Return the standard uncertainty of the flow that results from the lag.
+    """Return the standard uncertainty of the flow [kg/s] from the correction for lags.
 
     `lags` are the measured lags of the outlet behind the sweeps.
     """
@@ -179,37 +195,15 @@ def _lag_error(lags: Sequence[Lag]) -> float:
     return float(np.linalg.norm(errors)) / len(errors) if errors else 0.0
 
 
-def _outlet_at_flows(
-    flow: FloatArray, delayed: FloatArray, y: FloatArray, grid: FloatArray
-) -> tuple[FloatArray | None, FloatArray | None]:
-    """Return the outlet pressure at given flows, for increasing and for decreasing flow.
-
-    `delayed` is the flow, delayed by the lag of the outlet, and `y` the outlet pressure. `grid` contains the given
-    flows. An item of the result is None if the record has no such sweep.
-    """
-    top = grid[-1]
-    top_samples = np.flatnonzero(flow >= FOLD * top)
-    start_samples = np.flatnonzero(flow <= STILL * top)
-    earlier, later = start_samples[start_samples < top_samples[0]], start_samples[start_samples > top_samples[-1]]
-    # The samples between first and last arrival at the top are excluded: the valve is at its limit.
-    parts = (
-        slice(int(earlier[-1]) + 1, int(top_samples[0]) + 1) if earlier.size else None,
-        slice(int(top_samples[-1]), int(later[0])) if later.size else None,
-    )
-    half = 0.5 * top / (PLACES - 1)
-    going, coming = (None if part is None else at_places(delayed[part], y[part], grid, half)[0] for part in parts)
-    return going, coming
-
-
 def _set_flow_capacity(
     evaluation: Evaluation, row: Row, time: FloatArray, flow: FloatArray, droop: FloatArray, rest: Uncertainty
 ) -> None:
-    """Set the flow at which the outlet pressure has fallen by `DROOP`.
+    """Store the flow capacity: the flow at which the outlet pressure has fallen by `DROOP`.
 
     `droop` is the fall of the outlet pressure [% FS], and `rest` the uncertainty of the outlet without flow. If the
-    fall is smaller, the largest flow is stored as a lower bound.
+    outlet falls less, the largest flow is stored as a lower bound.
     """
-    noise = noise_about([part for part in np.array_split(droop, 40) if part.size > 8], 2)
+    noise = estimate_noise([part for part in np.array_split(droop, 40) if part.size > 8], 2)
     size = max(1, min(droop.size // 400, int((noise.spread / 0.1) ** 2))) if noise.sigma > 1e-6 else 1
     means = np.convolve(droop, np.full(size, 1.0 / size), "valid")
     fallen = np.flatnonzero(means >= DROOP)
@@ -234,12 +228,12 @@ def _set_flow_capacity(
     flow_inverse = np.linalg.pinv(np.vander(clock, 2))
     rate, middle = (flow_inverse @ flow[window]).tolist()
     error = math.hypot(noise.of(inverse[2]), rest.standard) / max(slope, 1e-300)
-    flow_error = noise_about([flow[window]]).of(flow_inverse[1])
+    flow_error = estimate_noise([flow[window]]).of(flow_inverse[1])
     evaluation.set_value(row, "capacity", middle + rate * offset, Uncertainty(math.hypot(error * rate, flow_error)))
 
 
-def _add_flow_values(evaluation: Evaluation, side: Side, sweeps: Sequence[FlowSweep]) -> None:
-    """Add droop or rise at the rated flow, and the hysteresis, to the evaluation.
+def _add_flow_values(evaluation: Evaluation, side: FlowDirection, sweeps: Sequence[FlowSweep]) -> None:
+    """Add the pressure change at the rated flow, and the hysteresis, to the evaluation.
 
     By default, the rated flow is half of the largest flow that all sweeps reach.
     """
@@ -266,7 +260,7 @@ def _add_flow_values(evaluation: Evaluation, side: Side, sweeps: Sequence[FlowSw
             flow_error = 0.0 if math.isfinite(evaluation.rated_flow) else slope * TOP_ERROR
             lag = slope * sweep.lag if sweep.coming is None else 0.0
             error = math.hypot(sigma * float(np.linalg.norm(inverse[2])), flow_error, lag)
-        evaluation.set_value(row, side.change, side.sign * (row["outlet"] - outlet), sweep.rest.wider(error))
+        evaluation.set_value(row, side.change, side.sign * (row["outlet"] - outlet), sweep.rest.plus_normal(error))
     case = ("setpoint",)
     evaluation.add_greatest(side.figure, side.change, f"little_{side.name}", conditions=case, flow=rated)
     key, reason = f"hysteresis_{side.name}", f"{side.name}_one_way"

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from poppet.bench.iso10094.evaluation import AT_LEAST, DYNAMIC, BenchTest, Evaluation, Row, Trial
 from poppet.bench.iso10094.scale import FloatArray, Record, Scale
-from poppet.bench.iso10094.shapes import stretch_without
+from poppet.bench.iso10094.shapes import unmasked_section
 from poppet.bench.iso10094.uncertainty import SEED, Uncertainty, greatest
 from poppet.laws.curves.pchip import pchip_slopes
 from poppet.timeseries.signals import Sine
@@ -47,8 +47,8 @@ def frequency_trial(
 ) -> Trial:
     """Return a trial with a sinusoidal setpoint about a mean value.
 
-    `mean` and `amplitude` are in % FS, and `hold` is the settling time of the valve [s]. `frequency` is that of the
-    sine [Hz].
+    `mean` and `amplitude` are in % FS, `frequency` is in Hz, `hold` is the settling time of the valve [s], and `volume`
+    the outlet volume [m^3]. Six periods are recorded after the transient.
     """
     settling = max(2.0, math.ceil(hold * frequency)) / frequency
     unit = (scale.setpoint_high - scale.setpoint_low) / 100.0
@@ -70,7 +70,7 @@ class SineComponent:
 
 def _evaluate(evaluation: Evaluation, records: Sequence[Record]) -> None:
     rows = [row for record in records for row in sine_rows(evaluation, record)]
-    conclude(evaluation, rows)
+    add_frequency_results(evaluation, rows)
     _note_suspicions(evaluation, rows)
     clipped_frequencies = [note.facts["frequency"] for note in evaluation.notes if note.code in CLIPPED]
     if clipped_frequencies:
@@ -78,7 +78,7 @@ def _evaluate(evaluation: Evaluation, records: Sequence[Record]) -> None:
         # Gains and phases are relative to the lowest frequency; other clipped frequencies do not affect them.
         is_relative = min(clipped_frequencies) < min((row["frequency"] for row in evaluation.rows), default=math.inf)
         names = ("bandwidth_gain", "bandwidth_phase")
-        evaluation.withhold(*(name for name in names if is_relative or name not in evaluation.figures))
+        evaluation.remove_values(*(name for name in names if is_relative or name not in evaluation.figures))
 
 
 def _note_suspicions(evaluation: Evaluation, rows: Sequence[Row]) -> None:
@@ -95,21 +95,25 @@ def _note_suspicions(evaluation: Evaluation, rows: Sequence[Row]) -> None:
 
 
 def sine_rows(evaluation: Evaluation, record: Record) -> list[Row]:
-    """Return one row of results for each sine of a record."""
+    """Return one table row with the gain and phase of each sine in a record.
+
+    Sines that cannot be evaluated are omitted, with a note.
+    """
     x, y = evaluation.scale.percents(record)
-    parts = sines(record.time, x)
+    parts = find_sines(record.time, x)
     if not parts:
         evaluation.note("frequency.no_sine", record.name, fewest=FEWEST)
     rows = (_evaluate_sine(evaluation, record, part, x[part], y[part]) for part in parts)
     return [row for row in rows if row is not None]
 
 
-def conclude(evaluation: Evaluation, rows: Sequence[Row]) -> None:
+def add_frequency_results(evaluation: Evaluation, rows: Sequence[Row]) -> None:
     """Add Bode plots, bandwidths and distortion to the evaluation.
 
-    The rows of all sines are grouped by amplitude, mean and volume, with one Bode plot for each group. The bandwidths
-    are those of the first group. Rows are sorted by frequency, with continuous phases and with gains relative to the
-    gain at the lowest frequency. If several rows have the same frequency, the one with the most periods is used.
+    `rows` are the table rows of all sines. Sines with the same amplitude, mean and volume form one Bode plot. Its rows
+    are sorted by frequency, with continuous phases, and with gains relative to the gain at the lowest frequency. Of
+    several rows with the same frequency, the one with the most periods is used. The bandwidths are those of the first
+    Bode plot.
     """
     series: dict[str, list[Row]] = {}
     for row in rows:
@@ -137,23 +141,25 @@ def conclude(evaluation: Evaluation, rows: Sequence[Row]) -> None:
 
 
 def _sides_of_middle(values: FloatArray) -> NDArray[np.int64]:
-    """Return +1 above the middle of a series, -1 below it, and 0 near it.
+    """Return +1, -1 or 0 for each sample above, below or near the middle.
 
-    The range near the middle extends to a quarter of the range on either side. It prevents repeated crossings caused by
-    noise.
+    The middle is that of the range of the series. Samples within a quarter of the range on either side are near it,
+    which avoids repeated crossings by noise.
     """
     low, high = float(np.min(values)), float(np.max(values))
     middle, swing = 0.5 * (low + high), 0.25 * float(np.ptp(values))
     return np.where(values > middle + swing, 1, np.where(values < middle - swing, -1, 0))
 
 
-def sines(time: FloatArray, setpoint: FloatArray) -> list[slice]:
-    """Return the time windows in which the setpoint is a sine of constant frequency.
+def find_sines(time: FloatArray, setpoint: FloatArray) -> list[slice]:
+    """Return the sections of a setpoint that are sines of constant frequency.
+
+    Each section is a slice of the samples.
 
     Examples
     --------
     >>> t = np.linspace(0.0, 10.0, 1001)
-    >>> [(p.start, p.stop) for p in sines(t, 50.0 + 5.0 * np.sin(2.0 * np.pi * t - 0.5))]
+    >>> [(p.start, p.stop) for p in find_sines(t, 50.0 + 5.0 * np.sin(2.0 * np.pi * t - 0.5))]
     [(0, 1001)]
     """
     middle = 0.5 * (float(np.min(setpoint)) + float(np.max(setpoint)))
@@ -179,34 +185,35 @@ def sines(time: FloatArray, setpoint: FloatArray) -> list[slice]:
 
 
 def _extend_to_whole_sine(time: FloatArray, setpoint: FloatArray, part: slice, period: float) -> slice:
-    """Extend a time window to all samples of its sine.
+    """Extend the section `part` of a setpoint to all samples of its sine.
 
-    `part` is the window between rising zero crossings. The extension is at most 1.5 periods on either side.
+    The section begins and ends at rising crossings of the mean. `period` is the period of the sine [s]. The extension
+    is at most 1.5 periods on either side.
     """
     if part.stop - part.start < 8:
         return part
     frequency = _refine_frequency(time[part], setpoint[part], 1.0 / period)
-    fit = wave(time[part], setpoint[part], frequency, highest=1)
+    fit = fit_sine(time[part], setpoint[part], frequency, highest=1)
     turn = 2.0 * math.pi * frequency * time
     deviation = np.abs(setpoint - fit.mean - fit.value.real * np.sin(turn) - fit.value.imag * np.cos(turn))
     noise = fit.error * math.sqrt(0.5 * (part.stop - part.start))
     is_foreign = deviation > ASTRAY * abs(fit.value) + 4.0 * noise
     is_foreign |= (time < time[part.start] - 1.5 * period) | (time > time[part.stop - 1] + 1.5 * period)
-    return stretch_without(is_foreign, part.start, part.stop)
+    return unmasked_section(is_foreign, part.start, part.stop)
 
 
 def _evaluate_sine(evaluation: Evaluation, record: Record, part: slice, x: FloatArray, y: FloatArray) -> Row | None:
-    """Evaluate the response to one sine in its final steady periods, and return a row.
+    """Return the table row of one sine: gain and phase of its final steady periods.
 
-    `x` and `y` are setpoint and outlet pressure in the window `part`. If the sine cannot be evaluated, a note states
-    the reason and the result is None.
+    `x` and `y` are setpoint and outlet pressure [% FS] in the section `part`. If the sine cannot be evaluated, a note
+    states the reason and the result is None.
     """
     time = record.time[part]
     side = _sides_of_middle(x)
     indices = np.flatnonzero(side)
     crossings = 0.5 * (time[indices[:-1]] + time[indices[1:]])[np.diff(side[indices]) != 0]
     frequency = _refine_frequency(time, x, 0.5 * (crossings.size - 1) / float(crossings[-1] - crossings[0]))
-    if record.cuts("setpoint", "outlet", part=part):
+    if record.has_clipped_samples("setpoint", "outlet", part=part):
         evaluation.note("frequency.clipped", record.name, frequency=frequency)
         return None
     count = _steady_periods(time, y, frequency)
@@ -215,7 +222,9 @@ def _evaluate_sine(evaluation: Evaluation, record: Record, part: slice, x: Float
         samples = (time.size - begin) / count
         evaluation.note("frequency.few_samples", record.name, frequency=frequency, samples=samples)
         return None
-    setpoint_wave, outlet_wave = (wave(time[begin:], series[begin:], frequency, is_coloured=True) for series in (x, y))
+    setpoint_wave, outlet_wave = (
+        fit_sine(time[begin:], series[begin:], frequency, is_coloured=True) for series in (x, y)
+    )
     if setpoint_wave.distortion > PURE:
         distortion = 100.0 * setpoint_wave.distortion
         evaluation.note("frequency.impure", record.name, frequency=frequency, distortion=distortion)
@@ -243,10 +252,10 @@ def _evaluate_sine(evaluation: Evaluation, record: Record, part: slice, x: Float
 
 
 def _name_of_bode_plot(row: Row, rows: Sequence[Row]) -> str:
-    """Return the name of the Bode plot to which a row belongs.
+    """Return the name of the Bode plot to which a table row belongs.
 
-    The name contains amplitude, mean and volume. Rows with approximately equal values of these belong to one plot,
-    which is named after the first row.
+    The name contains amplitude, mean and volume. Rows with approximately the same values belong to one plot, which is
+    named after the first of them.
     """
 
     def is_alike(candidate: Row) -> bool:
@@ -260,32 +269,32 @@ def _name_of_bode_plot(row: Row, rows: Sequence[Row]) -> str:
 
 
 def _refine_frequency(time: FloatArray, x: FloatArray, guess: float) -> float:
-    """Return the exact frequency of a sine from a first estimate.
+    """Return the frequency of a sine [Hz], refined from the estimate `guess` [Hz].
 
-    `guess` is this estimate [Hz]. It is corrected until both halves of the series `x` have the same phase.
+    The frequency is corrected until fits to both halves of the series `x` have the same phase.
     """
     frequency = guess
     half = time.size // 2
     for _ in range(4):
-        first, last = (wave(time[s], x[s], frequency, highest=1).value for s in (slice(half), slice(half, None)))
+        first, last = (fit_sine(time[s], x[s], frequency, highest=1).value for s in (slice(half), slice(half, None)))
         drift = float(np.angle(last / first))
         spacing = 0.5 * (time[-1] - time[0])
         frequency += drift / (2.0 * math.pi * spacing)
     return float(frequency)
 
 
-def wave(
+def fit_sine(
     time: FloatArray, values: FloatArray, frequency: float, *, highest: int = HIGHEST, is_coloured: bool = False
 ) -> SineComponent:
-    """Fit a sine of known frequency to a series by least squares.
+    """Fit a sine of known frequency [Hz] to a series by least squares.
 
-    The fit includes the harmonics up to the order `highest`, a mean and a linear drift. If `is_coloured` is True, the
-    uncertainty is that for correlated noise.
+    The fit includes harmonics up to the order `highest`, a mean and a linear drift. If `is_coloured` is True, the
+    standard error takes correlated noise into account.
 
     Examples
     --------
     >>> t = np.arange(400) / 100.0
-    >>> found = wave(t, 3.0 + 2.0 * np.sin(2.0 * np.pi * t) + 0.1 * np.sin(4.0 * np.pi * t), 1.0)
+    >>> found = fit_sine(t, 3.0 + 2.0 * np.sin(2.0 * np.pi * t) + 0.1 * np.sin(4.0 * np.pi * t), 1.0)
     >>> round(abs(found.value), 6), round(found.distortion, 6), round(found.mean, 6)
     (2.0, 0.05, 3.0)
     """
@@ -335,22 +344,22 @@ def _least(matrix: FloatArray, values: FloatArray) -> FloatArray:
 
 
 def _steady_periods(time: FloatArray, y: FloatArray, frequency: float) -> int:
-    """Return the number of steady periods at the end of a response.
+    """Return the number of steady periods at the end of a sinusoidal response.
 
-    `y` is the outlet pressure and `frequency` the frequency of the sine [Hz]. In steady periods, the fundamental is
-    constant.
+    `y` is the outlet pressure, and `frequency` the frequency of the sine [Hz]. Steady periods have the same amplitude
+    and phase within the noise.
     """
     total = max(1, math.floor((time[-1] - time[0]) * frequency + 0.02))
     ends = time[-1] - np.arange(total + 1) / frequency
     cuts = np.searchsorted(time, ends + 1e-9 * (time[-1] - time[0]))
     cuts[0] = time.size
-    waves = [wave(time[b:a], y[b:a], frequency, highest=2) for a, b in pairwise(cuts) if a - b >= 8]
+    waves = [fit_sine(time[b:a], y[b:a], frequency, highest=2) for a, b in pairwise(cuts) if a - b >= 8]
     if len(waves) < 2:
         return max(1, len(waves))
     last = np.mean([w.value for w in waves[:2]])
     # A single period gives a poor noise estimate without colour; the settled half gives a better one.
     half = slice(int(cuts[(total + 1) // 2]), time.size)
-    error = wave(time[half], y[half], frequency, is_coloured=True).error * math.sqrt((total + 1) // 2)
+    error = fit_sine(time[half], y[half], frequency, is_coloured=True).error * math.sqrt((total + 1) // 2)
     for count, component in enumerate(waves):
         spread = max(error, component.error if total < FEWEST else 0.0)
         if abs(component.value - last) > STEADY * abs(last) + UNLIKE * spread:
@@ -369,12 +378,12 @@ def _add_bandwidths(evaluation: Evaluation, rows: list[Row], frequency: FloatArr
     bands = (("gain", "gain_db", GAIN_DB, -GAIN_DB, IN_DB), ("phase", "phase", PHASE_DEG, PHASE_DEG, math.degrees(1.0)))
     for quantity, key, level, level_text, factor in bands:
         values = np.array([row[key] for row in rows])
-        name, value = f"bandwidth_{quantity}", falls_to(frequency, values, level)
+        name, value = f"bandwidth_{quantity}", first_fall(frequency, values, level)
         if not math.isnan(value):
             # Noise of the points, and error of the interpolation between them.
             chance = relative_errors * factor * np.random.default_rng(SEED).standard_normal((SINE_DRAWS, values.size))
             chance -= chance[:, :1] if quantity == "gain" else 0.0  # gains are relative to the first one
-            samples = np.array([falls_to(frequency, values + deviation, level) for deviation in chance])
+            samples = np.array([first_fall(frequency, values + deviation, level) for deviation in chance])
             samples = samples[np.isfinite(samples)]
             straight = math.exp(float(np.interp(-level, -np.minimum.accumulate(values), np.log(frequency))))
             spread = float(np.std(samples)) if samples.size >= SINE_DRAWS // 2 else math.nan
@@ -395,16 +404,16 @@ def _add_bandwidths(evaluation: Evaluation, rows: list[Row], frequency: FloatArr
     evaluation.add_nonnegative("distortion", value, uncertainty, frequency=rows_in_band[k]["frequency"], **case)
 
 
-def falls_to(frequency: FloatArray, values: FloatArray, level: float) -> float:
+def first_fall(frequency: FloatArray, values: FloatArray, level: float) -> float:
     """Return the frequency at which a curve first falls to a level.
 
-    `values` are the values of the curve at the frequencies. The interpolation is a monotone cubic of the logarithm of
-    the frequency. The result is NaN if no value is at or below the level, or if the first value is.
+    `values` are the values of the curve at the frequencies [Hz]. Between them, the curve is a monotone cubic of the
+    logarithm of the frequency. The result is NaN if the first value is at or below the level, or if no value is.
 
     Examples
     --------
     >>> f = np.array([1.0, 2.0, 4.0, 8.0])
-    >>> round(falls_to(f, np.array([0.0, -10.0, -20.0, -30.0]), -15.0) ** 2, 9)
+    >>> round(first_fall(f, np.array([0.0, -10.0, -20.0, -30.0]), -15.0) ** 2, 9)
     8.0
     """
     fallen = np.flatnonzero(values <= level)

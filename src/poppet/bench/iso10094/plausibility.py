@@ -26,10 +26,10 @@ DYNAMIC = ("step", "frequency")
 
 
 def without_spikes(values: FloatArray) -> tuple[FloatArray, Mask]:
-    """Replace single faulty samples of a series by interpolated values.
+    """Replace single faulty samples (spikes) of a series by interpolated values.
 
-    The result contains the series and a mask of the replaced samples. A faulty sample differs from the median of its
-    neighbours by much more than the noise and than all other samples.
+    The result contains the corrected series and a mask of the replaced samples. A spike differs from the median of its
+    neighbours by much more than the noise, and by much more than all other samples do.
 
     Examples
     --------
@@ -64,10 +64,10 @@ def without_spikes(values: FloatArray) -> tuple[FloatArray, Mask]:
     return np.where(is_spike, filled, values), is_spike
 
 
-def suspicions(record: Record, scale: Scale) -> list[Note]:
+def suspicion_notes(record: Record, scale: Scale) -> list[Note]:
     """Return notes on signs of a faulty measurement in a record.
 
-    Signs are a sensor without signal, wrong units, inverted signals, exchanged columns and wrong times.
+    The signs are a sensor without signal, wrong units, inverted signals, exchanged columns and wrong times.
     """
     # Times that are probably in another unit, by a factor of about 1000.
     timing = {"total": float(record.time[-1] - record.time[0]), "step": record.step, "samples": record.time.size}
@@ -99,11 +99,11 @@ def suspicions(record: Record, scale: Scale) -> list[Note]:
 
 
 def _lead_of_outlet(time: FloatArray, x: FloatArray, y: FloatArray) -> float:
-    """Return the time by which the outlet changes before the setpoint [s].
+    """Return the time by which the outlet pressure leads the setpoint [s].
 
-    `x` is the setpoint, and `y` the outlet. The times at which both series cross the middle of their ranges are
-    compared. The mean of rising and falling crossings does not depend on the characteristic. The result is NaN if the
-    outlet does not clearly change first.
+    `x` is the setpoint, and `y` the outlet pressure. The function compares the times at which both series cross the
+    middle of their ranges. The mean of rising and falling crossings does not depend on the shape of the characteristic.
+    The result is NaN if the outlet does not clearly lead.
     """
     (x_up, x_down), (y_up, y_down) = (_crossings(time, series) for series in (x, y))
     leads = []
@@ -121,7 +121,7 @@ def _lead_of_outlet(time: FloatArray, x: FloatArray, y: FloatArray) -> float:
 
 
 def _crossings(time: FloatArray, values: FloatArray) -> tuple[FloatArray, FloatArray]:
-    """Return the times at which a series crosses the middle of its range.
+    """Return the times at which a series crosses the middle of its range [s].
 
     The first item contains the upward crossings, the second the downward ones.
     """

@@ -12,8 +12,8 @@ import numpy as np
 
 from poppet.bench.iso10094.evaluation import AT_LEAST, AT_MOST, BenchTest, Evaluation, Row, Trial, largest
 from poppet.bench.iso10094.scale import FloatArray, Record, Scale
-from poppet.bench.iso10094.shapes import rested, stairs
-from poppet.bench.iso10094.uncertainty import Uncertainty, noise_about
+from poppet.bench.iso10094.shapes import constant_sections, steady_part
+from poppet.bench.iso10094.uncertainty import Uncertainty, estimate_noise
 from poppet.timeseries.signals import Steps
 
 # Height of a stair [% FS], number of stairs per section, and setpoint of the first stair [% FS].
@@ -27,8 +27,8 @@ FEWEST = 5
 def resolution_trial(scale: Scale, volume: float, stair: float, hold: float, middle: float) -> Trial:
     """Return a trial in which the setpoint is a staircase with small steps.
 
-    The staircase goes up, down, and up again. `stair` is the height of a step and `middle` the first setpoint [% FS].
-    `hold` is the duration of each step [s].
+    The staircase goes up, down, and up again. `stair` is the height of one step, and `middle` the first setpoint [%
+    FS]. `hold` is the duration of each step [s], and `volume` the outlet volume [m^3].
     """
     settling = 20.0 * hold
     directions = np.concatenate([np.ones(STAIRS), -np.ones(STAIRS), np.ones(STAIRS)])
@@ -56,14 +56,14 @@ def _evaluate(evaluation: Evaluation, records: Sequence[Record]) -> None:
 
 def _one(evaluation: Evaluation, record: Record) -> None:
     x, y = evaluation.scale.percents(record)
-    holds = stairs(x)
+    holds = constant_sections(x)
     if len(holds) < FEWEST:
         evaluation.note("resolution.no_staircase", record.name, fewest=FEWEST)
         return
-    last = [rested(record.time, part, TAIL) for part in holds]
+    last = [steady_part(record.time, part, TAIL) for part in holds]
     level, answer = (np.array([float(np.mean(series[part])) for part in last]) for series in (x, y))
     stair = float(np.median(np.abs(np.diff(level))))
-    noise = noise_about([y[part] for part in last])
+    noise = estimate_noise([y[part] for part in last])
     blur = math.sqrt(2.0) * noise.mean(min(part.stop - part.start for part in last))
     least = max(MOVED * stair, CLEAR * blur)
     row: Row = {"record": record.name, "setpoint": float(np.mean(level)), "stair": stair, "threshold": least}
@@ -100,12 +100,12 @@ def _one(evaluation: Evaluation, record: Record) -> None:
 
 
 def _largest_changes(level: FloatArray, answer: FloatArray, least: float) -> dict[bool, float]:
-    """Return the changes of the setpoint that were necessary to move the outlet.
+    """Return the largest setpoint changes [% FS] that were necessary to move the outlet.
 
-    The result contains the largest changes [% FS]. The key False has the change since the previous motion, and the key
-    True the change since a reversal of the setpoint. `level` is the setpoint and `answer` the outlet on each step of
-    the staircase. A change of the outlet by `least` or more counts as a motion. The first motion is omitted unless it
-    follows a reversal, because the setpoint change before it is unknown.
+    `level` is the setpoint and `answer` the outlet on each step of the staircase. A change of the outlet by `least` or
+    more is a motion. In the result, the key False has the largest change since the previous motion, and the key True
+    that since a reversal of the setpoint. The first motion is omitted unless it follows a reversal, because its
+    setpoint change is unknown.
     """
     changes: dict[bool, float] = {}
     since, direction, is_known, has_turned = 0, 0, False, False

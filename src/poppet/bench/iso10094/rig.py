@@ -11,7 +11,7 @@ from dataclasses import dataclass, field, replace
 
 import numpy as np
 
-from poppet.bench.iso10094.evaluation import Trial, held
+from poppet.bench.iso10094.evaluation import Trial, constant_setpoint
 from poppet.bench.iso10094.scale import ELECTRIC, Record, Scale, setpoint_scale
 from poppet.circuit.circuit import BaseCircuit
 from poppet.circuit.notes import make_recording
@@ -53,10 +53,10 @@ class Rig:
     supply: float  # absolute supply pressure [Pa]
     title: str
     notes: list[Note] = field(default_factory=list)
-    _sizes: dict[float, float] = field(default_factory=dict)  # bleed conductance (+1), feed flow (-1)
+    _load_sizes: dict[float, float] = field(default_factory=dict)  # bleed conductance (+1), feed flow (-1)
 
     def respond(self, trial: Trial) -> Record:
-        """Simulate a trial, and return the record of its channels."""
+        """Simulate a trial, and return the recorded channels."""
         numbers, prefix = self.circuit.parameters, f"{self.valve}."
         clocks = [name for name in numbers if name.startswith(prefix) and name.endswith(".sample_time")]
         fastest = min((numbers[name] for name in clocks), default=math.inf)
@@ -72,8 +72,8 @@ class Rig:
             assert isinstance(trial.load, Points)
             times, load = np.asarray(trial.load.times), np.asarray(trial.load.values)
             outflow, inflow = np.maximum(load, 0.0), np.maximum(-load, 0.0)
-            bleed = self._size(1.0, trial.volume) if outflow.any() else NOT_DRAWN[0], Points(times, outflow)
-            feed = Points(times, (self._size(-1.0, trial.volume) if inflow.any() else 0.0) * inflow)
+            bleed = self._load_size(1.0, trial.volume) if outflow.any() else NOT_DRAWN[0], Points(times, outflow)
+            feed = Points(times, (self._load_size(-1.0, trial.volume) if inflow.any() else 0.0) * inflow)
         part = self._run(trial, bleed, feed).between(trial.lead - 0.5 * trial.step, trial.duration + trial.step)
         total = np.zeros(part.time.size)  # flow out of the supply
         for flow in self.circuit.model.flows:
@@ -86,10 +86,10 @@ class Rig:
         )  # fmt: skip
 
     def _run(self, trial: Trial, bleed: tuple[float, Signal], feed: Signal, stops: Sequence[str] = ()) -> Recording:
-        """Simulate a trial with a bleed and a feed as the load.
+        """Simulate a trial with flow out of the outlet volume (bleed) or into it (feed).
 
-        The bleed is a leak from the outlet to ambient: `bleed` is its sonic conductance and its opening over time.
-        `feed` is a flow of gas into the outlet. `stops` are conditions that end the run.
+        `bleed` contains the sonic conductance [m^3/(s Pa)] of the bleed and the signal of its opening. `feed` is the
+        signal of the mass flow rate [kg/s]. `stops` are conditions that end the run.
         """
         scale, circuit = self.scale, self.circuit
         # The outlet starts at the pressure that an ideal valve would hold.
@@ -117,14 +117,15 @@ class Rig:
             raise SimulationError(recording.outcome, recording)
         return recording
 
-    def _size(self, sign: float, volume: float) -> float:
-        """Return the size of the load that changes the outlet by `PROBED`.
+    def _load_size(self, sign: float, volume: float) -> float:
+        """Return the load that changes the outlet pressure by 30 % FS.
 
-        The load is a bleed conductance if `sign` is +1, and a feed flow if it is -1. A run with increasing load
-        determines the value. All trials use it, so their flows are comparable.
+        The load is the conductance [m^3/(s Pa)] of the bleed if `sign` is +1, and the mass flow rate [kg/s] of the feed
+        if it is -1. A run with increasing load determines the value. It is the largest load in all trials, so their
+        flows are comparable.
         """
-        if sign in self._sizes:
-            return self._sizes[sign]
+        if sign in self._load_sizes:
+            return self._load_sizes[sign]
         steps = np.arange(10 * DECADES + 1, dtype=np.float64)  # two seconds for each tenth of a decade
         times, load = 2.0 * (1.0 + steps), SMALLEST * 10.0 ** (steps / 10.0)
         largest, growing = float(load[-1]), load / load[-1]
@@ -136,21 +137,22 @@ class Rig:
             feed = Points(times, FEED_UNIT * largest * growing)
         stop = f"{OUTLET}.pressure {'<' if sign > 0.0 else '>'} {level:.6g}"
         end = float(times[-1])
-        trial = Trial("flow", "probe", held(self.scale, PROBE_SETPOINT), end, 0.0, 0.05, volume)
+        trial = Trial("flow", "probe", constant_setpoint(self.scale, PROBE_SETPOINT), end, 0.0, 0.05, volume)
         reached = np.interp(self._run(trial, bleed, feed, [stop]).time[-1], times, load, left=SMALLEST)
-        self._sizes[sign] = (BLEED_UNIT if sign > 0.0 else FEED_UNIT) * float(reached)
-        return self._sizes[sign]
+        self._load_sizes[sign] = (BLEED_UNIT if sign > 0.0 else FEED_UNIT) * float(reached)
+        return self._load_sizes[sign]
 
 
-def rig_of(
+def build_rig(
     circuit: BaseCircuit, valve: str, *, full_scale: tuple[float, float] | None = None, supply: float | None = None
 ) -> Rig:
     """Return a virtual bench for one valve of a circuit.
 
-    By default, `supply` is the supply pressure in the circuit. The default of `full_scale` is the scaling of the valve,
-    or a range that ends at least 1 bar below the supply pressure.
+    By default, the absolute pressures `supply` [Pa] and `full_scale` [Pa] come from the circuit: the supply pressure,
+    and the pressure range of the valve electronics. Without electronics, the full scale ends at least 1 bar below the
+    supply pressure.
     """
-    part = circuit.parts[valve_of(circuit, valve)]
+    part = circuit.parts[find_valve(circuit, valve)]
     item = next(item for name in SETPOINTS for item in part.inputs() if item.name == name)
     notes: list[Note] = []
     pressure = supply
@@ -204,11 +206,11 @@ def rig_of(
     return Rig(rig, valve, f"{valve}.{item.name}", scale, pressure, circuit.title or valve, notes)
 
 
-def valve_of(circuit: BaseCircuit, name: str | None = None, kind: type[Part] = Part) -> str:
+def find_valve(circuit: BaseCircuit, name: str | None = None, kind: type[Part] = Part) -> str:
     """Return the name of the valve in a circuit that the bench can test.
 
-    If `name` is given, this part is checked. Otherwise the circuit must contain exactly one suitable valve: a part of
-    the class `kind` with a setpoint and with the ports of a pressure valve.
+    A suitable valve is a part of the class `kind` with a setpoint and with supply, outlet and exhaust ports. `name`
+    must be such a part. Without `name`, the circuit must contain exactly one.
     """
     valves = [
         name
@@ -224,7 +226,7 @@ def valve_of(circuit: BaseCircuit, name: str | None = None, kind: type[Part] = P
     name = name or valves[0]
     if name not in valves:
         suggestion = NameSuggestion(name, valves)
-        raise InputError("names.unknown", name, meaning="a pressure valve of this circuit", near=suggestion)
+        raise InputError("names.unknown", name, meaning="a pressure valve of this circuit", suggestion=suggestion)
     return name
 
 

@@ -11,7 +11,14 @@ import numpy as np
 
 from poppet.bench.iso10094.bench_result import DEFINITIONS, TESTS, BenchResult
 from poppet.bench.iso10094.evaluation import BenchSettings, Evaluation, Pace, Row, Specimen, Trial
-from poppet.bench.iso10094.frequency import FREQUENCY, GAIN_DB, PHASE_DEG, conclude, frequency_trial, sine_rows
+from poppet.bench.iso10094.frequency import (
+    FREQUENCY,
+    GAIN_DB,
+    PHASE_DEG,
+    add_frequency_results,
+    frequency_trial,
+    sine_rows,
+)
 from poppet.bench.iso10094.scale import Record, Scale
 from poppet.bench.iso10094.step import step_trial
 from poppet.core.codes import Note, notes_of
@@ -30,7 +37,7 @@ Say = Callable[[str], object]
 
 
 class EvaluatedRecord(NamedTuple):
-    """Record of a step or sine trial, and the rows of results from its evaluation."""
+    """Record of a trial with steps or a sine, and the results for each."""
 
     record: Record
     rows: list[Row]
@@ -38,7 +45,7 @@ class EvaluatedRecord(NamedTuple):
 
 @dataclass
 class BenchRun:
-    """Test valve on the bench, with its settings and all measurements so far."""
+    """Test valve on the bench, with the settings and all step measurements so far."""
 
     specimen: Specimen
     settings: BenchSettings
@@ -47,10 +54,13 @@ class BenchRun:
     steps: dict[tuple[float, float], EvaluatedRecord] = field(default_factory=dict)  # by volume and amplitude
 
     def records(self, test: str) -> list[Record]:
-        """Run all trials of a test and return their records."""
+        """Run all trials of a test and return their records.
+
+        `test` is the name of the test.
+        """
         trials = TESTS[test].trials
         if trials is not None:
-            pace = Pace(self.specimen, self.settings, self.hold(), self._sweep)
+            pace = Pace(self.specimen, self.settings, self.settling_hold(), self._sweep_time)
             return [self._respond(trial) for trial in trials(pace)]
         if test == "step":
             return [self.step(v, a).record for v in self.settings.volumes for a in self.settings.amplitudes]
@@ -61,7 +71,7 @@ class BenchRun:
         smallest = self.step(self.settings.volumes[0], min(self.settings.amplitudes))
         # A first-order response rises from 10 to 90 % in 0.35 periods of the corner frequency.
         corner = 0.35 / min(self._response_times([smallest]))
-        ladder = [preferred(corner * 10.0 ** (step / 10.0)) for step in range(DECADE_BELOW, DECADE_ABOVE)]
+        ladder = [preferred_frequency(corner * 10.0 ** (step / 10.0)) for step in range(DECADE_BELOW, DECADE_ABOVE)]
         sines: dict[float, EvaluatedRecord] = {}
         n_beyond = 0
         # Three frequencies per decade locate the bandwidths; the other frequencies of the range follow.
@@ -89,8 +99,8 @@ class BenchRun:
     def step(self, volume: float, amplitude: float) -> EvaluatedRecord:
         """Measure a step up and a step down, with holds in which the outlet settles.
 
-        `volume` is the outlet volume [m^3] and `amplitude` the height of the step [% FS]. Completed measurements are
-        reused.
+        `volume` is the outlet volume [m^3], and `amplitude` the height of the step [% FS]. A measurement with the same
+        values is reused.
         """
         measured = self.steps.get((volume, amplitude))
         if measured is not None:
@@ -98,7 +108,7 @@ class BenchRun:
         scale, hold = self.specimen.scale, FIRST_HOLD
         while True:
             record = self._respond(step_trial(scale, volume, amplitude, hold))
-            rows = TESTS["step"].evaluated([record], scale).rows
+            rows = TESTS["step"].evaluate_records([record], scale).rows
             needed = _required_hold_time(rows)
             if needed <= hold or hold >= self.settings.longest_hold:
                 break
@@ -107,28 +117,26 @@ class BenchRun:
         self.steps[volume, amplitude] = EvaluatedRecord(record, rows)
         return self.steps[volume, amplitude]
 
-    def hold(self) -> float:
-        """Return the hold time that the test valve needs to settle [s].
-
-        The time is that for the first volume.
-        """
+    def settling_hold(self) -> float:
+        """Return the hold time in which the test valve settles with the first volume [s]."""
         volume = self.settings.volumes[0]
         if volume not in self.holds:
             self.step(volume, max(self.settings.amplitudes))
         return self.holds[volume]
 
     def _response_times(self, steps: Iterable[EvaluatedRecord]) -> list[float]:
-        """Return the response times of all measured steps [s].
+        """Return the response times of measured steps [s].
 
-        If no step has a response time, the result is a quarter of the hold time.
+        If no step has a response time, the result is a quarter of the hold time for settling.
         """
         times = [row["response_time"] for step in steps for row in step.rows if "response_time" in row]
-        return times or [self.hold() / 4.0]
+        return times or [self.settling_hold() / 4.0]
 
-    def _sweep(self) -> float:
-        """Return the duration of a sweep that is slow for this valve [s].
+    def _sweep_time(self) -> float:
+        """Return the duration of a sweep over the full range [s].
 
-        It is long compared with the response time.
+        It is specified in the settings, or 200 times the response time, within limits. A specified duration below the
+        response time raises an error.
         """
         first = self.settings.volumes[0]
         response = max(self._response_times(step for (volume, _), step in self.steps.items() if volume == first))
@@ -139,7 +147,7 @@ class BenchRun:
         return sweep_time if math.isfinite(sweep_time) else usual
 
     def _sine(self, frequency: float) -> EvaluatedRecord:
-        choices, scale, hold = self.settings, self.specimen.scale, self.hold()
+        choices, scale, hold = self.settings, self.specimen.scale, self.settling_hold()
         mean, amplitude = choices.sine_mean, choices.sine_amplitude
         trial = frequency_trial(scale, choices.volumes[0], frequency, hold, mean=mean, amplitude=amplitude)
         record = self._respond(trial)
@@ -147,14 +155,14 @@ class BenchRun:
 
     def _bode(self, sines: Mapping[float, EvaluatedRecord]) -> Evaluation:
         evaluation = Evaluation(FREQUENCY, self.specimen.scale)
-        conclude(evaluation, [row for frequency in sorted(sines) for row in sines[frequency].rows])
+        add_frequency_results(evaluation, [row for frequency in sorted(sines) for row in sines[frequency].rows])
         return evaluation
 
 
 def _required_hold_time(rows: list[Row]) -> float:
-    """Return the hold time that measured steps require to settle [s].
+    """Return the hold time that the valve needs to settle after steps [s].
 
-    `rows` are the results of the steps. The result is infinite if a step did not settle.
+    `rows` are the table rows of measured steps. The result is infinite if a step did not settle.
     """
     if any("hum_amplitude" in row for row in rows):
         # A limit cycle never settles: the hold must contain several of its periods after the settling time.
@@ -166,14 +174,14 @@ def _required_hold_time(rows: list[Row]) -> float:
     return HOLD_PER_SETTLING * float(max(row["settling_time"] for row in rows))
 
 
-def preferred(frequency: float) -> float:
-    """Return the preferred frequency that is nearest to a frequency.
+def preferred_frequency(frequency: float) -> float:
+    """Return the preferred number that is nearest to a frequency [Hz].
 
-    There are ten preferred frequencies per decade.
+    Each decade has ten preferred numbers: 1, 1.25, 1.6, ..., 8.
 
     Examples
     --------
-    >>> preferred(0.33), preferred(12.0)
+    >>> preferred_frequency(0.33), preferred_frequency(12.0)
     (0.315, 12.5)
     """
     series = (1.0, 1.25, 1.6, 2.0, 2.5, 3.15, 4.0, 5.0, 6.3, 8.0)
@@ -188,8 +196,9 @@ def run_bench(
 ) -> BenchResult:  # fmt: skip
     """Run the selected tests with a test valve, and return all results.
 
-    If a run of a test fails, a note reports it and the other tests continue. `source` states the kind of
-    test valve in the result, and `say` is a function that shows progress messages.
+    If the simulation of a test fails, a note reports it and the other tests continue. `source` is the kind of test
+    valve in the result, and `say` a function that shows progress messages. Ctrl-C ends the tests; the result then
+    contains the completed ones.
     """
     settings = settings or BenchSettings()
     check_tests(tests)
@@ -199,7 +208,7 @@ def run_bench(
     # The steps come first, because the durations of the other tests depend on their response times.
     for name in sorted(tests, key=lambda test: (test != "step", list(TESTS).index(test))):
         try:
-            evaluations[name] = TESTS[name].evaluated(bench.records(name), specimen.scale, settings.rated_flow)
+            evaluations[name] = TESTS[name].evaluate_records(bench.records(name), specimen.scale, settings.rated_flow)
         except SimulationError as error:
             outcome = "failed"
             evaluations[name] = Evaluation(TESTS[name], specimen.scale)
@@ -218,22 +227,24 @@ def run_recordings(
 ) -> BenchResult:  # fmt: skip
     """Evaluate the selected tests from recordings of a real valve.
 
-    `records` maps the name of each test to its records. A note reports each test without records.
+    `records` maps the name of each test to its records. A note reports each selected test without records.
     """
     check_tests(tests)
-    evaluations = {name: TESTS[name].evaluated(records[name], scale, rated_flow) for name in tests if records.get(name)}
+    evaluations = {
+        name: TESTS[name].evaluate_records(records[name], scale, rated_flow) for name in tests if records.get(name)
+    }
     missing = [Note("bench.not_given", name) for name in tests if name not in evaluations]
     return _combine_evaluations(title, "recordings", evaluations, scale, conditions or {}, [*notes, *missing])
 
 
 def check_tests(tests: Sequence[str]) -> None:
-    """Raise an error if no test is selected or a name of a test is unknown."""
+    """Raise an error if no test is selected or a test is unknown."""
     if not tests:
         raise InputError("bench.no_test", known=tuple(TESTS))
     for test in tests:
         if test not in TESTS:
             suggestion = NameSuggestion(test, TESTS)
-            raise InputError("fields.not_an_option", "tests", value=test, meaning="test", near=suggestion)
+            raise InputError("fields.not_an_option", "tests", value=test, meaning="test", suggestion=suggestion)
 
 
 def _combine_evaluations(

@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from poppet.core.errors import InputError, collect
+from poppet.core.errors import InputError, raise_errors
 from poppet.core.tables import Field
 
 FloatArray = NDArray[np.float64]
@@ -21,9 +21,9 @@ PERCENT = 100.0
 
 @dataclass(frozen=True)
 class Scale:
-    """Ranges of setpoint and outlet pressure that belong together.
+    """Range of the setpoint, and the range of the outlet pressure to which it corresponds.
 
-    Full scale (FS) is the span of the outlet pressure.
+    Full scale (FS) is the width of the range of the outlet pressure.
 
     Examples
     --------
@@ -42,15 +42,15 @@ class Scale:
         setpoints = ("setpoint_range", self.setpoint_low, self.setpoint_high, self.setpoint_unit)
         pressures = ("full_scale", self.pressure_low, self.pressure_high, "Pa")
         wrong = [ends for ends in (setpoints, pressures) if not -math.inf < ends[1] < ends[2] < math.inf]
-        collect([InputError("bench.range.scale", name, low=a, high=b, unit=unit) for name, a, b, unit in wrong])
+        raise_errors([InputError("bench.range.scale", name, low=a, high=b, unit=unit) for name, a, b, unit in wrong])
 
     @property
     def span(self) -> float:
-        """Full scale FS, the span of the outlet pressure [Pa]."""
+        """Full scale FS: width of the range of the outlet pressure [Pa]."""
         return self.pressure_high - self.pressure_low
 
     def setpoint(self, percent: float | FloatArray) -> FloatArray:
-        """Return the setpoint for a percentage of its range, in its unit."""
+        """Return the setpoint, in its unit, for a percentage of its range."""
         part = np.asarray(percent) / PERCENT
         return np.asarray(self.setpoint_low * (1.0 - part) + self.setpoint_high * part)  # exact at both ends
 
@@ -68,13 +68,16 @@ class Scale:
         return np.asarray(PERCENT * (np.asarray(pressure) - self.pressure_low) / self.span)
 
     def percents(self, record: Record) -> tuple[FloatArray, FloatArray]:
-        """Return the setpoint and the outlet pressure of a record in % FS."""
+        """Return setpoint and outlet pressure of a record as percentages of their ranges.
+
+        Both are called % FS.
+        """
         return self.setpoint_percent(record.setpoint), self.percent(record.outlet)
 
 
 @dataclass(frozen=True, eq=False)
 class Record:
-    """Channels of one trial, measured or simulated, over a common time base."""
+    """Measured or simulated channels of one trial, with a common time base."""
 
     name: str  # of the trial or the recording
     test: str
@@ -90,11 +93,11 @@ class Record:
     is_exact: bool = False
     clipped: Mapping[str, Mask] = field(default_factory=dict)  # clipped samples by series
 
-    def cuts(self, *series: str, part: slice = slice(None)) -> bool:
+    def has_clipped_samples(self, *series: str, part: slice = slice(None)) -> bool:
         """Return True if at least one channel has clipped samples.
 
-        `series` are the names of the channels to check, by default all channels. `part` restricts the check to a part
-        of the record.
+        A clipped sample is at a limit of its channel, so the true value is unknown. `series` are the names of the
+        channels to check, by default all channels. `part` restricts the check to a slice of the samples.
         """
         return any(bool(mask[part].any()) for name, mask in self.clipped.items() if not series or name in series)
 
@@ -108,44 +111,45 @@ class Record:
 ELECTRIC = {"V": (0.0, 10.0), "A": (0.004, 0.020), "1": (0.0, 1.0)}
 
 
-def pressure(raw: Any, ambient: float, name: str) -> float:
-    """Return the absolute pressure [Pa] of a text with unit.
+def read_pressure(raw: Any, ambient: float, name: str) -> float:
+    """Return the absolute pressure [Pa] from a text with a unit.
 
-    `ambient` is the reference of gauge pressures [Pa], and `name` the address for error messages.
+    Gauge pressures are relative to `ambient` [Pa]. `name` is the address in error messages.
 
     Examples
     --------
-    >>> pressure("6 bar g", 1e5, "supply")
+    >>> read_pressure("6 bar g", 1e5, "supply")
     700000.0
     """
     value: float = Field(unit="Pa", kind="pressure", low=0.0, meaning="pressure").read(raw, name, ambient)
     return value
 
 
-def pressure_range(raw: Any, ambient: float, name: str = "full_scale") -> tuple[float, float]:
-    """Return the absolute limits [Pa] of a pressure range.
+def read_pressure_range(raw: Any, ambient: float, name: str = "full_scale") -> tuple[float, float]:
+    """Return the absolute limits of a pressure range [Pa], read from texts with units.
 
-    A single pressure is the upper limit; the lower limit is then the ambient pressure.
+    A single pressure is the upper limit; the lower limit is then the pressure `ambient` [Pa].
 
     Examples
     --------
-    >>> pressure_range("6 bar g", 1e5), pressure_range(["1 bar g", "6 bar g"], 1e5)
+    >>> read_pressure_range("6 bar g", 1e5), read_pressure_range(["1 bar g", "6 bar g"], 1e5)
     ((100000.0, 700000.0), (200000.0, 700000.0))
     """
     parts = [part.strip() for part in raw.split(",")] if isinstance(raw, str) else raw
     parts = parts if isinstance(parts, list | tuple) else [parts]
     if len(parts) not in (1, 2):
         raise InputError("bench.range.ends", name, given=raw)
-    low, high = [ambient, *(pressure(part, ambient, name) for part in parts)][-2:]
+    low, high = [ambient, *(read_pressure(part, ambient, name) for part in parts)][-2:]
     if low >= high:
         raise InputError("bench.range.falls", name, given=raw)
     return low, high
 
 
 def setpoint_scale(raw: Any, full_scale: tuple[float, float], ambient: float, unit: str = "Pa") -> Scale:
-    """Return the scale that relates a setpoint range to full scale.
+    """Return the scale that relates a setpoint range to a range of outlet pressures.
 
-    `raw` is the setpoint range as text, and `full_scale` the range of outlet pressures [Pa].
+    `raw` contains the ends of the setpoint range as texts with units, and `full_scale` the absolute outlet pressures
+    [Pa]. If `raw` is None, the setpoint has the usual range of its SI unit `unit`.
 
     Examples
     --------
@@ -164,10 +168,9 @@ def setpoint_scale(raw: Any, full_scale: tuple[float, float], ambient: float, un
 
 
 def _read_setpoint(raw: Any, ambient: float) -> tuple[float, str]:
-    """Return the value and the SI unit of a setpoint.
+    """Return the value of a setpoint in its SI unit, and this unit.
 
-    A text is read as a pressure if its unit is that of a pressure, and otherwise as an electric signal. A number is a
-    ratio.
+    A text with a pressure unit is a pressure, and another text is an electric signal. A number is a ratio.
     """
     problem: InputError | None = None
     for unit in ("Pa", *ELECTRIC) if isinstance(raw, str) else ("1",):
@@ -180,14 +183,14 @@ def _read_setpoint(raw: Any, ambient: float) -> tuple[float, str]:
     raise problem
 
 
-def listed(raw: str, unit: str, name: str) -> tuple[float, ...]:
+def read_quantity_list(raw: str, unit: str, name: str) -> tuple[float, ...]:
     """Return the positive values of a text such as `"1 l, 5 l"`.
 
-    The values are in SI units, and `unit` is this unit. Commas separate the values.
+    The result is in the SI unit `unit`. Commas separate the values. `name` is the option in error messages.
 
     Examples
     --------
-    >>> listed("1 l, 5 l", "m^3", "--volume")
+    >>> read_quantity_list("1 l, 5 l", "m^3", "--volume")
     (0.001, 0.005)
     """
     values, field = [], Field(unit=unit, above=0.0, meaning=name.lstrip("-"))

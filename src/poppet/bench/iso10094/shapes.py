@@ -10,7 +10,7 @@ from itertools import pairwise
 import numpy as np
 
 from poppet.bench.iso10094.scale import FloatArray, Mask
-from poppet.bench.iso10094.uncertainty import Noise, Uncertainty, mean_of, noise_about
+from poppet.bench.iso10094.uncertainty import Noise, Uncertainty, estimate_noise, mean_of
 from poppet.timeseries.measurements.measurement import noise_of
 
 _CLEAR = 6.0  # limit of the noise in a recording, in standard deviations
@@ -20,7 +20,7 @@ _STILL = 1e-6  # setpoint change between samples that counts as constant [% FS]
 
 @dataclass(frozen=True)
 class Branch:
-    """Rising or falling part of a series between two turning points.
+    """Rising or falling section of a series between two turning points.
 
     `sign` is +1 if the branch rises and -1 if it falls. The branch consists of the samples `first` to `end - 1`.
     """
@@ -31,14 +31,14 @@ class Branch:
 
     @property
     def samples(self) -> slice:
-        """Slice of the series that contains the samples of the branch."""
+        """Slice of the samples of the branch in its series."""
         return slice(self.first, self.end)
 
 
 def branches(values: FloatArray, swing: float) -> list[Branch]:
     """Divide a series into rising and falling branches.
 
-    A change of direction ends a branch if it is at least as large as `swing`.
+    A reversal ends a branch if the values then change by at least `swing`.
 
     Examples
     --------
@@ -65,16 +65,16 @@ def branches(values: FloatArray, swing: float) -> list[Branch]:
     return parts
 
 
-def at_places(x: FloatArray, y: FloatArray, points: FloatArray, half: float) -> tuple[FloatArray, FloatArray]:
-    """Return the values of a noisy curve at given points, by local straight lines.
+def values_at_points(x: FloatArray, y: FloatArray, points: FloatArray, half: float) -> tuple[FloatArray, FloatArray]:
+    """Return the values of a noisy curve `y(x)` at given points.
 
-    `half` is half of the width of the window around each point. The result contains the values and the number of
-    samples in each window. Values outside the curve are NaN.
+    Each value comes from a straight line that is fitted to the samples within the distance `half` of the point. The
+    second item contains the numbers of these samples. Values outside the curve are NaN.
 
     Examples
     --------
     >>> x = np.linspace(0.0, 1.0, 101)
-    >>> at_places(x, 3.0 * x, np.array([0.5, 2.0]), 0.1)[0].round(9).tolist()
+    >>> values_at_points(x, 3.0 * x, np.array([0.5, 2.0]), 0.1)[0].round(9).tolist()
     [1.5, nan]
     """
     order = np.argsort(x, kind="stable")
@@ -108,17 +108,17 @@ class Jump:
     duration: float  # between these samples [s]
 
 
-def jumps(time: FloatArray, setpoint: FloatArray, threshold: float, *, is_exact: bool) -> list[Jump]:
-    """Return all steps of a setpoint that are at least as large as a threshold.
+def find_jumps(time: FloatArray, setpoint: FloatArray, threshold: float, *, is_exact: bool) -> list[Jump]:
+    """Return all jumps of a setpoint that are at least as large as a threshold.
 
-    If `is_exact` is True, a step occurs at the first sample with the new value. Otherwise its time is interpolated.
+    If `is_exact` is True, a jump occurs at the first sample with the new value. Otherwise its time is interpolated.
 
     Examples
     --------
-    >>> [j.time for j in jumps(np.arange(40.0), np.repeat([0.0, 9.0], 20), 1.0, is_exact=False)]
+    >>> [j.time for j in find_jumps(np.arange(40.0), np.repeat([0.0, 9.0], 20), 1.0, is_exact=False)]
     [19.5]
     """
-    moving = np.flatnonzero(np.abs(np.diff(setpoint)) > max(_CLEAR * scatter_of(setpoint), _STILL))
+    moving = np.flatnonzero(np.abs(np.diff(setpoint)) > max(_CLEAR * setpoint_noise(setpoint), _STILL))
     steps: list[Jump] = []
     for group in np.split(moving, np.flatnonzero(np.diff(moving) > 1) + 1):
         if not group.size:
@@ -135,8 +135,8 @@ def jumps(time: FloatArray, setpoint: FloatArray, threshold: float, *, is_exact:
     return steps
 
 
-def scatter_of(setpoint: FloatArray) -> float:
-    """Return the standard deviation of the noise of a setpoint, without its steps."""
+def setpoint_noise(setpoint: FloatArray) -> float:
+    """Return the standard deviation of the noise of a setpoint, without its jumps."""
     deviations = np.abs(np.diff(setpoint, 2)) / math.sqrt(6.0)
     if not deviations.size:
         return 0.0
@@ -147,19 +147,19 @@ def scatter_of(setpoint: FloatArray) -> float:
     return sigma
 
 
-def stairs(setpoint: FloatArray) -> list[slice]:
-    """Return the sections of a series in which the setpoint is constant.
+def constant_sections(setpoint: FloatArray) -> list[slice]:
+    """Return the sections of a staircase in which the setpoint is constant.
 
-    The sections are slices. The result is empty if the setpoint is not a staircase.
+    The sections are slices of the samples. The list is empty if the setpoint is not a staircase.
 
     Examples
     --------
-    >>> stairs(np.repeat([0.0, 1.0], 20))
+    >>> constant_sections(np.repeat([0.0, 1.0], 20))
     [slice(0, 20, None), slice(20, 40, None)]
     """
     if setpoint.size < 3:
         return []
-    limit = max(_CLEAR * scatter_of(setpoint), _STILL)
+    limit = max(_CLEAR * setpoint_noise(setpoint), _STILL)
     cuts = np.flatnonzero(np.abs(np.diff(setpoint)) > limit) + 1
     ends = np.concatenate(([0], cuts, [setpoint.size])).tolist()
     holds = [slice(a, b) for a, b in pairwise(ends) if b - a >= 3]
@@ -170,25 +170,25 @@ def stairs(setpoint: FloatArray) -> list[slice]:
 
 
 def _end_mean(values: FloatArray) -> float:
-    """Return the mean of the last third of some values."""
+    """Return the mean of the last third of a series."""
     return float(np.mean(values[-max(1, values.size // 3) :]))
 
 
-def stretch_without(outside: Mask, first: int, end: int) -> slice:
-    """Return the longest section around some samples that contains no masked sample.
+def unmasked_section(outside: Mask, first: int, end: int) -> slice:
+    """Return the longest slice without masked samples that contains the slice `first:end`.
 
-    The result is a slice around the samples `first` to `end`. `outside` is the mask.
+    `outside` is the mask; it must be False from `first` to `end - 1`.
 
     Examples
     --------
-    >>> stretch_without(np.array([False, True, False, False, True]), 2, 2)
+    >>> unmasked_section(np.array([False, True, False, False, True]), 2, 2)
     slice(2, 4, None)
     """
     earlier, later = np.flatnonzero(outside[:first]), np.flatnonzero(outside[end:])
     return slice(int(earlier[-1]) + 1 if earlier.size else 0, end + int(later[0]) if later.size else outside.size)
 
 
-def rested(time: FloatArray, part: slice, fraction: float) -> slice:
+def steady_part(time: FloatArray, part: slice, fraction: float) -> slice:
     """Return the final part of a hold, in which the outlet is in steady state.
 
     `part` is the slice of the hold. `fraction` is the duration of the final part relative to that of the hold.
@@ -213,7 +213,7 @@ MOST = 0.1  # largest lag, relative to the duration of the sweep
 
 @dataclass(frozen=True)
 class Lag:
-    """Lag of the outlet behind a sweep, as a delay and as a pressure difference."""
+    """Lag of the outlet pressure behind a sweep, as delay and as pressure difference."""
 
     time: float  # delay, negative for a lead [s]
     moved: float  # change of the outlet after the end of the sweep, negative for a lead; unit of the outlet
@@ -223,10 +223,10 @@ class Lag:
 
 
 def lags_of(time: FloatArray, x: FloatArray, y: FloatArray, parts: Sequence[Branch]) -> list[Lag]:
-    """Return the lags of the outlet behind all rising sweeps.
+    """Return the lag of the outlet behind each rising sweep that ends in a hold.
 
-    Only sweeps that end in a sufficiently long hold are included. `x` is the swept quantity, `y` the outlet, and
-    `parts` the branches of the sweep.
+    `x` is the swept quantity, `y` the outlet, and `parts` the branches of the sweep. Sweeps with a short hold are
+    omitted.
     """
     pairs = zip(parts, [*parts[1:], None], strict=False)
     lags = [lag_of(time, x, y, branch, following) for branch, following in pairs if branch.sign > 0]
@@ -238,8 +238,8 @@ def lag_of(time: FloatArray, x: FloatArray, y: FloatArray, branch: Branch, follo
 
     `x` is the swept quantity, `y` the outlet, and `following` the next branch. The end of the sweep is the intersection
     of a fitted straight line with the level of the hold, which is robust to noise. In a slow ramp, the delay of a
-    linear valve is the sum of its time constants and dead times at any rate. The result is None without a sufficient
-    hold.
+    linear valve is the sum of its time constants and dead times at any rate. The result is None if the hold is too
+    short.
 
     Examples
     --------
@@ -262,7 +262,7 @@ def lag_of(time: FloatArray, x: FloatArray, y: FloatArray, branch: Branch, follo
     if not go - stop > FEWEST * step or is_held.sum() < FEWEST:
         return None
     # A short section would underestimate correlated noise.
-    noise = noise_about([y[is_before & (distance < max(SECTIONS)[0])]], max(SECTIONS)[1])
+    noise = estimate_noise([y[is_before & (distance < max(SECTIONS)[0])]], max(SECTIONS)[1])
     held, held_error = float(np.mean(y[is_held])), noise.mean(int(is_held.sum()))
     sections = ((is_before & (distance < width), degree) for width, degree in SECTIONS)
     ends = [_end_of_sweep(time, x, y, stop, held, is_coming, degree, noise) for is_coming, degree in sections]
@@ -283,7 +283,7 @@ def lag_of(time: FloatArray, x: FloatArray, y: FloatArray, branch: Branch, follo
 
 @dataclass(frozen=True)
 class SweepEnd:
-    """Motion and rate of the outlet at the end of a sweep.
+    """Outlet pressure at the end of a sweep: its rate, and its later change.
 
     Both are extrapolated from a section before the end.
     """
@@ -298,10 +298,11 @@ class SweepEnd:
 def _end_of_sweep(
     time: FloatArray, x: FloatArray, y: FloatArray, stop: float, held: float, is_coming: Mask, degree: int, noise: Noise
 ) -> SweepEnd | None:
-    """Return motion and rate of the outlet at the end of a sweep.
+    """Return the rate of the outlet at the end of a sweep, and its change.
 
-    Both come from a polynomial of degree `degree` in a section before the end. `held` is the outlet in the hold, and
-    `noise` the noise of the outlet. The result is None without enough samples or if the outlet is constant.
+    Both come from a polynomial of degree `degree` that is fitted to the samples `is_coming` before the time `stop` [s].
+    The change is that from the end of the sweep to the level `held` in the hold. `noise` is the noise of the outlet.
+    The result is None if there are too few samples or the outlet is constant.
     """
     if is_coming.sum() < (FEWEST if degree == SECTIONS[0][1] else 2 * FEWEST):
         return None
@@ -322,7 +323,7 @@ def _end_of_sweep(
 def _first_consistent_estimate(estimates: Sequence[tuple[float, float]]) -> int:
     """Return the index of the first estimate that agrees with all later ones.
 
-    The estimates are values with their standard uncertainties. Their errors by curvature decrease from one to the next.
+    Each estimate is a value with its standard uncertainty. Later estimates have less bias and more noise.
     """
     for k, (value, error) in enumerate(estimates[:-1]):
         differences = ((abs(other - value), max(e**2 - error**2, 0.0) ** 0.5) for other, e in estimates[k + 1 :])
@@ -346,18 +347,18 @@ def _time_of_level(time: FloatArray, x: FloatArray, branch: Branch, level: float
     return float(clock[0] + (level - start) / rate) if rate else math.nan
 
 
-def caught_up(time: FloatArray, x: FloatArray, lags: Sequence[Lag]) -> FloatArray:
+def delay_by_lags(time: FloatArray, x: FloatArray, lags: Sequence[Lag]) -> FloatArray:
     """Return the swept quantity, delayed by the mean lag of the outlet.
 
-    With a negative lag, the outlet leads the sweep, for example because of integral action. Such a lead is not removed.
+    A negative mean lag is a lead of the outlet, for example by integral action. It is not corrected.
     """
     delay = float(np.mean([lag.time for lag in lags])) if lags else 0.0
     return np.interp(time - delay, time, x) if delay > 0.0 else x
 
 
-def moved_by(lags: Sequence[Lag]) -> tuple[float, Uncertainty]:
-    """Return the mean change of the outlet after the end of sweeps.
+def mean_lag_change(lags: Sequence[Lag]) -> tuple[float, Uncertainty]:
+    """Return the mean change of the outlet after the end of sweeps, with its uncertainty.
 
-    `lags` are the lags of the sweeps. The second item is the uncertainty.
+    `lags` are the lags of the sweeps.
     """
     return mean_of([lag.moved for lag in lags], [Uncertainty(lag.error) for lag in lags])

@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from poppet.bench.iso10094.scale import FloatArray
-from poppet.bench.iso10094.shapes import stretch_without
+from poppet.bench.iso10094.shapes import unmasked_section
 from poppet.bench.iso10094.uncertainty import DRAWS, NORMAL, SEED, Noise, Uncertainty
 
 # Half widths of the fitted parabolas [samples].
@@ -30,7 +30,7 @@ WIDER = 1.2  # factor on the standard deviation of a parabola, because the width
 
 @dataclass(frozen=True, eq=False)
 class SmoothedSeries:
-    """Smoothed step response, with the standard deviation of each value."""
+    """Smoothed step response from 0 to 1, with the standard deviation of each value."""
 
     time: FloatArray
     values: FloatArray
@@ -39,23 +39,23 @@ class SmoothedSeries:
     widths: NDArray[np.int64]  # half width of the parabola for each value [samples]
     noise: Noise
 
-    def since(self, first: int) -> SmoothedSeries:
+    def from_sample(self, first: int) -> SmoothedSeries:
         """Return the series from the sample `first` to the end."""
         cut = {name: getattr(self, name)[first:] for name in ("time", "values", "errors", "raw", "widths")}
         return replace(self, **cut)
 
-    def summit(self) -> tuple[float, Uncertainty]:
+    def peak(self) -> tuple[float, Uncertainty]:
         """Return the largest value and its uncertainty, from a polynomial fitted to the peak."""
-        return _first_agreeing_estimate([self._peak(flank) for flank in FLANKS])
+        return _first_agreeing_estimate([self._peak_in_window(flank) for flank in FLANKS])
 
-    def _peak(self, part: float) -> tuple[float, Uncertainty]:
-        """Return the largest value from the samples near the peak, with its uncertainty.
+    def _peak_in_window(self, part: float) -> tuple[float, Uncertainty]:
+        """Return the largest value of a polynomial near the peak, with its uncertainty.
 
-        `part` determines the window near the peak: it begins and ends at this fraction of the peak height above one.
+        The polynomial is fitted where the overshoot above 1 exceeds the fraction `part` of the largest overshoot.
         """
         k = int(np.argmax(self.values))
         flank = 1.0 + part * (float(self.values[k]) - 1.0)
-        window = stretch_without(self.values < flank, k, k)
+        window = unmasked_section(self.values < flank, k, k)
         count = window.stop - window.start
         if count < 5:
             a, b, c = np.interp([k - 1, k, k + 1], np.arange(self.values.size), self.values).tolist()
@@ -73,17 +73,17 @@ class SmoothedSeries:
         return float(curve[top]) - bias, Uncertainty(WIDER * self.noise.of(fine[top] @ inverse))
 
     def crossing(self, level: float, extra: float, *, last: bool = False) -> tuple[float, Uncertainty]:
-        """Return the time at which the series crosses a level, with its uncertainty.
+        """Return the time at which the series crosses a level [s], with its uncertainty.
 
         By default, it is the first rise to the level. If `last` is True, it is the last fall below the level. `extra`
         is the standard deviation of the level. The time is NaN if the series does not cross the level.
         """
-        time = self._when(level, last=last)
+        time = self._crossing_time(level, last=last)
         if not math.isfinite(time):
             return math.nan, Uncertainty(math.nan)
         k = int(np.clip(np.searchsorted(self.time, time), 1, self.time.size - 1))
         error = NORMAL * math.hypot(float(np.interp(time, self.time, self.errors)), extra)
-        earliest, latest = self._when(level - error, last=last), self._when(level + error, last=last)
+        earliest, latest = self._crossing_time(level - error, last=last), self._crossing_time(level + error, last=last)
         if last:
             earliest, latest = latest, earliest
         # Between two samples, the response differs from a straight line.
@@ -97,11 +97,11 @@ class SmoothedSeries:
         is_even = max(latest - time, time - earliest) < LOPSIDED * min(latest - time, time - earliest) + half_width
         return time, Uncertainty(normal, half_width, None if is_even else (earliest - half_width, latest + half_width))
 
-    def leaving(self, band: float, extra: float) -> tuple[float, Uncertainty]:
-        """Return the time from which the series stays within a band about one.
+    def settling_time(self, band: float, extra: float) -> tuple[float, Uncertainty]:
+        """Return the time from which the series stays within a band about 1 [s].
 
-        `band` is the half width of the band, and `extra` the standard deviation of the final value. The second item is
-        the uncertainty. A local cubic reduces the effect of noise.
+        The second item is the uncertainty. `band` is the half width of the band, and `extra` the standard deviation of
+        the final value. The time comes from a cubic polynomial, which reduces the effect of noise.
         """
         away = replace(self, values=np.abs(self.values - 1.0))
         time, uncertainty = away.crossing(band, extra, last=True)
@@ -115,18 +115,19 @@ class SmoothedSeries:
         first = int(inner[-1]) + 1 if inner.size else 0
         first += int(np.argmax(lobe[first:])) if first < k else 0
         reach = k - max(first, int(outer[-1]) if outer.size else 0)
-        exits = [self._left_on_cubic(k, int(reach * part), side, band) for part in SPANS]
+        exits = [self._settling_time_on_cubic(k, int(reach * part), side, band) for part in SPANS]
         estimates = [(t, Uncertainty(WIDER * error, uncertainty.even)) for t, error in exits if math.isfinite(t)]
         # The band depends on the final value; its uncertainty divided by the slope is an uncertainty of the time.
         slope = band / max(time - float(self.time[max(k - reach, 0)]), 1e-300)
         exit_time, error = _first_agreeing_estimate([*estimates, (time, uncertainty)])
-        return exit_time, error.wider(extra / slope)
+        return exit_time, error.plus_normal(extra / slope)
 
-    def _left_on_cubic(self, k: int, reach: int, side: float, band: float) -> tuple[float, float]:
-        """Return the time at which a local cubic polynomial enters the band.
+    def _settling_time_on_cubic(self, k: int, reach: int, side: float, band: float) -> tuple[float, float]:
+        """Return the time at which a local cubic polynomial enters the band [s].
 
         The second item is its standard deviation. The polynomial is fitted to `reach` samples on either side of the
-        sample `k`. `side` is +1 above and -1 below the final value.
+        sample `k`. `side` is +1 above and -1 below the final value. Both items are NaN if the polynomial does not enter
+        the band.
         """
         window = slice(k - reach, min(k + reach + 1, self.time.size))
         if window.stop - window.start < 9:
@@ -142,11 +143,11 @@ class SmoothedSeries:
             return math.nan, math.nan
         return middle + root * width, -self.noise.of(np.vander([root], 4)[0] @ inverse) / slope
 
-    def _when(self, level: float, *, last: bool) -> float:
-        """Return the time at which a noisy series crosses a level.
+    def _crossing_time(self, level: float, *, last: bool) -> float:
+        """Return the time at which a noisy series crosses a level [s].
 
-        It is the mean of the first and the last crossing of the rise. If `last` is True, it is that of the final fall
-        below the level.
+        Noise can cause several crossings: the result is the mean of the first and the last one of the rise to the
+        level. If `last` is True, it is that of the final fall below the level.
         """
         if not last:
             risen = np.flatnonzero(self.values >= level)
@@ -164,10 +165,10 @@ class SmoothedSeries:
             certain = np.flatnonzero(self.values[:final] > level + CLEAR * self.errors[final])
             since = int(certain[-1]) if certain.size else final - 1
             first = since + int(np.argmax(self.values[since:] <= level))
-        return 0.5 * (self._between(first, level) + self._between(final, level))
+        return 0.5 * (self._time_between_samples(first, level) + self._time_between_samples(final, level))
 
-    def _between(self, k: int, level: float) -> float:
-        """Return the time between two samples at which a cubic reaches a level.
+    def _time_between_samples(self, k: int, level: float) -> float:
+        """Return the time at which a cubic between two samples reaches a level [s].
 
         The samples are `k - 1` and `k`.
         """
@@ -181,12 +182,12 @@ class SmoothedSeries:
         return float(time[k - 1] + part * (time[k] - time[k - 1]))
 
 
-def smoothed(time: FloatArray, values: FloatArray, noise: Noise, narrowest: int = 0) -> SmoothedSeries:
+def smooth_response(time: FloatArray, values: FloatArray, noise: Noise, narrowest: int = 0) -> SmoothedSeries:
     """Smooth a series by local parabolas, whose widths adapt to the curvature.
 
     The method is the intersection of confidence intervals [1]_: a parabola widens while its value agrees with those of
-    the narrower parabolas. `narrowest` is the smallest half width of a parabola in samples; the result omits as many
-    samples at the end.
+    the narrower parabolas. `narrowest` is the smallest half width of a parabola [samples]; the result omits this number
+    of samples at the end.
 
     References
     ----------
@@ -197,7 +198,7 @@ def smoothed(time: FloatArray, values: FloatArray, noise: Noise, narrowest: int 
     --------
     >>> t = np.arange(0.0, 1.0, 1e-3)
     >>> y = 1.0 - np.exp(-t / 0.1)
-    >>> found = smoothed(t, y + np.random.default_rng(1).normal(0.0, 0.05, t.size), Noise(np.array([0.0025])))
+    >>> found = smooth_response(t, y + np.random.default_rng(1).normal(0.0, 0.05, t.size), Noise(np.array([0.0025])))
     >>> bool(np.std(found.values - y) < 0.6 * 0.05), round(found.crossing(0.9, 0.0)[0], 1)
     (True, 0.2)
     """
@@ -256,20 +257,20 @@ def _deviation_of_wider(noise: Noise, width: int) -> float:
 def _first_agreeing_estimate(estimates: Sequence[tuple[float, Uncertainty]]) -> tuple[float, Uncertainty]:
     """Return the first estimate that agrees with the next one.
 
-    The estimates are in the order of decreasing numbers of samples. If no pair agrees, the result is the last one.
+    Each estimate is a value with its uncertainty. Earlier estimates use more samples. If no pair agrees, the result is
+    the last one.
     """
     for (value, uncertainty), (next_value, next_uncertainty) in pairwise(estimates):
         if abs(value - next_value) <= AGREED * math.hypot(uncertainty.standard, next_uncertainty.standard):
-            return value, uncertainty.wider(MODEL * abs(value - next_value))
+            return value, uncertainty.plus_normal(MODEL * abs(value - next_value))
     return estimates[-1]
 
 
 @cache
 def parabola(width: int) -> FloatArray:
-    """Return weights for the smoothed value at the centre of some samples.
+    """Return the weights of samples for the value of a fitted parabola at its centre.
 
-    The weights are those of a parabola fitted to `width` samples on either side. For `width` = 1, a straight line is
-    fitted.
+    The parabola is fitted to `width` samples on either side of the centre. For `width` = 1, a straight line is fitted.
     """
     offsets = np.arange(-width, width + 1, dtype=np.float64)
     return np.asarray(np.linalg.pinv(np.vander(offsets, 3 if width > 1 else 2))[-1])

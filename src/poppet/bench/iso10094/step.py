@@ -12,9 +12,9 @@ import numpy as np
 
 from poppet.bench.iso10094.evaluation import AT_LEAST, AT_MOST, DYNAMIC, BenchTest, Evaluation, Row, Trial
 from poppet.bench.iso10094.scale import FloatArray, Record, Scale
-from poppet.bench.iso10094.shapes import Jump, jumps, rested
-from poppet.bench.iso10094.smoothing import WIDTHS, parabola, smoothed
-from poppet.bench.iso10094.uncertainty import NORMAL, Noise, Uncertainty, greatest, mean_of, noise_about
+from poppet.bench.iso10094.shapes import Jump, find_jumps, steady_part
+from poppet.bench.iso10094.smoothing import WIDTHS, parabola, smooth_response
+from poppet.bench.iso10094.uncertainty import NORMAL, Noise, Uncertainty, estimate_noise, greatest, mean_of
 from poppet.timeseries.measurements.measurement import noise_of
 from poppet.timeseries.signals import Steps
 
@@ -38,8 +38,8 @@ CASE = ("from", "to", "volume", "sampling")  # conditions of a step for its char
 def step_trial(scale: Scale, volume: float, amplitude: float, hold: float) -> Trial:
     """Return a trial with a step up and a step down.
 
-    The steps are symmetric about the middle of the range. `amplitude` is the height of the step [% FS], and `hold` the
-    time at each level [s].
+    The steps are symmetric about the middle of the range. `amplitude` is the height of each step [% FS], `hold` the
+    time at each level [s], and `volume` the outlet volume [m^3].
     """
     low, high = (float(scale.setpoint(50.0 + side * amplitude / 2.0)) for side in (-1.0, 1.0))
     # The steps coincide with rows: both are multiples of a quarter of the hold.
@@ -51,7 +51,7 @@ def step_trial(scale: Scale, volume: float, amplitude: float, hold: float) -> Tr
 def _evaluate(evaluation: Evaluation, records: Sequence[Record]) -> None:
     for record in records:
         x, y = evaluation.scale.percents(record)
-        steps = jumps(record.time, x, LEAST_STEP, is_exact=record.is_exact)
+        steps = find_jumps(record.time, x, LEAST_STEP, is_exact=record.is_exact)
         if not steps:
             evaluation.note("step.none", record.name, least=LEAST_STEP)
         begins = [0, *(jump.after for jump in steps)]
@@ -74,7 +74,7 @@ def _evaluate_step(
     if min(before.stop - before.start, after.stop - after.start) < 5:
         evaluation.note("step.no_samples", record.name, time=jump.time)
         return
-    earlier, tail = rested(record.time, before, TAIL), rested(record.time, after, TAIL)
+    earlier, tail = steady_part(record.time, before, TAIL), steady_part(record.time, after, TAIL)
     start, end = float(np.mean(y[earlier])), float(np.mean(y[tail]))
     low, high = float(np.mean(x[earlier])), float(np.mean(x[tail]))
     row: Row = {
@@ -90,12 +90,12 @@ def _evaluate_step(
     def note(code: str, **facts: Any) -> None:
         evaluation.note(f"step.{code}", record.name, direction=row["direction"], start=low, end=high, **facts)
 
-    if any(record.cuts("outlet", part=part) for part in (earlier, tail)):
+    if any(record.has_clipped_samples("outlet", part=part) for part in (earlier, tail)):
         # Without both steady values, fractions of the step are undefined.
         row["is_clipped"] = True
         note("clipped")
         return
-    hum = hum_of(record.time[tail], y[tail])
+    hum = detect_limit_cycle(record.time[tail], y[tail])
     if hum is not None:
         evaluation.set_value(row, "hum_amplitude", hum.amplitude, Uncertainty(hum.amplitude_error))
         evaluation.set_value(row, "hum_frequency", hum.frequency, Uncertainty(hum.frequency_error))
@@ -105,10 +105,10 @@ def _evaluate_step(
     if (end - start) / (high - low) < FOLLOWS:
         note("hardly", moved=end - start)
         return
-    noise = _noise_in_holds(y, earlier, tail, [rested(record.time, hold, TAIL) for hold in holds])
+    noise = _noise_in_holds(y, earlier, tail, [steady_part(record.time, hold, TAIL) for hold in holds])
     section = slice(before.start, after.stop)
     reason = _add_times(evaluation, row, record, y, jump, section, noise, (earlier, tail))
-    if record.cuts("outlet", part=after):
+    if record.has_clipped_samples("outlet", part=after):
         row["overshoot_bound"] = AT_LEAST
         note("clipped_peak")
     if reason:
@@ -116,7 +116,15 @@ def _evaluate_step(
     row["is_settled"] = reason != "unsettled"
     if not record.is_exact and jump.duration > COARSE * row.get("delay", math.inf):
         note("coarse", error=0.5 * jump.duration, delay=row["delay"])
-    _add_step_curve(evaluation, record, row, y, jump, after.stop)
+    # The curve begins shortly before the step and ends after the outlet has settled.
+    lasts = max(2.0 * row.get("settling_time", 0.0), 3.0 * row.get("response_time", 0.0)) or math.inf
+    lead = 0.1 * min(lasts, record.time[after.stop - 1] - jump.time)
+    first = max(0, int(np.searchsorted(record.time, jump.time - lead)))
+    last = min(after.stop, int(np.searchsorted(record.time, jump.time + lasts)) + 1) - 1
+    indices = np.unique(np.linspace(first, last, POINTS).astype(int))
+    volume = f", {1e3 * record.volume:.4g} l" if math.isfinite(record.volume) else ""
+    change = 100.0 * (y[indices] - start) / (end - start)  # in per cent of the total change
+    evaluation.add_curve("outlet", f"{high - low:+.3g} % FS{volume}", record.time[indices] - jump.time, change)
 
 
 def _noise_in_holds(y: FloatArray, earlier: slice, tail: slice, rests: Sequence[slice]) -> Noise:
@@ -128,7 +136,7 @@ def _noise_in_holds(y: FloatArray, earlier: slice, tail: slice, rests: Sequence[
     size = float(np.std(np.concatenate([y[part] - np.mean(y[part]) for part in (earlier, tail)])))
     others = (y[part] for part in rests if part.start not in (earlier.start, tail.start))
     alike = [part for part in others if part.size > 3 and size < ALIKE * float(np.std(part)) < ALIKE**2 * size]
-    return noise_about([y[earlier], y[tail], *alike])
+    return estimate_noise([y[earlier], y[tail], *alike])
 
 
 def _add_times(
@@ -145,7 +153,7 @@ def _add_times(
     noise = Noise(noise.covariance / (end - start) ** 2)
     # The step response from 0 (initial value) to 1 (final value), from the last sample before the step.
     time, relative = record.time[section] - jump.time, (y[section] - start) / (end - start)
-    response = smoothed(time, relative, noise).since(jump.before - section.start)
+    response = smooth_response(time, relative, noise).from_sample(jump.before - section.start)
     start_error, end_error = (noise.mean(hold.stop - hold.start) for hold in holds)
     # A setpoint from the clock of the recording changes exactly at a sample, in all repetitions alike.
     instant = Uncertainty(0.0, common=0.0 if record.is_exact else 0.5 * jump.duration)
@@ -159,9 +167,9 @@ def _add_times(
     widths = [width for width in WIDTHS if width * record.step < NARROWEST * (high - low)]
     clear = (width for width in widths if FINE * noise.of(parabola(width)) < BAND)
     narrowest = 0 if FINE * noise.sigma < BAND else next(clear, max(widths, default=0))
-    response = smoothed(time, relative, noise, narrowest).since(jump.before - section.start)
-    summit, uncertainty = response.summit()
-    excess, error = summit - 1.0, uncertainty.wider(end_error).standard
+    response = smooth_response(time, relative, noise, narrowest).from_sample(jump.before - section.start)
+    summit, uncertainty = response.peak()
+    excess, error = summit - 1.0, uncertainty.plus_normal(end_error).standard
     # Without overshoot, the largest sample is noise.
     is_seen = excess > max(SEEN * error, 1e-6)
     evaluation.set_value(row, "overshoot", 100.0 * excess if is_seen else 0.0, Uncertainty(100.0 * error))
@@ -173,7 +181,7 @@ def _add_times(
     last = response.raw[response.time >= begin]
     half = last.size // 2
     drift = abs(float(np.mean(last[half:]) - np.mean(last[:half])))
-    settling_time, uncertainty = response.leaving(BAND, end_error)
+    settling_time, uncertainty = response.settling_time(BAND, end_error)
     if drift > max(DRIFT, 4.0 * math.sqrt(2.0) * noise.mean(half)) or not math.isfinite(settling_time):
         return "unsettled"
     is_noisy = SEEN * float(np.max(response.errors)) > BAND
@@ -186,7 +194,7 @@ def _add_times(
 def _add_characteristic_values(evaluation: Evaluation) -> None:
     """Add the characteristic values of all steps to the evaluation.
 
-    If steps are clipped, the largest values of the other steps become bounds.
+    If clipped steps were omitted, the largest values of the remaining steps are added as bounds.
     """
     volumes = list(dict.fromkeys(row.get("volume", math.nan) for row in evaluation.rows))
     # The final value of an unsettled step is unknown, and so are fractions of this step.
@@ -204,7 +212,7 @@ def _add_characteristic_values(evaluation: Evaluation) -> None:
     for direction, rows in rows_by_direction.items():
         for key in ("rise_time", "response_time"):
             if rows:
-                evaluation.add(f"{key}_{direction}", *mean_of(*evaluation.pairs(rows, key)), **_case(rows[0]))
+                evaluation.add(f"{key}_{direction}", *mean_of(*evaluation.values_of(rows, key)), **_case(rows[0]))
             else:
                 suffix = f"_{direction}" if reason == "unsettled" else ""
                 evaluation.note_absence(f"{reason}{suffix}", f"{key}_{direction}")
@@ -239,7 +247,7 @@ def _add_characteristic_values(evaluation: Evaluation) -> None:
 def _add_longest(evaluation: Evaluation, name: str, rows: Sequence[Row]) -> None:
     """Add the longest time of the rows to the evaluation, where repetitions of one step count with their mean."""
     groups = _repetitions(rows)
-    means = [mean_of(*evaluation.pairs(group, name)) for group in groups]
+    means = [mean_of(*evaluation.values_of(group, name)) for group in groups]
     value, uncertainty, k = greatest(*zip(*means, strict=True))
     evaluation.add(name, value, uncertainty, **_case(groups[k][0]))
 
@@ -265,10 +273,10 @@ def _overshoot(evaluation: Evaluation, rows: Sequence[Row]) -> None:
     groups = [group for group in _repetitions(rows) if any(row["overshoot"] > 0.0 for row in group)]
     visible = [group[0] for group in groups] or list(rows)
     if groups:
-        means = [mean_of([row["excess"] for row in g], evaluation.pairs(g, "overshoot")[1]) for g in groups]
+        means = [mean_of([row["excess"] for row in g], evaluation.values_of(g, "overshoot")[1]) for g in groups]
         value, uncertainty, k = greatest(*zip(*means, strict=True))
     else:
-        value, uncertainty, k = greatest(*evaluation.pairs(visible, "overshoot"))
+        value, uncertainty, k = greatest(*evaluation.values_of(visible, "overshoot"))
     if any("overshoot_bound" in row for row in rows):
         evaluation.add("overshoot", max(row["overshoot"] for row in rows), bound=AT_LEAST, **_case(visible[k]))
     elif value > 0.0:
@@ -281,22 +289,6 @@ def _overshoot(evaluation: Evaluation, rows: Sequence[Row]) -> None:
 
 def _case(row: Row) -> Row:
     return {key: row[key] for key in CASE if key in row}
-
-
-def _add_step_curve(evaluation: Evaluation, record: Record, row: Row, y: FloatArray, jump: Jump, stop: int) -> None:
-    """Add the step response, as a percentage of the total change, to the curves.
-
-    The curve begins shortly before the step and ends after the outlet has settled.
-    """
-    lasts = max(2.0 * row.get("settling_time", 0.0), 3.0 * row.get("response_time", 0.0)) or math.inf
-    before = 0.1 * min(lasts, record.time[stop - 1] - jump.time)
-    start = max(0, int(np.searchsorted(record.time, jump.time - before)))
-    end = min(stop, int(np.searchsorted(record.time, jump.time + lasts)) + 1)
-    indices = np.unique(np.linspace(start, end - 1, POINTS).astype(int))
-    part = 100.0 * (y[indices] - row["outlet_from"]) / (row["outlet_to"] - row["outlet_from"])
-    volume = f", {1e3 * record.volume:.4g} l" if math.isfinite(record.volume) else ""
-    case = f"{row['to'] - row['from']:+.3g} % FS{volume}"
-    evaluation.add_curve("outlet", case, record.time[indices] - jump.time, part)
 
 
 _FIGURES = {
@@ -315,8 +307,8 @@ FIRST = 3  # smallest number of periods in a hold; fewer periods are a drift
 
 
 @dataclass(frozen=True)
-class Hum:
-    """Limit cycle: its amplitude (half of the peak-to-peak value) [% FS] and frequency [Hz]."""
+class LimitCycle:
+    """Limit cycle: amplitude (half of the peak-to-peak value) [% FS] and frequency [Hz]."""
 
     amplitude: float
     frequency: float
@@ -324,18 +316,17 @@ class Hum:
     frequency_error: float = 0.0
 
 
-def hum_of(time: FloatArray, outlet: FloatArray) -> Hum | None:
-    """Detect a limit cycle of the outlet in steady state.
+def detect_limit_cycle(time: FloatArray, outlet: FloatArray) -> LimitCycle | None:
+    """Return the limit cycle of an outlet pressure [% FS] in steady state.
 
-    The result is None if noise can explain the motion.
-
-    After removal of the drift, the largest line of the spectrum is compared with the mean of the other lines (Fisher's
-    g test). The amplitude comes from the mean of all periods, so noise and waveform cause little bias.
+    The result is None if noise can explain the motion. After removal of the drift, the largest line of the spectrum is
+    compared with the mean of the other lines (Fisher's g test). The amplitude comes from the mean of all periods, so
+    noise and waveform cause little bias.
 
     Examples
     --------
     >>> t = np.linspace(0.0, 1.0, 500)
-    >>> hum = hum_of(t, 40.0 + 0.3 * np.sin(2.0 * np.pi * 21.0 * t))
+    >>> hum = detect_limit_cycle(t, 40.0 + 0.3 * np.sin(2.0 * np.pi * 21.0 * t))
     >>> round(hum.amplitude, 2), round(hum.frequency, 1)
     (0.3, 21.0)
     """
@@ -371,16 +362,18 @@ def hum_of(time: FloatArray, outlet: FloatArray) -> Hum | None:
         return None
     # Standard errors of a sine in noise: D. C. Rife and R. R. Boorstyn, IEEE Trans. Inf. Theory 20 (1974) 591-598.
     span = float(even[-1] - even[0])
-    noise = noise_about([residual], 0).at(2.0 * math.pi * frequency * span / even.size)
+    noise = estimate_noise([residual], 0).at(2.0 * math.pi * frequency * span / even.size)
     error = WIDER * noise / math.sqrt(even.size)
-    return Hum(amplitude, frequency, math.sqrt(2.0) * error, math.sqrt(6.0) * error / (math.pi * amplitude * span))
+    return LimitCycle(
+        amplitude, frequency, math.sqrt(2.0) * error, math.sqrt(6.0) * error / (math.pi * amplitude * span)
+    )
 
 
 def _half_swing(time: FloatArray, values: FloatArray, frequency: float, noise: float) -> tuple[float, FloatArray]:
     """Return half of the peak-to-peak value of the mean period, and the residual.
 
-    The residual is the series minus the fitted harmonics of `frequency`. The peak-to-peak value excludes harmonics
-    below the noise.
+    `frequency` is the frequency of the motion [Hz], and `noise` the standard deviation of the noise. The mean period is
+    the sum of the fitted harmonics that exceed the noise. The residual is the series minus all fitted harmonics.
     """
     phase = 2.0 * math.pi * frequency * (time - time[0])
     per_period = values.size / (frequency * (time[-1] - time[0]))

@@ -7,10 +7,28 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from poppet.bench.iso10094.evaluation import AT_MOST, ROWS, BenchTest, Evaluation, Pace, Row, Trial, held, largest
+from poppet.bench.iso10094.evaluation import (
+    AT_MOST,
+    ROWS,
+    BenchTest,
+    Evaluation,
+    Pace,
+    Row,
+    Trial,
+    constant_setpoint,
+    largest,
+)
 from poppet.bench.iso10094.scale import FloatArray, Record, Scale
-from poppet.bench.iso10094.shapes import at_places, branches, caught_up, lags_of
-from poppet.bench.iso10094.uncertainty import NORMAL, Uncertainty, greatest, noise_about, roughness, smooth, unbiased
+from poppet.bench.iso10094.shapes import branches, delay_by_lags, lags_of, values_at_points
+from poppet.bench.iso10094.uncertainty import (
+    NORMAL,
+    Uncertainty,
+    correct_noise_bias,
+    curve_noise,
+    estimate_noise,
+    greatest,
+    smooth,
+)
 from poppet.timeseries.measurements.measurement import noise_of
 from poppet.timeseries.signals import Points
 
@@ -29,14 +47,15 @@ def supply_trial(
 ) -> Trial:
     """Return a trial that sweeps the supply pressure at a constant setpoint.
 
-    The sweep goes up and down. `ends` are the lowest and highest supply pressure [Pa]. One cycle precedes the recorded
-    one.
+    The sweep goes from the lowest pressure to the highest and back. `ends` are these pressures [Pa], `setpoint` is in %
+    FS, and `sweep` and `hold` are durations [s]. The trial begins with one more sweep up and down, which is not
+    recorded.
     """
     low, high = ends
     # The first cycle is not evaluated: it removes the effect of previous motions of the valve.
     times = np.cumsum([0.0, hold, sweep, sweep, sweep, hold, sweep, hold])
     return Trial(
-        "supply", f"supply at {setpoint:g} % FS", held(scale, setpoint), float(times[-1]), float(times[3]),
+        "supply", f"supply at {setpoint:g} % FS", constant_setpoint(scale, setpoint), float(times[-1]), float(times[3]),
         sweep / ROWS, volume, supply=Points(times, np.array([low, low, high, low, high, high, low, low])),
         load=Points([0.0], [LOAD]),
     )  # fmt: skip
@@ -59,11 +78,11 @@ def leakage_trial(scale: Scale, volume: float, setpoint: float, hold: float) -> 
     `setpoint` is in % FS, and `hold` is the settling time of the valve [s].
     """
     name, settling = f"rest at {setpoint:g} % FS", 5.0 * hold
-    return Trial("leakage", name, held(scale, setpoint), 2.0 * settling, settling, settling / ROWS, volume)
+    return Trial("leakage", name, constant_setpoint(scale, setpoint), 2.0 * settling, settling, settling / ROWS, volume)
 
 
 def leakage_trials(pace: Pace) -> list[Trial]:
-    """Return trials without outlet flow, at setpoint zero and at each other setpoint."""
+    """Return one leakage trial for setpoint zero and one for each setpoint of the settings."""
     setpoints = (0.0, *pace.settings.setpoints)
     return [leakage_trial(pace.specimen.scale, pace.volume, setpoint, pace.hold) for setpoint in setpoints]
 
@@ -73,7 +92,7 @@ def _evaluate(evaluation: Evaluation, records: Sequence[Record]) -> None:
         _one(evaluation, record)
     evaluated = [row for row in evaluation.rows if "sensitivity" in row]
     if evaluated:
-        sizes, uncertainties = evaluation.pairs(evaluated, "sensitivity")
+        sizes, uncertainties = evaluation.values_of(evaluated, "sensitivity")
         value, uncertainty, k = greatest([abs(size) for size in sizes], uncertainties)
         conditions = {key: evaluated[k][key] for key in ("setpoint", "lowest_supply", "highest_supply")}
         signed, limit = math.copysign(value, sizes[k]), 2.0 * NORMAL * uncertainty.standard
@@ -101,9 +120,9 @@ def _one(evaluation: Evaluation, record: Record) -> None:
     values_by_sign: dict[int, list[FloatArray]] = {1: [], -1: []}
     parts = branches(supply, TURN * extent)
     lags = lags_of(record.time, supply, y, parts)
-    delayed = caught_up(record.time, supply, lags)
+    delayed = delay_by_lags(record.time, supply, lags)
     for branch in parts:
-        value, _ = at_places(delayed[branch.samples], y[branch.samples], grid, 0.5 * extent / (PLACES - 1))
+        value, _ = values_at_points(delayed[branch.samples], y[branch.samples], grid, 0.5 * extent / (PLACES - 1))
         values_by_sign[branch.sign].append(value)
     means = {sign: np.mean(values, axis=0) for sign, values in values_by_sign.items() if values}
     for sign, mean in means.items():
@@ -114,7 +133,7 @@ def _one(evaluation: Evaluation, record: Record) -> None:
         evaluation.note("supply.incomplete", record.name)
         return
     all_values = np.array([value for values in values_by_sign.values() for value in values])
-    sigma = roughness(all_values)
+    sigma = curve_noise(all_values)
     # Near a reversal of the sweep, both directions still have the same values.
     inner = is_known & (np.arange(PLACES) >= PLACES // 10) & (np.arange(PLACES) < PLACES - PLACES // 10)
     centred = (grid[inner] - np.mean(grid[inner])) * 100.0 / scale.span
@@ -125,15 +144,15 @@ def _one(evaluation: Evaluation, record: Record) -> None:
     if len(means) == 2:
         gap_error = sigma * math.sqrt(sum(1.0 / len(values) for values in values_by_sign.values() if values))
         gap = smooth(grid[inner], (means[1] - means[-1])[inner], gap_error)
-        widest, uncertainty = unbiased([gap], lambda draws: np.max(np.abs(draws[0]), axis=1))
+        widest, uncertainty = correct_noise_bias([gap], lambda draws: np.max(np.abs(draws[0]), axis=1))
         lag = float(np.linalg.norm([lag_of_branch.shift_error for lag_of_branch in lags])) / len(lags) if lags else 0.0
-        evaluation.set_value(row, "hysteresis", widest, uncertainty.wider(2.0 * lag))
+        evaluation.set_value(row, "hysteresis", widest, uncertainty.plus_normal(2.0 * lag))
 
 
 def evaluate_leakage(evaluation: Evaluation, records: Sequence[Record]) -> None:
-    """Add the supply flow of each record in steady state to the evaluation.
+    """Add the leakage to the evaluation: the largest steady-state flow out of the supply.
 
-    The largest of these flows is the characteristic value.
+    Each record gives one flow [kg/s].
     """
     for record in records:
         last = record.time >= record.time[-1] - HOLD * (record.time[-1] - record.time[0])
@@ -144,7 +163,7 @@ def evaluate_leakage(evaluation: Evaluation, records: Sequence[Record]) -> None:
         error = 4.0 * noise_of(flow) / math.sqrt(max(1, half))
         x, y = (series[last] for series in evaluation.scale.percents(record))
         row: Row = {"record": record.name, "setpoint": float(np.median(x)), "outlet": float(np.mean(y))}
-        noise = noise_about([flow]).mean(flow.size) if float(np.ptp(flow)) > 0.0 else 0.0
+        noise = estimate_noise([flow]).mean(flow.size) if float(np.ptp(flow)) > 0.0 else 0.0
         evaluation.rows.append(row)
         evaluation.set_value(row, "flow", mean, Uncertainty(noise))
         row["known_to"] = max(error, drift)

@@ -30,7 +30,8 @@ SEED = 20
 class Uncertainty:
     """Uncertainty of a value, as the sum of a normal and a uniform distribution.
 
-    `normal` is the standard deviation of the normal distribution, and `even` the half width of the uniform one.
+    `normal` is the standard deviation of the normal distribution, and `even` the half width of the uniform
+    distribution.
     """
 
     normal: float
@@ -42,10 +43,10 @@ class Uncertainty:
 
     @property
     def standard(self) -> float:
-        """Standard uncertainty of the value, from both distributions."""
+        """Standard uncertainty of the value, combined from all contributions."""
         return math.hypot(self.normal, self.even / math.sqrt(3.0), self.common / math.sqrt(3.0))
 
-    def wider(self, normal: float) -> Uncertainty:
+    def plus_normal(self, normal: float) -> Uncertainty:
         """Return the uncertainty with a further independent normal contribution.
 
         `normal` is the standard deviation of this contribution.
@@ -55,8 +56,8 @@ class Uncertainty:
     def plus(self, addend: Uncertainty) -> Uncertainty:
         """Return the uncertainty of the sum or difference of two independent values.
 
-        `addend` is the uncertainty of the second value. The larger uniform distribution stays uniform. The smaller one
-        is treated as normal.
+        `addend` is the uncertainty of the second value. The larger of the two uniform distributions stays uniform; the
+        smaller one is treated as normal.
         """
         small, even = sorted((self.even, addend.even))
         margin = NORMAL * math.hypot(addend.normal, addend.even / math.sqrt(3.0))
@@ -65,7 +66,7 @@ class Uncertainty:
         return Uncertainty(normal, even, ends, self.common + addend.common)
 
     def interval(self, value: float) -> tuple[float, float]:
-        """Return the limits of the 95 % confidence interval about an estimated value.
+        """Return the limits of the 95 % confidence interval of the estimate `value`.
 
         Examples
         --------
@@ -97,10 +98,7 @@ def _phi(x: float) -> float:
 
 @dataclass(frozen=True, eq=False)
 class Noise:
-    """Noise of a series, described by its autocovariance.
-
-    The autocovariance begins at lag zero, in steps of one sample.
-    """
+    """Noise of a series, described by its autocovariance at lags of 0, 1, ... samples."""
 
     covariance: FloatArray
 
@@ -112,7 +110,7 @@ class Noise:
     def of(self, weights: FloatArray) -> float:
         """Return the standard deviation of a weighted sum of consecutive noisy samples.
 
-        `weights` are the factors on the samples.
+        `weights` contains one factor per sample.
         """
         lags = min(self.covariance.size, weights.size)
         products = np.array([float(weights[k:] @ weights[: weights.size - k]) for k in range(lags)])
@@ -139,15 +137,15 @@ class Noise:
         return math.sqrt(max(total, 0.5 * float(self.covariance[0])))
 
 
-def noise_about(parts: Sequence[FloatArray], degree: int = 1) -> Noise:
-    """Estimate the noise of series from residuals about fitted polynomials.
+def estimate_noise(parts: Sequence[FloatArray], degree: int = 1) -> Noise:
+    """Estimate the common noise of several series from residuals about fitted polynomials.
 
     `parts` are the series, and `degree` is the degree of the polynomials.
 
     Examples
     --------
     >>> x = np.random.default_rng(1).normal(0.0, 0.3, 4000)
-    >>> found = noise_about([x, x + np.linspace(0.0, 9.0, 4000)])
+    >>> found = estimate_noise([x, x + np.linspace(0.0, 9.0, 4000)])
     >>> round(found.sigma, 2), abs(found.spread / 0.3 - 1.0) < 0.1
     (0.3, True)
     """
@@ -181,16 +179,16 @@ def noise_about(parts: Sequence[FloatArray], degree: int = 1) -> Noise:
 # Curves ------------------------------------------------------------------------------------------------------------
 
 
-def roughness(rows: FloatArray, stride: int = 1) -> float:
+def curve_noise(rows: FloatArray, stride: int = 1) -> float:
     """Estimate the standard deviation of the noise of smooth curves.
 
-    `rows` are values on an even grid, one curve per row. The estimate uses second differences over `stride` grid
-    points.
+    `rows` has shape (curves, grid points), with values on an equidistant grid. The estimate uses second differences of
+    values that are `stride` grid points apart.
 
     Examples
     --------
     >>> x = np.random.default_rng(1).normal(0.0, 0.3, (20, 101)) + np.linspace(0.0, 1.0, 101) ** 2
-    >>> abs(roughness(x) - 0.3) < 0.03
+    >>> abs(curve_noise(x) - 0.3) < 0.03
     True
     """
     bends = rows[:, 2 * stride :] - 2.0 * rows[:, stride:-stride] + rows[:, : -2 * stride]
@@ -204,9 +202,9 @@ def roughness(rows: FloatArray, stride: int = 1) -> float:
 
 @dataclass(frozen=True, eq=False)
 class SmoothCurve:
-    """Smoothed curve on a grid, with the standard deviation of its coefficients.
+    """Polynomial fitted to a noisy curve, with the standard deviation of its coefficients.
 
-    The curve is a polynomial.
+    `values` are its values at the n grid points.
     """
 
     values: FloatArray
@@ -218,8 +216,8 @@ class SmoothCurve:
     def draws(self, random: np.random.Generator) -> tuple[FloatArray, FloatArray]:
         """Return random curves with the noise that remains after smoothing.
 
-        Each row is a curve. The first set of curves varies only the selected coefficients, and the second set varies
-        all coefficients. `random` is the random generator.
+        Both arrays have one curve per row. In the first array, only the `kept` coefficients of the fit vary; in the
+        second, also those that the fit omits.
         """
         chance = self.sigma * random.standard_normal((DRAWS, self.basis.shape[1]))
         selected = self.values + chance[:, : self.kept] @ self.basis[:, : self.kept].T
@@ -228,17 +226,16 @@ class SmoothCurve:
     def error(self, weights: FloatArray) -> float:
         """Return the standard deviation of a weighted sum of the values of the curve.
 
-        `weights` are the factors on the values.
+        `weights` contains one factor per value.
         """
         return self.sigma * float(np.linalg.norm(weights @ self.basis))
 
 
 def smooth(grid: FloatArray, values: FloatArray, sigma: float, share: float = 1.0) -> SmoothCurve:
-    """Fit the simplest polynomial that represents a curve within its noise.
+    """Fit the polynomial of the lowest degree that represents a curve within its noise.
 
-    `sigma` is the standard deviation of the noise of one value. `share` is the number of neighbouring values that have
-    the same noise, because they come from the same samples. If no polynomial fits, the result contains the original
-    values.
+    `sigma` is the standard deviation of the noise of one value. Groups of `share` neighbouring values have the same
+    noise, because they come from the same samples. If no polynomial fits, the result contains the original values.
 
     Examples
     --------
@@ -272,7 +269,7 @@ COST = 3.0  # penalty of a coefficient in the sum of squares, in variances of th
 OMITTED = 3  # further coefficients that contribute to the uncertainty, because small true ones cannot be seen
 
 
-def unbiased(
+def correct_noise_bias(
     curves: Sequence[SmoothCurve], functional: Callable[[list[FloatArray]], FloatArray]
 ) -> tuple[float, Uncertainty]:
     """Return a nonlinear function of noisy curves, corrected for the bias by noise.
@@ -283,7 +280,7 @@ def unbiased(
     Examples
     --------
     >>> curve = SmoothCurve(np.zeros(81), np.eye(81), 1.0, 81)
-    >>> value, doubt = unbiased([curve], lambda draws: np.max(draws[0], axis=1))
+    >>> value, doubt = correct_noise_bias([curve], lambda draws: np.max(draws[0], axis=1))
     >>> value < -2.0
     True
     """
@@ -300,9 +297,10 @@ def unbiased(
 def mean_of(values: Sequence[float], uncertainties: Sequence[Uncertainty]) -> tuple[float, Uncertainty]:
     """Return the mean of repeated values and its uncertainty.
 
-    The uncertainty includes the scatter between the values. If the values scatter within their common range by more
-    than the noise, the range is not the same in all repetitions: the true value is within the ranges of all values,
-    which narrows it.
+    The uncertainty includes the scatter of the values. The field `common` of the uncertainties is the half width of a
+    range that contains the error of each value. The errors within this range are assumed to be equal in all
+    repetitions. If the values differ by more than their noise, this cannot be true; the result is then the overlap of
+    the ranges of all values.
 
     Examples
     --------

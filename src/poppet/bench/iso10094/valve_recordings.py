@@ -11,17 +11,17 @@ from typing import Any
 import numpy as np
 
 from poppet.bench.iso10094.bench_result import TESTS
-from poppet.bench.iso10094.plausibility import suspicions, without_spikes
-from poppet.bench.iso10094.scale import FloatArray, Mask, Record, Scale, pressure_range, setpoint_scale
-from poppet.bench.iso10094.shapes import stairs
+from poppet.bench.iso10094.plausibility import suspicion_notes, without_spikes
+from poppet.bench.iso10094.scale import FloatArray, Mask, Record, Scale, read_pressure_range, setpoint_scale
+from poppet.bench.iso10094.shapes import constant_sections
 from poppet.core.codes import Note
-from poppet.core.errors import ErrorCollector, InputError, NameSuggestion, collect
+from poppet.core.errors import ErrorCollector, InputError, NameSuggestion, raise_errors
 from poppet.core.message_format import sentence
 from poppet.core.tables import Field, missing_field, read_fields
 from poppet.core.units import quantity
 from poppet.timeseries.measurements import read_measurement
 from poppet.timeseries.measurements.measurement import Measurement, noise_of, quantum_of
-from poppet.timeseries.measurements.verdicts import cuts_a_peak, stays_in_noise
+from poppet.timeseries.measurements.verdicts import cuts_a_peak, is_stuck_at
 
 TOP_LEVEL = {
     "title": Field(type="text"),
@@ -70,13 +70,13 @@ class ValveRecordings:
     conditions: Mapping[str, Any]
 
 
-def recorded(
+def read_valve_recordings(
     data: Mapping[str, Any], path: Path, *, full_scale: str | None = None, rated_flow: float = math.nan
 ) -> ValveRecordings:
     """Read all recordings that are listed in a recordings file.
 
-    `data` is the content of the file, and `path` its path. `full_scale` and `rated_flow` replace the values in the
-    file.
+    `data` is the content of the file, and `path` its path. The arguments `full_scale` and `rated_flow` [kg/s] override
+    the values in the file.
     """
     raw = data.get("ambient_pressure", DEFAULT_AMBIENT)
     read = quantity(raw, "Pa", kind="pressure", name="ambient_pressure")
@@ -87,7 +87,7 @@ def recorded(
         optional = {"full_scale": Field()} if full_scale is not None else {}
         fields = TOP_LEVEL | optional
         data = read_fields(errors, data, fields, table="file of recordings", ambient_pressure=ambient)
-    ends = pressure_range(full_scale if full_scale is not None else data["full_scale"], ambient)
+    ends = read_pressure_range(full_scale if full_scale is not None else data["full_scale"], ambient)
     scale = setpoint_scale(data.get("setpoint_range"), ends, ambient)
     if not math.isfinite(rated_flow):
         rated_flow = data["rated_flow"]
@@ -102,7 +102,7 @@ def recorded(
             continue
         records[record.test].append(record)
         notes += found_notes
-    collect(problems)
+    raise_errors(problems)
     conditions: dict[str, Any] = {
         "ambient_pressure": ambient,
         "recordings": {test: [record.name for record in group] for test, group in records.items() if group},
@@ -117,7 +117,8 @@ def recorded(
 def _read_recording(name: str, table: Any, folder: Path, ambient: float, scale: Scale) -> tuple[Record, list[Note]]:
     """Read one recording, and return its record and notes.
 
-    `table` is the table of the recording in the file, and `ambient` the ambient pressure [Pa].
+    `table` is the TOML table that describes the recording, `folder` the folder of its data file, and `ambient` the
+    ambient pressure [Pa].
     """
     address = f"recordings.{name}"
     if not isinstance(table, Mapping):
@@ -133,7 +134,7 @@ def _read_recording(name: str, table: Any, folder: Path, ambient: float, scale: 
                 errors.add("recordings.unused", f"{address}.{key}")
             elif "." in key and key not in CHANNELS:
                 near = NameSuggestion(key, CHANNELS)
-                errors.add("names.unknown", f"{address}.{key}", meaning="a channel of the bench", near=near)
+                errors.add("names.unknown", f"{address}.{key}", meaning="a channel of the bench", suggestion=near)
         # Only tests at a constant setpoint require an additional series.
         needs = TESTS[fields["test"]].needs if "test" in fields else ""
         if "setpoint" in raw and not needs:
@@ -143,7 +144,7 @@ def _read_recording(name: str, table: Any, folder: Path, ambient: float, scale: 
         for series in ("outlet", *(() if "setpoint" in raw else ("setpoint",)), *((needs,) if needs else ())):
             if (channel := SERIES[series]) not in table:
                 example = f'"{channel}" = {{ column = "...", unit = "..." }}'
-                field = Field(meaning=CHANNELS[channel].removeprefix("the "), example=example)
+                field = Field(meaning=CHANNELS[channel].removeprefix("The ").removesuffix("."), example=example)
                 errors.extend([missing_field(f"{address}.{channel}", field)])
     own_names = tuple(OF_RECORDING)
     other_fields = {key: value for key, value in table.items() if key not in own_names}
@@ -154,7 +155,7 @@ def _read_recording(name: str, table: Any, folder: Path, ambient: float, scale: 
     # If the outlet is at rest while the setpoint is constant, the steps of the setpoint are commands and not the
     # resolution of an analogue-to-digital converter.
     x, y = scale.percents(record)
-    holds = stairs(x)
+    holds = constant_sections(x)
     thirds = [(hold, max(1, (hold.stop - hold.start) // 3)) for hold in holds]
     ends = np.array([[np.mean(y[hold][-third:]), np.mean(y[hold][third:-third])] for hold, third in thirds])
     if len(holds) > 1:
@@ -166,7 +167,7 @@ def _read_recording(name: str, table: Any, folder: Path, ambient: float, scale: 
         notes.append(Note("recordings.clipped", f"{name}.{SERIES[series]}", samples=int(mask.sum())))
     if n_spikes:
         notes.append(Note("recordings.spikes", f"{name}.{OUTLET}", samples=n_spikes))
-    notes += suspicions(record, scale)
+    notes += suspicion_notes(record, scale)
     lagging = [channel.address for channel in measurement.channels if channel.lag != 0.0]
     notes += [Note("recordings.lag", name, channel=channel) for channel in lagging]
     low, high = (float(scale.setpoint_percent(end)) for end in (record.setpoint.min(), record.setpoint.max()))
@@ -184,9 +185,8 @@ def _record_of_measurement(
 ) -> tuple[Record, int]:
     """Return the channels of a measurement as a record, and the number of replaced spikes.
 
-    All channels are resampled at the sample instants of the outlet pressure, within the time range that all channels
-    cover. `fields` contains
-    the fields that only valve recordings have.
+    All channels are interpolated at the sample instants of the outlet pressure, within the time range that all channels
+    cover. `fields` contains the fields of the recording that are not channels, for example the outlet volume.
     """
     channels = {channel.address: channel for channel in measurement.channels}
     begin = max(float(channel.time[0]) for channel in channels.values())
@@ -206,7 +206,7 @@ def _record_of_measurement(
     series["outlet"], is_spike = without_spikes(series["outlet"])
     volume = fields.get("volume", math.nan)
     percent = {"setpoint": scale.setpoint_percent(series["setpoint"]), "outlet": scale.percent(series["outlet"])}
-    cut = clipped({**series, **percent})
+    cut = find_clipped_samples({**series, **percent})
     record = Record(name, fields["test"], clock - clock[0], **series, volume=volume, is_exact=False, clipped=cut)
     return record, int(is_spike.sum())
 
@@ -225,15 +225,15 @@ FLOOR = 1.0  # outlet near its lower limit, where a constant outlet is normal [%
 MOST_LOOKED_AT = 200  # maximum number of samples before a run that are examined
 
 
-def clipped(series: Mapping[str, FloatArray]) -> dict[str, Mask]:
-    """Return a mask of clipped samples for each series that has any.
+def find_clipped_samples(series: Mapping[str, FloatArray]) -> dict[str, Mask]:
+    """Return a mask of the clipped samples of each series that has any.
 
-    Setpoint and outlet must be in % FS.
+    A clipped sample is at a limit of its channel, so the true value is unknown. Setpoint and outlet must be in % FS.
 
     Examples
     --------
     >>> x = np.concatenate([np.linspace(0.0, 100.0, 500), np.linspace(100.0, 0.0, 500)])
-    >>> found = clipped({"setpoint": x, "outlet": np.minimum(x, 75.0)})
+    >>> found = find_clipped_samples({"setpoint": x, "outlet": np.minimum(x, 75.0)})
     >>> {name: int(mask.sum()) for name, mask in found.items()}
     {'outlet': 250}
     """
@@ -247,7 +247,7 @@ def clipped(series: Mapping[str, FloatArray]) -> dict[str, Mask]:
             if not runs or (name == "outlet" and sign < 0.0 and level <= FLOOR):
                 continue
             # A digital setpoint has no noise to test.
-            is_cut = name != "setpoint" and stays_in_noise(values, level, quantum_of(values))
+            is_cut = name != "setpoint" and is_stuck_at(values, level, quantum_of(values))
             if not is_cut and name in ("setpoint", "flow"):
                 is_cut = any(_outlet_moves_in_section(sign * values, series["outlet"], run) for run in runs)
             elif not is_cut and name == "outlet":
@@ -260,22 +260,22 @@ def clipped(series: Mapping[str, FloatArray]) -> dict[str, Mask]:
 
 
 def _is_stuck(series: Mapping[str, FloatArray], sign: float, run: slice) -> bool:
-    """Return True if a constant section of the outlet is clipped.
+    """Return True if the outlet seems constant because its channel is clipped.
 
-    It is clipped if setpoint or flow changes at the same time. `run` is the slice of the section. `sign` is +1 at the
-    upper limit and -1 at the lower limit.
+    `run` is the slice in which the outlet is constant at its upper limit (`sign` +1) or lower limit (`sign` -1). Signs
+    of clipping are a cut peak, an abrupt stop, and a setpoint or flow that still changes.
     """
     y, x, flow = sign * series["outlet"], sign * series["setpoint"], series.get("flow", np.zeros(0))
     half = slice((run.start + run.stop) // 2, run.stop)
     is_held = _is_ramp(x, run) and float(np.ptp(x[half])) < max(BELOW, CLEAR * noise_of(x))
     is_peak = not is_held and cuts_a_peak(y, (run.start, run.stop), _step(y))
-    is_loaded = bool(flow.size) and _changes_meanwhile(-sign * flow, run, LOADED * float(np.ptp(flow)))
+    is_loaded = bool(flow.size) and _rises_in_section(-sign * flow, run, LOADED * float(np.ptp(flow)))
     # A sudden stop while the outlet is still below the setpoint.
     is_abrupt = False
     if run.start >= 4 and float(np.max(x[run])) - y[run.start] >= BELOW and not _is_ramp(x, run):
         earlier, last = np.diff(y[run.start - 3 : run.start])
         is_abrupt = bool(min(earlier, last) > STEEP * _step(y) and last > SLOWER * earlier)
-    return is_peak or is_loaded or is_abrupt or _changes_meanwhile(x, run, ONWARD)
+    return is_peak or is_loaded or is_abrupt or _rises_in_section(x, run, ONWARD)
 
 
 def _runs(mask: Mask) -> list[slice]:
@@ -290,25 +290,27 @@ def _step(values: FloatArray) -> float:
 def _is_ramp(x: FloatArray, run: slice) -> bool:
     """Return True if a series reaches a constant section gradually.
 
-    `run` is the slice of the section. The result for a jump is False.
+    `run` is the slice of this section. The result is False if the series reaches the section by a jump.
     """
     approach = x[max(0, run.start - min(run.stop - run.start, MOST_LOOKED_AT)) : run.start + 1]
     change = approach[-1] - approach[0]
     return bool(change > max(RAMP * _step(x), CLEAR * noise_of(x)) and np.max(np.diff(approach)) < 0.5 * change)
 
 
-def _changes_meanwhile(x: FloatArray, run: slice, threshold: float) -> bool:
-    """Return True if setpoint or flow still changes while the outlet is constant.
+def _rises_in_section(x: FloatArray, run: slice, threshold: float) -> bool:
+    """Return True if the series `x` rises while the outlet is constant.
 
-    `x` is the setpoint or flow. The outlet is constant in the slice `run`. Changes below `threshold` do not count.
+    `x` is the setpoint or the flow, and `run` the slice in which the outlet is constant. The rise must exceed
+    `threshold` and the noise.
     """
     return bool(float(np.max(x[run])) - x[run.start] > max(threshold, CLEAR * noise_of(x)))
 
 
 def _outlet_moves_in_section(x: FloatArray, outlet: FloatArray, run: slice) -> bool:
-    """Return True if the outlet moves although `x` seems constant after a ramp.
+    """Return True if the outlet moves although its driver `x` is constant after a ramp.
 
-    `x` is constant in the slice `run`. A motion of the outlet away and back shows that `x` is clipped there.
+    `x` is the setpoint or the flow, constant in the slice `run`. A motion of the outlet away and back shows that `x` is
+    clipped there.
     """
     if run.start == 0 or not _is_ramp(x, run):
         return False

@@ -22,10 +22,10 @@ _SCALE = Scale(1e5, 7e5, "Pa", 1e5, 7e5)
 
 
 @dataclass(frozen=True)
-class StandIn:
+class VirtualValve:
     """Virtual valve with known characteristic values, for tests of the bench.
 
-    It is of first or second order, with backlash, threshold, dead zone and dead time. The fields are the true
+    The valve is of first or second order, with backlash, threshold, dead zone and dead time. Its fields are the true
     characteristic values, with which the results of the bench can be compared.
     """
 
@@ -52,7 +52,7 @@ class StandIn:
     title: str = "stand-in"
 
     def respond(self, trial: Trial) -> Record:
-        """Simulate a trial, and return the record of its channels."""
+        """Simulate a trial, and return the recorded channels."""
         constant = self.time_constant * trial.volume / self.reference_volume
         rows = round(trial.duration / trial.step)
         # Jumps become ramps over one step; signals without jumps need no small step.
@@ -64,7 +64,7 @@ class StandIn:
         load = np.zeros_like(time) if trial.load is None else trial.load.evaluate(time)
         supply = np.full_like(time, self.supply) if trial.supply is None else trial.supply.evaluate(time)
         sign, slope = (1.0, self.droop) if float(np.max(load)) > 0.0 else (-1.0, self.rise)
-        effect = -sign * slope * play(sign * load, self.flow_play)  # of the flow on the outlet [% FS]
+        effect = -sign * slope * apply_backlash(sign * load, self.flow_play)  # of the flow on the outlet [% FS]
         target += effect + 100.0 * self.supply_sensitivity * (supply - self.supply) / self.scale.span
         y = _linear_response(target, trial.step / finer, constant, self.damping)
         y += self.offset + self.hum * np.sin(2.0 * math.pi * self.hum_frequency * time)
@@ -78,8 +78,8 @@ class StandIn:
         )  # fmt: skip
 
     def static(self, setpoint: FloatArray) -> FloatArray:
-        """Return the steady-state outlet pressure for several setpoints, both in % FS."""
-        input_ = play(setpoint, self.play)
+        """Return the steady-state outlet pressure [% FS] for setpoints [% FS]."""
+        input_ = apply_backlash(setpoint, self.play)
         if self.threshold > 0.0:
             # The position stays constant until the input differs from it by the threshold, then jumps to the input.
             changes = np.flatnonzero(np.diff(input_, prepend=np.nan))
@@ -100,14 +100,14 @@ class StandIn:
         return np.asarray(result)
 
 
-def play(values: FloatArray, width: float) -> FloatArray:
-    """Return a series after backlash.
+def apply_backlash(values: FloatArray, width: float) -> FloatArray:
+    """Return the output of a backlash element for an input series.
 
-    The result follows the series at a distance of at most half of `width`.
+    `width` is the width of the backlash. The output stays within half of `width` of the input.
 
     Examples
     --------
-    >>> play(np.array([0.0, 5.0, 5.0, 4.5, 0.0]), 2.0).tolist()
+    >>> apply_backlash(np.array([0.0, 5.0, 5.0, 4.5, 0.0]), 2.0).tolist()
     [0.0, 4.0, 4.0, 4.0, 1.0]
     """
     half = 0.5 * width
@@ -125,8 +125,8 @@ def play(values: FloatArray, width: float) -> FloatArray:
 def _linear_response(target: FloatArray, step: float, constant: float, damping: float) -> FloatArray:
     """Return the exact response of the linear dynamics to a piecewise linear input.
 
-    `target` is the input, and `step` the time between its points [s]. `constant` is the time constant [s]. The response
-    starts in steady state.
+    `target` is the input, `step` the time between its points [s], and `constant` the time constant [s]. The response
+    starts in steady state. A damping of 1 or more gives a first-order response.
     """
     from scipy.signal import lfilter
 

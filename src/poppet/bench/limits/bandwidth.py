@@ -8,7 +8,7 @@ from dataclasses import dataclass, field, replace
 
 import numpy as np
 
-from poppet.bench.limits.limits_plan import CONTROLLER, IDEAL, LOAD, PARTS, Changes, LimitsPlan, ideal
+from poppet.bench.limits.limits_plan import CONTROLLER, IDEAL, LOAD, PARTS, Changes, LimitsPlan, ideal_part_changes
 from poppet.bench.sine_rig import SineRig
 from poppet.core.errors import SimulationError
 
@@ -25,7 +25,7 @@ WORTH = 1.05  # ratio of bandwidths from which a part counts as limiting
 
 
 @dataclass
-class Sweep:
+class FrequencyResponse:
     """Frequency response of a circuit at one amplitude.
 
     Each frequency is simulated when it is first needed.
@@ -35,33 +35,34 @@ class Sweep:
     amplitude: float  # amplitude of the setpoint [Pa]
     per_pascal: float  # change of the setpoint per change of the pressure
     found: dict[float, complex] = field(default_factory=dict)  # complex gain, pressure per pressure, by frequency [Hz]
-    loudest: float = 0.0  # largest relative rms outside the fundamental so far
+    largest_rest: float = 0.0  # largest relative rms outside the fundamental so far
 
     def gain(self, frequency: float) -> float:
         """Return the magnitude of the gain at a frequency [Hz].
 
-        The result is 0 if the simulation fails.
+        The gain is outlet pressure per requested pressure. The result is 0 if the simulation fails.
         """
         if frequency not in self.found:
             wave = self.rig.response(self.amplitude * self.per_pascal, frequency, attempts=ATTEMPTS)
             self.found[frequency] = wave.gain * self.per_pascal
             if math.isfinite(wave.rest):
-                self.loudest = max(self.loudest, wave.rest)
+                self.largest_rest = max(self.largest_rest, wave.rest)
         size = abs(self.found[frequency])
         return size if math.isfinite(size) else 0.0
 
     def lag(self, frequency: float) -> float:
-        """Return the phase lag at a frequency [Hz], from -90 to 270 [deg]."""
+        """Return the phase lag at a frequency [Hz], in the range -90 to 270 [deg]."""
         self.gain(frequency)
         angle = -math.degrees(float(np.angle(self.found[frequency])))
         return angle + 360.0 if angle < -90.0 else angle
 
 
-def crossing(value: Callable[[float], float], limit: float, guess: float, lowest: float, highest: float) -> float:
-    """Return the frequency at which a falling function first goes below a limit.
+def find_crossing(value: Callable[[float], float], limit: float, guess: float, lowest: float, highest: float) -> float:
+    """Return the frequency [Hz] at which a falling function first goes below a limit.
 
-    `value` is this function of frequency, and the search starts at `guess`. The result is 0 if the function is below
-    the limit at the lowest frequency, and infinite if it is not below the limit at the highest frequency.
+    `value` is this function of frequency. The search starts at `guess` and is limited to the range from `lowest` to
+    `highest`. The result is 0 if the function is already below the limit at `lowest`, and infinite if it is not below
+    the limit at `highest`.
     """
     low = high = min(max(guess, lowest), highest)
     while value(low) < limit:
@@ -83,7 +84,7 @@ def crossing(value: Callable[[float], float], limit: float, guess: float, lowest
 
 
 @dataclass(frozen=True)
-class Point:
+class BandwidthPoint:
     """Bandwidths and step times of a valve for one load volume and one amplitude."""
 
     # Frequencies [Hz] are 0 below the range and infinite above it.
@@ -97,65 +98,59 @@ class Point:
     limiting: str  # part with the largest ratio, or `controller`
 
 
-def guessed(plan: LimitsPlan, volume: float, amplitude: float) -> float:
+def start_frequency(plan: LimitsPlan, volume: float, amplitude: float) -> float:
     """Return the frequency at which the search for the bandwidth starts [Hz].
 
-    The estimate assumes a maximum pressure slope of 1 MPa/s for a volume of 1 litre, and that this slope is inversely
-    proportional to the volume.
+    The estimate assumes that the outlet pressure changes by at most 1 MPa/s with a volume of 1 litre, and that this
+    slope is inversely proportional to the volume. `volume` is in m^3 and `amplitude` in Pa.
     """
     return float(np.clip(1e6 * 1e-3 / volume / (2.0 * np.pi * amplitude), plan.lowest, 30.0))
 
 
 def bandwidth_point(
     plan: LimitsPlan, volume: float, amplitude: float, guess: float | None = None, parts: Sequence[str] = (*PARTS, LOAD)
-) -> Point:
-    """Compute the bandwidths and step times for one volume and one amplitude.
+) -> BandwidthPoint:
+    """Compute the bandwidths and step times for one volume [m^3] and one amplitude [Pa].
 
-    The part that limits the bandwidth is also determined: each part in `parts` is made ideal, one at a time. `guess` is
-    a start value of the bandwidth [Hz].
+    To find the part that limits the bandwidth, each of `parts` is made nearly ideal, one at a time. `guess` is a start
+    value of the bandwidth [Hz].
     """
     sweep = _settled_frequency_response(plan, volume, amplitude)
     if sweep is None:
-        return Point(math.nan, math.nan, math.nan, math.nan, math.nan, {}, "")
-    begin = guess if guess and math.isfinite(guess) else guessed(plan, volume, amplitude)
+        return BandwidthPoint(math.nan, math.nan, math.nan, math.nan, math.nan, {}, "")
+    begin = guess if guess and math.isfinite(guess) else start_frequency(plan, volume, amplitude)
     end = _bandwidth(plan, sweep, begin)
     start = end if plan.lowest < end < plan.highest else begin
-    lag = crossing(lambda f: -sweep.lag(f), -LAG, start, plan.lowest, plan.highest)
-    up, down = (_time_to_90_percent(plan, volume, amplitude, sign) for sign in (1.0, -1.0))
+    lag = find_crossing(lambda f: -sweep.lag(f), -LAG, start, plan.lowest, plan.highest)
+    times = []  # to 90 % of a step up and of a step down, symmetric about the mean pressure
+    for change in (2.0 * amplitude, -2.0 * amplitude):
+        low = _settled_frequency_response(replace(plan, mean=plan.mean - 0.5 * change), volume, amplitude)
+        step = change * plan.per_pascal
+        times.append(math.nan if low is None else low.rig.response_time(step, change, RISEN, LONGEST))
+    up, down = times
     gains = {}  # the bandwidth with each part ideal, relative to the unchanged bandwidth
     for part in parts if 0.0 < end < math.inf else ():
-        changes = ideal(plan, part) if part in PARTS else None
+        changes = ideal_part_changes(plan, part) if part in PARTS else None
         changed = _settled_frequency_response(plan, volume / IDEAL if part == LOAD else volume, amplitude, changes)
         if changed is not None:
             gains[part] = min(_bandwidth(plan, changed, end), plan.highest) / end
     best = max(gains, key=lambda part: gains[part], default="")
     limiting = (best if gains[best] >= WORTH else CONTROLLER) if gains else ""
-    return Point(end, lag, up, down, sweep.loudest, gains, limiting)
+    return BandwidthPoint(end, lag, up, down, sweep.largest_rest, gains, limiting)
 
 
-def _bandwidth(plan: LimitsPlan, sweep: Sweep, guess: float) -> float:
-    return crossing(sweep.gain, GAIN, guess / BELOW, plan.lowest, plan.highest)
+def _bandwidth(plan: LimitsPlan, sweep: FrequencyResponse, guess: float) -> float:
+    return find_crossing(sweep.gain, GAIN, guess / BELOW, plan.lowest, plan.highest)
 
 
 def _settled_frequency_response(
     plan: LimitsPlan, volume: float, amplitude: float, changes: Changes | None = None
-) -> Sweep | None:
-    """Return the frequency response of a circuit that has settled.
+) -> FrequencyResponse | None:
+    """Return the frequency response of a circuit after it has settled.
 
-    `changes` are changed parameters. The result is None if the circuit does not settle.
+    `changes` maps addresses of parameters to new values. The result is None if the circuit does not settle.
     """
     try:
-        return Sweep(plan.rig(volume, changes), amplitude, plan.per_pascal)
+        return FrequencyResponse(plan.rig(volume, changes), amplitude, plan.per_pascal)
     except SimulationError:
         return None
-
-
-def _time_to_90_percent(plan: LimitsPlan, volume: float, amplitude: float, sign: float) -> float:
-    """Return the time that the outlet needs for 90 % of a step [s].
-
-    The height of the step is twice the amplitude, and it is symmetric about the mean pressure. `sign` is +1 for a step
-    up and -1 for a step down. The result is NaN if the outlet does not reach the value.
-    """
-    sweep = _settled_frequency_response(replace(plan, mean=plan.mean - sign * amplitude), volume, amplitude)
-    change = 2.0 * sign * amplitude
-    return math.nan if sweep is None else sweep.rig.rise(change * plan.per_pascal, change, RISEN, LONGEST)

@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from poppet.bench.iso10094.rig import valve_of
+from poppet.bench.iso10094.rig import find_valve
 from poppet.bench.sine_rig import SineRig, without_bands
 from poppet.circuit.circuit import BaseCircuit
 from poppet.core.errors import ErrorCollector, InputError
@@ -38,7 +38,7 @@ IDEAL = 10.0  # factor on the parameters of a part that is made ideal
 
 @dataclass(frozen=True, eq=False)
 class LimitsPlan:
-    """Settings for the dynamic limits of a valve: the circuit and ranges of parameters."""
+    """Plan for the dynamic limits of a valve: circuit and ranges of its parameters."""
 
     circuit: BaseCircuit
     valve: str
@@ -63,7 +63,7 @@ class LimitsPlan:
 
     @property
     def per_pascal(self) -> float:
-        """Setpoint change that corresponds to 1 Pa of outlet pressure, in the unit of the setpoint."""
+        """Setpoint change, in the unit of the setpoint, per Pa of outlet pressure."""
         _, first, last = SCALES[self._kind]
         low, high = self.ends
         return 1.0 if self._kind == "pressure" else (last - first) / (high - low)
@@ -79,26 +79,26 @@ class LimitsPlan:
         values, path = self.circuit.parameters, f"{self.valve}.electronics.scaling"
         return values[f"{path}.low"], values[f"{path}.high"]
 
-    def asked(self, pressure: float) -> float:
-        """Return the setpoint for a given outlet pressure, in the unit of the setpoint."""
+    def setpoint_for(self, pressure: float) -> float:
+        """Return the setpoint that requests an outlet pressure [Pa], in the unit of the setpoint."""
         if self._kind == "pressure":
             return pressure
         return SCALES[self._kind][1] + (pressure - self.ends[0]) * self.per_pascal
 
     def rig(self, volume: float, changes: Changes | None = None, *, bands: bool = True) -> SineRig:
-        """Return a circuit that has settled at the mean pressure, ready for sines and steps.
+        """Return the circuit, settled at the mean pressure, for runs with sines and steps.
 
-        `volume` is the outlet volume [m^3], and `changes` are changed parameters. If `bands` is False, the controller
-        has no dead and hold bands, and the solenoids are averaged.
+        `volume` is the outlet volume [m^3], and `changes` maps addresses of parameters to new values. If `bands` is
+        False, the controller has no dead band and no hold band, and each solenoid has its mean flow.
         """
         case = self.case(volume, changes)
         instance = (case if bands else without_bands(case)).instance
         return SineRig(instance, self.setpoint, self.pressure, settling=SETTLING, relative_tolerance=LOOSE)
 
     def case(self, volume: float, changes: Changes | None = None) -> BaseCircuit:
-        """Return the circuit at the mean pressure, with changed parameters.
+        """Return the circuit at the mean pressure with another outlet volume.
 
-        `volume` is the outlet volume [m^3], and `changes` are other changed parameters.
+        `volume` is this volume [m^3], and `changes` maps further addresses of parameters to new values.
         """
         numbers = self.circuit.parameters
         electronics = f"{self.valve}.electronics.outer"
@@ -113,7 +113,7 @@ class LimitsPlan:
         wall = f"{self.outlet}.wall_conductance"
         if wall in self.circuit.numbers():  # proportional to the surface
             values[wall] = numbers[wall] * (volume / numbers[f"{self.outlet}.volume"]) ** (2.0 / 3.0)
-        held = {**self.circuit.signals, self.setpoint: Constant(self.asked(self.mean))}
+        held = {**self.circuit.signals, self.setpoint: Constant(self.setpoint_for(self.mean))}
         return replace(self.circuit, signals=held).with_values(values | (changes or {}))
 
 
@@ -126,7 +126,7 @@ def limits_plan(
 
     Defaults replace the settings that are None. `springs` and `dampings` are factors on spring rates and damping.
     """
-    name = valve_of(circuit, valve, ProportionalValve)
+    name = find_valve(circuit, valve, ProportionalValve)
     outlet = circuit.parts[name].ports()["outlet"]
     if not isinstance(circuit.parts.get(outlet), Chamber):
         raise InputError("limits.no_chamber", f"{name}.outlet", given=outlet)
@@ -158,10 +158,7 @@ def limits_plan(
 
 
 def _geometric_values(low: float, high: float) -> list[float]:
-    """Return several values between two limits in a geometric sequence.
-
-    The values are rounded to two digits.
-    """
+    """Return six values in a geometric sequence between two limits, rounded to two digits."""
     return [float(f"{value:.2g}") for value in np.geomspace(low, high, POINTS)]
 
 
@@ -188,11 +185,11 @@ LOAD = "load volume"
 CONTROLLER = "controller"  # limiting part if no other part limits: the control loops and their bands
 
 
-def ideal(plan: LimitsPlan, part: str) -> Changes:
-    """Return changed parameters with which one part of the valve is nearly ideal.
+def ideal_part_changes(plan: LimitsPlan, part: str) -> Changes:
+    """Return parameter values with which one part of the valve is nearly ideal.
 
-    The result maps addresses of parameters to new values. For the sonic conductance, it includes the characteristic of
-    the supply seat over the whole stroke.
+    The parameters that slow this part down are improved by a factor of ten. The result maps addresses to values. For
+    the sonic conductance, it includes the characteristic of the supply seat over the whole stroke.
     """
     changes = _scaled_parameters(plan, PARTS[part])
     if part == "sonic conductance":
@@ -207,10 +204,11 @@ def ideal(plan: LimitsPlan, part: str) -> Changes:
     return changes
 
 
-def stage_changes(plan: LimitsPlan, spring: float, damping: float) -> Changes:
-    """Return changed parameters for other spring rates and another damping.
+def spring_and_damping_changes(plan: LimitsPlan, spring: float, damping: float) -> Changes:
+    """Return parameter values for other spring rates and another damping.
 
-    `spring` and `damping` are factors on the present values. The preload forces of the springs stay equal.
+    `spring` and `damping` are factors on the present values. The result maps addresses to values. The preload forces of
+    the springs stay equal.
     """
     factors = {"damping": damping}
     for name in ("upper_spring", "lower_spring"):
@@ -219,9 +217,9 @@ def stage_changes(plan: LimitsPlan, spring: float, damping: float) -> Changes:
 
 
 def _scaled_parameters(plan: LimitsPlan, factors: Mapping[str, float]) -> Changes:
-    """Return some parameters of the valve, each multiplied by a factor.
+    """Return the values of some valve parameters, multiplied by factors.
 
-    `factors` maps addresses within the valve to factors. The result has complete addresses.
+    `factors` maps addresses within the valve to factors. The result maps complete addresses to values.
     """
     values, own = plan.circuit.parameters, f"{plan.valve}."
     return {own + name: values[own + name] * factor for name, factor in factors.items()}

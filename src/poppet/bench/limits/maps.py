@@ -10,7 +10,7 @@ from itertools import product
 from operator import attrgetter
 from typing import Any
 
-from poppet.bench.limits.bandwidth import Point, bandwidth_point
+from poppet.bench.limits.bandwidth import BandwidthPoint, bandwidth_point
 from poppet.bench.limits.limits_plan import CONTROLLER, LOAD, PARTS, SEVERAL, LimitsPlan, limits_plan
 from poppet.bench.limits.stability import Stability, stability_point
 from poppet.core.codes import Note
@@ -25,36 +25,39 @@ DONE, INTERRUPTED = "done", "interrupted"
 
 @dataclass
 class LimitsResult(ResultFileMixin, HtmlMixin):
-    """Dynamic limits of a valve at all points that have been computed."""
+    """Dynamic limits of a valve at all points of a plan that were computed."""
 
     plan: LimitsPlan
-    points: dict[tuple[float, float], Point] = field(default_factory=dict)  # by volume [m^3] and amplitude [Pa]
+    points: dict[tuple[float, float], BandwidthPoint] = field(
+        default_factory=dict
+    )  # by volume [m^3] and amplitude [Pa]
     # By factors on spring rates and damping, and by volume [m^3].
     stability: dict[tuple[float, float, float], Stability] = field(default_factory=dict)
     outcome: str = DONE  # `done` or `interrupted`
 
-    def grid(self, name: str) -> list[list[Any]]:
-        """Return one field of `Point` for all volumes and amplitudes.
+    def bandwidth_map(self, name: str) -> list[list[Any]]:
+        """Return one field of `BandwidthPoint` for all volumes and amplitudes.
 
-        `name` is the name of the field. The outer list contains one list per volume, with one value per amplitude.
+        `name` is the name of the field. The result has one inner list per volume, with one value per amplitude.
         """
         return self._over(attrgetter(name), "" if name == "limiting" else math.nan)
 
     def gains(self, part: str) -> list[list[float]]:
-        """Return by which factor the bandwidth increases if one part is ideal.
+        """Return the factor by which an ideal part increases the bandwidth.
 
-        The outer list contains one list per volume, with one value per amplitude.
+        `part` is the name of the part. The result has one inner list per volume, with one factor per amplitude.
         """
         return self._over(lambda point: point.gains.get(part, math.nan), math.nan)
 
-    def _over(self, value: Callable[[Point], Any], missing: Any) -> list[list[Any]]:
+    def _over(self, value: Callable[[BandwidthPoint], Any], missing: Any) -> list[list[Any]]:
         rows = [[self.points.get((v, a)) for a in self.plan.amplitudes] for v in self.plan.volumes]
         return [[missing if point is None else value(point) for point in row] for row in rows]
 
-    def map(self, name: str, spring: float) -> list[list[Any]]:
-        """Return one field of `Stability` as a nested list: one row per damping factor, one column per volume.
+    def stability_map(self, name: str, spring: float) -> list[list[Any]]:
+        """Return one field of `Stability` for all damping factors and volumes.
 
-        `name` is the name of the field, and `spring` the multiplier of the spring rates.
+        `name` is the name of the field, and `spring` the factor on the spring rates. The result has one inner list per
+        damping factor, with one value per volume.
         """
         missing: Any = "" if name in ("smooth", "word") else False if name in ("is_stable", "agrees") else math.nan
         rows = []
@@ -65,11 +68,14 @@ class LimitsResult(ResultFileMixin, HtmlMixin):
 
     @property
     def findings(self) -> tuple[Note, ...]:
-        """Notes on limiting parts and on stability."""
+        """Notes on the parts that limit the bandwidth, and on stability."""
         return (*_limiting_part_notes(self), *_stability(self))
 
     def content(self) -> dict[str, Any]:
-        """Return the content of the result file as nested dictionaries."""
+        """Return the content of the result file as nested dictionaries.
+
+        The keys are those of the TOML and JSON files.
+        """
         plan = self.plan
         names = ("gain_frequency", "phase_frequency", "rise_up", "rise_down", "noise", "limiting")
         fields = (
@@ -87,19 +93,20 @@ class LimitsResult(ResultFileMixin, HtmlMixin):
                 "amplitudes": plan.amplitudes, "springs": plan.springs, "dampings": plan.dampings,
                 "lowest_frequency": plan.lowest, "highest_frequency": plan.highest,
             },
-            "bandwidth": {name: self.grid(name) for name in names},
+            "bandwidth": {name: self.bandwidth_map(name) for name in names},
             "ideal": {part: self.gains(part) for part in (*PARTS, LOAD)},
             "stability": {
-                f"spring {spring:g}": {name: self.map(name, spring) for name in fields} for spring in plan.springs
+                f"spring {spring:g}": {name: self.stability_map(name, spring) for name in fields}
+                for spring in plan.springs
             },
         }  # fmt: skip
 
 
 def find_limits(plan: LimitsPlan, progress: Callable[[int, int, str], Any] | None = None) -> LimitsResult:
-    """Compute bandwidths and stability of a valve at all points of the plan.
+    """Compute bandwidths and stability of a valve at all points of a plan.
 
-    Ctrl-C ends the computation; the result then contains the completed points. `progress` receives the number of
-    completed points, the total number and a text.
+    Ctrl-C ends the computation; the result then contains the completed points. The function `progress` is called with
+    the number of completed points, the total number and a text.
     """
     result = LimitsResult(plan)
     total = len(plan.volumes) * (len(plan.amplitudes) + len(plan.springs) * len(plan.dampings))
@@ -129,7 +136,7 @@ def find_limits(plan: LimitsPlan, progress: Callable[[int, int, str], Any] | Non
 
 
 def _limiting_part_notes(result: LimitsResult) -> list[Note]:
-    """Return a note for each part that limits the bandwidth at some points."""
+    """Return a note for each part that limits the bandwidth at one or more points."""
     limited = {key: point for key, point in result.points.items() if point.limiting}
     notes = []
     for part in (*PARTS, LOAD, CONTROLLER):
@@ -153,10 +160,7 @@ def _limiting_part_notes(result: LimitsResult) -> list[Note]:
 
 
 def _smallest_and_largest(values: Sequence[float]) -> tuple[float, ...]:
-    """Return the smallest and the largest of some values.
-
-    If all values are equal, the result has one item.
-    """
+    """Return the smallest and the largest value, or one value if both are equal."""
     return tuple(sorted({min(values), max(values)}))
 
 

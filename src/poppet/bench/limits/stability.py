@@ -9,7 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from poppet.bench.limits.limits_plan import LimitsPlan, stage_changes
+from poppet.bench.limits.limits_plan import LimitsPlan, spring_and_damping_changes
 from poppet.bench.sine_rig import SineRig
 from poppet.circuit.sampled.sampled_model import model_at
 from poppet.circuit.sampled.sampled_steady_state import oscillation, rest_near
@@ -34,7 +34,7 @@ OSCILLATES, DECAYS, MARGINAL = "oscillates", "decays", "marginal"
 
 @dataclass(frozen=True)
 class Stability:
-    """Stability of a valve for one spring factor, one damping factor and one volume."""
+    """Stability of a valve for one spring rate, one damping and one volume."""
 
     # Dominant pole of the linear model: the rightmost complex pole, or the rightmost pole if it is unstable [1/s].
     pole: complex
@@ -49,7 +49,7 @@ class Stability:
 
     @property
     def growth(self) -> float:
-        """Growth rate of the dominant pole [1/s]."""
+        """Growth rate of the dominant pole [1/s], negative if it decays."""
         return self.pole.real
 
     @property
@@ -59,7 +59,7 @@ class Stability:
 
     @property
     def word(self) -> str:
-        """Text of the note on this point, which is empty without a note."""
+        """Text of the note on this point; empty without a note."""
         return "" if self.note is None else str(self.note)
 
 
@@ -68,7 +68,7 @@ def stability_point(plan: LimitsPlan, spring: float, damping: float, volume: flo
 
     `spring` and `damping` are factors on the present values, and `volume` is the outlet volume [m^3].
     """
-    changes = stage_changes(plan, spring, damping)
+    changes = spring_and_damping_changes(plan, spring, damping)
     rough = math.nan, math.nan  # amplitude and frequency with the bands of the controller, at constant setpoint
     note = Note("limits.no_rest", points=None)
     with suppress(SimulationError):
@@ -79,7 +79,16 @@ def stability_point(plan: LimitsPlan, spring: float, damping: float, volume: flo
             rough = _detrended_oscillation(time, run.values[banded_rig.output], (ROUGH / 3.0, ROUGH))
     try:
         rig = plan.rig(volume, changes, bands=False)
-        v = _find_steady_state(plan, rig, spring, damping, volume)
+        v: Array | None = None
+        # The steady state does not depend on the damping: also search from the settled states with more damping.
+        for factor in CALM:
+            start = rig
+            if factor != 1.0:
+                start = plan.rig(volume, spring_and_damping_changes(plan, spring, damping * factor), bands=False)
+            # After the parameters, the vector contains the discrete states; `v` selects those that are not clocks.
+            v = rest_near(rig.point, start.point.v(start.x, start.p[start.point.numbers.size :]))
+            if v is not None:
+                break
     except SimulationError as error:
         v, note = None, error.note
     if v is None:
@@ -92,37 +101,28 @@ def stability_point(plan: LimitsPlan, spring: float, damping: float, volume: flo
         pole = moving[np.argmax(moving.real)]
     smooth, amplitude, frequency = _simulate_disturbance(rig, v)
     agrees = smooth == (DECAYS if is_stable else OSCILLATES) or smooth == MARGINAL
-    finding = _disagreement_note(is_stable, smooth, agrees, rough)
+    # Differences between the linear model and the nonlinear model without and with the bands of the controller.
+    finding: Note | None = None
+    rough_amplitude, rough_frequency = rough
+    if not agrees:
+        linear = "stable" if is_stable else "unstable"
+        finding = Note("limits.differs", linear=linear, full=smooth, push=PUSH, points=None)
+    elif is_stable == (math.isfinite(rough_amplitude) and rough_amplitude > LOUD * PUSH):
+        code = "held" if not is_stable else "hums" if rough_frequency >= HUM else "hunts"
+        finding = Note(f"limits.{code}", points=None)
     return Stability(complex(pole), is_stable, smooth, amplitude, frequency, *rough, agrees, finding)
 
 
-def _find_steady_state(plan: LimitsPlan, rig: SineRig, spring: float, damping: float, volume: float) -> Array | None:
-    """Return the steady state of a valve.
-
-    The state does not depend on the damping. The search therefore starts from the settled state of the circuit `rig`,
-    and then from circuits with a higher damping than `damping`. The result is None if no search finds a steady state.
-    """
-    for factor in CALM:
-        start = rig
-        if factor != 1.0:
-            start = plan.rig(volume, stage_changes(plan, spring, damping * factor), bands=False)
-        # After the parameters, the vector contains the discrete states; `v` selects those that are not clocks.
-        v = rest_near(rig.point, start.point.v(start.x, start.p[start.point.numbers.size :]))
-        if v is not None:
-            return v
-    return None
-
-
 def _simulate_disturbance(rig: SineRig, v: Array) -> tuple[str, float, float]:
-    """Simulate the response to a small disturbance of the outlet, from a steady state.
+    """Simulate the motion after a small disturbance of the outlet pressure.
 
-    `v` is this state. The result is `oscillates`, `decays` or `marginal`, then the amplitude [Pa] and frequency [Hz] of
-    the late motion.
+    The run starts from the steady state `v`. The result is the kind of motion (`oscillates`, `decays` or `marginal`),
+    and its late amplitude [Pa] and frequency [Hz].
     """
     pushed = v.copy()
     pushed[rig.point.names.index(rig.kernel.model.columns[0][rig.output])] += PUSH
     time = np.arange(1, int(WATCHED * ROWS_PER_SECOND) + 1) / ROWS_PER_SECOND
-    run = rig.started_at(pushed).run(0.0, 1.0, time)
+    run = rig.from_state(pushed).run(0.0, 1.0, time)
     if not run.outcome.is_success:
         return OSCILLATES, math.nan, math.nan
     y = run.values[rig.output]
@@ -135,7 +135,7 @@ def _simulate_disturbance(rig: SineRig, v: Array) -> tuple[str, float, float]:
 
 
 def _detrended_oscillation(time: Array, values: Array, part: tuple[float, float]) -> tuple[float, float]:
-    """Return amplitude and frequency of an oscillation after subtraction of a straight line.
+    """Return amplitude and frequency [Hz] of an oscillation without its linear trend.
 
     `part` contains the start and the end of the evaluated time window [s].
     """
@@ -143,20 +143,3 @@ def _detrended_oscillation(time: Array, values: Array, part: tuple[float, float]
     t, y = time[is_inside], values[is_inside]
     amplitude, period = oscillation(t, y - np.polyval(np.polyfit(t - t[0], y, 1), t - t[0]))
     return amplitude, 1.0 / period if math.isfinite(period) else math.nan
-
-
-def _disagreement_note(is_stable: bool, smooth: str, agrees: bool, rough: tuple[float, float]) -> Note | None:
-    """Return a note if the nonlinear model behaves differently from the linear model.
-
-    `smooth` is the motion without bands of the controller. `rough` is the amplitude and frequency with bands. The
-    result is None if there is no difference.
-    """
-    amplitude, frequency = rough
-    moves = math.isfinite(amplitude) and amplitude > LOUD * PUSH
-    if not agrees:
-        linear = "stable" if is_stable else "unstable"
-        return Note("limits.differs", linear=linear, full=smooth, push=PUSH, points=None)
-    if is_stable == moves:
-        code = "held" if not is_stable else "hums" if frequency >= HUM else "hunts"
-        return Note(f"limits.{code}", points=None)
-    return None

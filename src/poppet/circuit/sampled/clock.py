@@ -27,7 +27,10 @@ SAME = 1e-9
 
 @dataclass(frozen=True, eq=False)
 class Clock:
-    """Sequence of sample instants, which repeats after the common period of all timers."""
+    """Sequence of sample instants, which repeats after the common period of all clocks.
+
+    Clocks are periodic timers of controllers.
+    """
 
     sample_time: float  # period of the pattern of instants [s]
     times: Array  # (m,) instants since the beginning of a sample, the first is 0 [s]
@@ -94,10 +97,10 @@ def find_clock(kernel: Kernel, x: Array, u: Array, p: Array) -> Clock:
 def _run_timers(
     kernel: Kernel, x: Array, u: Array, p: Array, counts: NDArray[np.bool_], end: float | None = None
 ) -> tuple[list[list[float]], Array]:
-    """Run only the timers of a circuit, and return the sample instants of each timer.
+    """Run only the timers of a circuit; return the instants of each timer and the final discrete state.
 
-    The final discrete state is returned too. The timers run up to the time `end` [s]. If `end` is None, they run until
-    each has at least `TICKS` instants. `counts` is a mask of the discrete states that are timers or counters.
+    The states x and the inputs u are constant. `counts` is a mask of the discrete states that are timers or counters.
+    The timers run up to the time `end` [s]. If it is None, they run until each has at least `TICKS` instants.
     """
     n = kernel.model.n_timers
     p, z, fired = p.copy(), np.empty(len(kernel.model.memory)), np.zeros(n)

@@ -60,7 +60,7 @@ class _KinkSearch:
         _, self.jacobian = point.scaled(v)
 
     def jumps(self, column: int, distance: float) -> NDArray[np.bool_]:
-        """Return True for each equation whose slope changes between v and a shifted point.
+        """Return a mask of the equations whose slope differs between v and a shifted point.
 
         The slope is the derivative by the variable with index `column`. At the shifted point, this variable is larger
         by `distance` times its typical size.
@@ -74,7 +74,7 @@ class _KinkSearch:
         return result & np.isfinite(derivatives)
 
     def distances(self, column: int, sign: float) -> dict[int, float]:
-        """Return the distance to the nearest kink of each equation that has one.
+        """Return the distance from v to the nearest kink of each equation that has one.
 
         Only the variable with index `column` is changed, in the direction `sign` (1 or -1). The keys are indices of
         equations. The distances are in units of the typical size of the variable.

@@ -40,7 +40,7 @@ class IntersampleModel:
 class SampledPoint:
     """Equations of a sampled circuit with constant inputs u.
 
-    The variables are v = (x, w): x contains the states, w the discrete states except clocks.
+    The variables are v = (x, w): x contains the states, w the discrete states except clocks (periodic timers).
     """
 
     def __init__(self, instance: Instance, u: Array) -> None:
@@ -69,9 +69,9 @@ class SampledPoint:
         self.every_clock[: self.model.n_timers] = self.clock.counts[: self.model.n_timers]
 
     def p(self, v: Array) -> Array:
-        """Return the vector p (parameters, then discrete states) for the variables v.
+        """Return the parameter vector p, which ends with the discrete states.
 
-        The discrete states come from v. Timers have their values at the time `clock.start`.
+        The discrete states come from v, except those of the clocks, which have their values at the time `clock.start`.
         """
         # A controller can treat its first sample differently.
         memory = self.clock.memory.copy()
@@ -79,32 +79,32 @@ class SampledPoint:
         return np.concatenate([self.numbers, memory])
 
     def at_clock(self, v: Array) -> tuple[Array, Array]:
-        """Return x and p at the start of a run from v at `clock.start`.
+        """Return state and parameter vector of a run that starts from v at the time `clock.start`.
 
-        x includes the quadratures (integrals of flows).
+        The state x includes the quadratures (integrals of flows).
         """
         return self._padded(v), self.p(v)
 
     def first(self) -> tuple[Array, Array]:
-        """Return the initial x and p of a run that starts at time zero.
+        """Return initial state and parameter vector of a run that starts at t = 0.
 
-        x includes the quadratures (integrals of flows).
+        The state x includes the quadratures (integrals of flows).
         """
         return self._padded(self.start), np.concatenate([self.numbers, self.memory_start])
 
-    def remembered(self, v: Array) -> Array:
+    def all_discrete_states(self, v: Array) -> Array:
         """Return the values of all discrete states for the variables v.
 
-        Timers have their values at the start of a run.
+        Clocks have their values at the start of a run.
         """
         memory = self.memory_start.copy()
         memory[self.places] = v[self.n :]
         return memory
 
     def v(self, x: Array, memory: Array) -> Array:
-        """Return the variables v for states x and a vector of all discrete states.
+        """Return the variables v for states x and discrete states `memory`.
 
-        The argument `memory` contains the discrete states, including timers.
+        `memory` contains all discrete states, including those of the clocks.
         """
         return np.concatenate([x[: self.n], memory[self.places]])
 
@@ -112,7 +112,7 @@ class SampledPoint:
         return np.concatenate([v[: self.n], np.zeros(self.model.n_quadratures)])
 
     def between(self, v: Array) -> IntersampleModel:
-        """Return the rates and outputs between sample instants at v, with their derivatives."""
+        """Return rates and outputs between two sample instants for the variables v, with derivatives."""
         f, y, fv, fu, yv, yu = self._between(0.0, self._padded(v), self.u, self.p(v))
         return IntersampleModel(f[:, 0], y[:, 0], fv[:, self._columns], fu, yv[:, self._columns], yu)
 
@@ -141,7 +141,7 @@ class SampledPoint:
         return change / self.size, jacobian * self.size[None, :] / self.size[:, None]
 
     def scaled_by_u(self, v: Array) -> Array:
-        """Return the derivatives of the rates that `scaled` returns, by the inputs u."""
+        """Return the derivatives of the scaled rates (see `scaled`) by the inputs u."""
         _, _, by_u = self.instant(v, self.every_clock)
         return np.asarray(np.vstack([self.between(v).rates_by_u, by_u / self.clock.sample_time]) / self.size[:, None])
 
@@ -152,7 +152,7 @@ class SampledPoint:
         and that no timer runs except the clocks.
         """
         residual, limit = scaled_residual(self.scaled, v, self.size)
-        if not np.all(residual <= limit) or not self.waits(v):
+        if not np.all(residual <= limit) or not self.is_idle(v):
             return False
         max_change = limit[self.n :] * self.size[self.n :] * self.clock.sample_time
         return all(
@@ -160,7 +160,10 @@ class SampledPoint:
             for fired in np.unique(self.clock.fired, axis=0)
         )
 
-    def waits(self, v: Array) -> bool:
-        """Return True if only the clocks run in v, and no other timer."""
+    def is_idle(self, v: Array) -> bool:
+        """Return True if no timer runs in v, except the clocks.
+
+        A clock is a periodic timer, which triggers the samples.
+        """
         timers = self.places < self.model.n_timers
         return bool(np.all(v[self.n :][timers] >= NEVER))

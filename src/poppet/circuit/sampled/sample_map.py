@@ -18,7 +18,7 @@ Array = NDArray[np.float64]
 
 @dataclass(frozen=True, eq=False)
 class Phase:
-    """Linear maps at a sample instant, and from there to the next instant.
+    """Linear maps over one sample instant and the time until the next one.
 
     All variables are in units of their typical sizes.
     """
@@ -66,7 +66,7 @@ def phases_of(point: SampledPoint, v: Array, between: IntersampleModel | None = 
 
 
 def sample_map(point: SampledPoint, phases: tuple[Phase, ...]) -> tuple[Array, Array]:
-    """Return the matrices A and B of the map from one sample to the next.
+    """Return the matrices A and B that map states and inputs from one sample to the next.
 
     `phases` are the linear maps within one sample period.
     """
@@ -78,7 +78,10 @@ def sample_map(point: SampledPoint, phases: tuple[Phase, ...]) -> tuple[Array, A
 
 
 def eigenvalues_of(a: Array) -> NDArray[np.complex128]:
-    """Return the eigenvalues of the matrix `a`, which maps one sample to the next."""
+    """Return the eigenvalues of a matrix.
+
+    `a` maps the variables from one sample to the next, so some of its rows and columns can be zero.
+    """
     # Without rows or columns of zeros: balancing would divide by their size.
     rows = np.arange(len(a))
     while True:

@@ -41,7 +41,7 @@ class SampledModel(LinearModel):
     notes : tuple of Note
         Kinks that limit the validity of the model.
     phases : tuple of Phase
-        Instants and intervals of a sample, in units of `sizes`.
+        Linear maps of each instant in a sample with the time after it, in units of `sizes`.
     sizes : (n,) array
         Typical sizes of v, SI.
     output_slopes : pair of arrays
@@ -62,7 +62,7 @@ class SampledModel(LinearModel):
     more: ClassVar[tuple[str, ...]] = ("sample_time",)
 
     def eigenvalues(self) -> NDArray[np.complex128]:
-        """Return the eigenvalues of A, each of which describes a mode from sample to sample."""
+        """Return the eigenvalues z of A, the discrete-time poles."""
         values = eigenvalues_of(self.A * self.sizes[None, :] / self.sizes[:, None])
         return values[np.lexsort((values.imag, -np.abs(values)))]
 
@@ -84,8 +84,8 @@ class SampledModel(LinearModel):
 
         Notes
         -----
-        The response is exact for the linear circuit: the input changes between instants, and the output is averaged
-        over the sample. In the frame that rotates with the input, all variables are periodic over a sample.
+        The response is exact for the linear circuit: the input also changes between instants, and the output is
+        averaged over the sample. Variables that are multiplied by exp(-i omega t) are periodic over a sample.
         """
         column, row = index_of(self.inputs, input, "input"), index_of(self.outputs, output, "output")
         by_v, by_u = self.output_slopes[0][row] * self.sizes, self.output_slopes[1][row, column]
@@ -140,7 +140,7 @@ def sampled_model(instance: Instance, steady: SteadyState) -> SampledModel:
 def model_at(point: SampledPoint, v: Array, notes: tuple[Note, ...] = ()) -> SampledModel:
     """Return the discrete-time linear model of a sampled circuit at a steady state v.
 
-    The model contains the notes `notes`.
+    `point` contains the equations of the circuit, and `notes` become the notes of the model.
     """
     intersample, size = point.between(v), point.size
     phases = phases_of(point, v, intersample)

@@ -63,16 +63,16 @@ def find_sampled_steady_state(instance: Instance, u: Array) -> SteadyState:
         dict(zip(point.input_names, u.tolist(), strict=True)),
         float(np.max(residual, initial=0.0)),
         tuple(notes),
-        dict(zip(names, point.remembered(v).tolist(), strict=True)),
+        dict(zip(names, point.all_discrete_states(v).tolist(), strict=True)),
         kink_notes(point, v),
         is_stable,
     )
 
 
 def rest_near(point: SampledPoint, guess: Array) -> Array | None:
-    """Return the steady state that Newton's method reaches from a guess.
+    """Return the steady state that Newton's method reaches from `guess`.
 
-    The result is None if the method does not converge.
+    The result is None if the method reaches none.
     """
     is_idle = (point.places < point.model.n_timers) & (guess[point.n :] > 0.5 * NEVER)
     start = guess.copy()

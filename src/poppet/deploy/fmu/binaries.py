@@ -51,9 +51,9 @@ FLAGS = ("-shared", "-O2", "-std=c99", "-ffp-contract=off", "-fvisibility=hidden
 
 
 def kernel_code(model: Model, functions: Mapping[str, casadi.Function]) -> str:
-    """Return selected model functions and the integration step as LLVM IR.
+    """Return the model functions and the integration step as LLVM IR.
 
-    LLVM IR is the intermediate code of the compiler LLVM.
+    LLVM IR is the intermediate code of the compiler LLVM. `functions` maps names to functions.
     """
     step = print_step(model.size, len(model.states), len(model.inputs)) if model.size else ""
     return PRELUDE + "\n".join(print_function(function, name) for name, function in functions.items()) + step
@@ -62,7 +62,7 @@ def kernel_code(model: Model, functions: Mapping[str, casadi.Function]) -> str:
 def compile_object(module: Any, triple: str, **settings: Any) -> bytes:
     """Compile an LLVM module to optimised object code for one platform.
 
-    `triple` is the name of the platform in LLVM. Keyword arguments are those of
+    `triple` is the LLVM name of the platform. `settings` are arguments of
     `llvmlite.binding.Target.create_target_machine`.
     """
     import llvmlite.binding as llvm
@@ -84,7 +84,10 @@ def has_zig() -> bool:
 
 
 def link_commands(platform: str) -> list[list[str]]:
-    """Return the available linker commands for a platform, the preferred command first."""
+    """Return the available linker commands for a platform, in the order of preference.
+
+    A command is a list of arguments.
+    """
     commands = []
     if has_zig():
         commands.append([sys.executable, "-m", "ziglang", "cc", "-target", PLATFORMS[platform].target])
@@ -95,10 +98,10 @@ def link_commands(platform: str) -> list[list[str]]:
 
 
 def link_library(code: str, sources: Mapping[str, str], platform_name: str, main: str) -> bytes:
-    """Return the binary of an FMU for one platform.
+    """Return the binary (shared library) of an FMU for one platform.
 
-    `code` is the LLVM IR of the model. `sources` are the C sources, and `main` is the name of the one that includes all
-    others.
+    `code` is the LLVM IR of the model. `sources` maps names to the C sources, and `main` is the name of the source that
+    includes all others.
     """
     import llvmlite.binding as llvm
 

@@ -29,7 +29,7 @@ DISPLAY_UNITS = {
 
 
 def element(name: str, attributes: Mapping[str, str], children: Sequence[str] = (), depth: int = 0) -> str:
-    """Return the text of an XML element with attributes and child elements.
+    """Return an XML element with attributes and child elements as text.
 
     Special characters in attributes are escaped. `depth` is the level of indentation.
     """
@@ -41,7 +41,10 @@ def element(name: str, attributes: Mapping[str, str], children: Sequence[str] = 
 
 
 def build_description(identifier: str, sources: Sequence[str]) -> str:
-    """Return the text of `buildDescription.xml`, which lists the C sources of an FMU (FMI 3.0)."""
+    """Return the text of `buildDescription.xml`, which lists the C sources of an FMU.
+
+    FMI 3.0 defines this file.
+    """
     files = [element("SourceFile", {"name": name}, depth=3) for name in sources]
     file_set = element("SourceFileSet", {"language": "C99"}, files, 2)
     build = element("BuildConfiguration", {"modelIdentifier": identifier}, [file_set], 1)
@@ -51,7 +54,7 @@ def build_description(identifier: str, sources: Sequence[str]) -> str:
 def describe_model(layout: FmuLayout, fmi: int, token: str, identifier: str) -> str:
     """Return the text of `modelDescription.xml` of an FMU.
 
-    `fmi` is the FMI version, 2 or 3. `token` identifies the content of the model, as the GUID of the FMU.
+    `fmi` is the FMI version, 2 or 3. `token` is a text that identifies the content of the model (GUID).
     """
     problem, export_model = layout.export_model.problem, layout.export_model
     capabilities = {"modelIdentifier": identifier}
@@ -93,7 +96,7 @@ def describe_model(layout: FmuLayout, fmi: int, token: str, identifier: str) -> 
 
 
 def _variable_elements(layout: FmuLayout, fmi: int) -> list[str]:
-    """Return the XML elements of all variables of the FMU."""
+    """Return the XML elements of all variables of an FMU as texts."""
     nominals = {layout.state_reference(k): size for k, size in enumerate(nominal_sizes(layout))}
     index_of = {v.reference: k + 1 for k, v in enumerate(layout.variables)}
     elements = []
@@ -126,8 +129,8 @@ def _variable_elements(layout: FmuLayout, fmi: int) -> list[str]:
 def _structure_elements(layout: FmuLayout, fmi: int) -> list[str]:
     """Return the XML elements that list outputs, derivatives and initial unknowns.
 
-    Each element contains the variables on which the quantity depends. FMI 2.0 refers to variables by their positions in
-    the list of variables, and FMI 3.0 by their value references.
+    Each entry lists the variables on which its quantity depends. FMI 2.0 refers to variables by their positions in the
+    list of variables, and FMI 3.0 by their value references.
     """
     n, first_output = len(layout.export_model.states), layout.output_reference(0)
     by_state = {layout.state_reference(k): [layout.state_reference(k)] for k in range(n)}
@@ -172,7 +175,7 @@ def _join_sorted(indices: Sequence[int]) -> str:
 
 
 def nominal_sizes(layout: FmuLayout) -> list[float]:
-    """Return the typical size of each state [SI].
+    """Return the typical size of each state in SI units.
 
     The error control of the integrator uses the same sizes.
     """
@@ -181,7 +184,7 @@ def nominal_sizes(layout: FmuLayout) -> list[float]:
 
 
 def _unit_elements(layout: FmuLayout) -> list[str]:
-    """Return the XML definitions of all units that the variables use.
+    """Return the XML definitions of all units that the variables use, as texts.
 
     A definition contains the exponents of the base units and the display unit.
     """

@@ -35,9 +35,9 @@ TIME_REFERENCE, FOLLOWS_REFERENCE, FIRST_REFERENCE = range(3)
 
 
 class Variable(NamedTuple):
-    """Variable of the FMU.
+    """Variable of an FMU, as in its model description.
 
-    `start` is the start value, or None if the value is calculated.
+    `start` is the start value, or None if the FMU calculates the value.
     """
 
     name: str
@@ -55,9 +55,9 @@ class Variable(NamedTuple):
 
 @dataclass(frozen=True, eq=False)
 class FmuLayout:
-    """Plan of an FMU: its variables, their roles, and the dependencies between them.
+    """Layout of an FMU: variables, their roles, and the dependencies between them.
 
-    Each variable has a value reference, by which an importer identifies it.
+    Importers identify each variable by an integer, its value reference.
     """
 
     export_model: ExportModel
@@ -67,9 +67,9 @@ class FmuLayout:
 
     @cached_property
     def sources(self) -> tuple[int, ...]:
-        """Source from which each input gets its value.
+        """Source of the value of each input.
 
-        A source is `CONSTANT`, `NUMBER`, `PORT` or `DRIVEN`.
+        It is `CONSTANT`, `NUMBER` (a parameter), `PORT` (the importer) or `DRIVEN` (a signal, or the importer).
         """
         sources = []
         for item, info in zip(self.export_model.inputs, self.export_model.model.inputs, strict=True):
@@ -85,7 +85,7 @@ class FmuLayout:
     def roles(self) -> tuple[int, ...]:
         """Role of each parameter in the FMU.
 
-        A role is `UNCHANGED`, `FIXED`, `TUNABLE` or `INPUT`.
+        It is `UNCHANGED`, `FIXED` (set before the run), `TUNABLE` (set at any time) or `INPUT`.
         """
         inputs = list(zip(self.export_model.inputs, self.sources, strict=True))
         of_inputs = {item.parameter for item, source in inputs if source == NUMBER}
@@ -104,33 +104,31 @@ class FmuLayout:
 
     @cached_property
     def acts_on_run(self) -> Flags:
-        """Mask of the parameters that have an effect during a run.
-
-        They affect rates, outputs or updates of discrete states.
-        """
+        """Mask of the parameters on which rates, outputs or updates of discrete states depend."""
         patterns = [self._pattern(name, "p") for name in ("rates", "outputs", "update")]
         return np.asarray(np.vstack(patterns).any(axis=0))
 
     @cached_property
     def acts_on_start(self) -> Flags:
-        """Mask of the parameters that affect initial states or initial discrete states."""
+        """Mask of the parameters on which initial states or initial discrete states depend."""
         return np.asarray(np.vstack([self._pattern(name, "p") for name in ("start", "memory_start")]).any(axis=0))
 
     # Dependencies -------------------------------------------------------------------------------------------------
 
     def _pattern(self, expression: str, symbol: str) -> Flags:
-        """Return which elements of x, u or p each row of an expression depends on.
+        """Return the dependencies of an expression on the elements of x, u or p.
 
-        `symbol` is x, u or p. The result is a Boolean matrix without the columns of quadratures and discrete states.
+        `expression` and `symbol` are names. The result is a Boolean matrix with one row per element of the expression
+        and one column per element of the symbol. Quadratures (integrals of flows) and discrete states have no columns.
         """
         model = self.export_model.model
         width = {"x": len(model.states), "u": len(model.inputs), "p": len(model.parameters)}[symbol]
         return self._full_pattern(expression, symbol)[:, :width]
 
     def _memory_pattern(self, expression: str) -> NDArray[np.int_]:
-        """Return which discrete states each row of an expression depends on.
+        """Return the dependencies of an expression on the discrete states.
 
-        The result is a matrix of 0 and 1.
+        The result is a matrix of 0 and 1, with one row per element of the expression and one column per discrete state.
         """
         return self._full_pattern(expression, "p")[:, len(self.export_model.model.parameters) :].astype(int)
 
@@ -148,10 +146,10 @@ class FmuLayout:
 
     @cached_property
     def direct_dependencies(self) -> dict[str, tuple[Flags, Flags, Flags]]:
-        """States, inputs and parameters on which each rate and output depends, as masks.
+        """Masks of the states, inputs and parameters on which each rate and output depends.
 
-        Dependencies through discrete states are included. The keys are `rates` and `outputs`. The masks are in the
-        order x, u, p.
+        The keys are `rates` and `outputs`. Each value contains three masks, for x, u and p, with one row per rate or
+        output. Dependencies through discrete states are included.
         """
         memory = [self._pattern("update", symbol) for symbol in "xup"]
         between_memory = self._memory_pattern("update")
@@ -171,20 +169,18 @@ class FmuLayout:
         return dependencies
 
     def dependencies(self, name: str) -> list[list[int]]:
-        """Return the variables on which each rate or output depends.
+        """Return the value references of the variables on which each rate or output depends.
 
-        `name` is `rates` or `outputs`. Variables are given by their value references. They are states, and variables
-        that the importer sets.
+        `name` is `rates` or `outputs`. The variables are states, and variables that the importer sets.
         """
         x, u, p = self.direct_dependencies[name]
         u, p = self._resolve_inputs(u, p)
         return [self._references(x[k], u[k], p[k], (INPUT,)) for k in range(len(x))]
 
     def initial_dependencies(self, name: str) -> list[list[int]]:
-        """Return the variables on which each initial value depends.
+        """Return the value references of the variables on which each initial value depends.
 
-        `name` is `start`, `rates` or `outputs`. Variables are given by their value references. They are inputs and
-        parameters.
+        `name` is `start` (states), `rates` or `outputs`. The variables are inputs and parameters.
         """
         start = self._pattern("start", "p")
         if name == "start":
@@ -194,16 +190,16 @@ class FmuLayout:
             by_memory = self._memory_pattern(name) @ self._pattern("memory_start", "p").astype(int) > 0
             p = p | (x.astype(int) @ start.astype(int) > 0) | by_memory
         u = u.copy()
-        for parameter, item in self.guided:
+        for parameter, item in self.motion_inputs:
             u[:, item] |= p[:, parameter]
         u, p = self._resolve_inputs(u, p)
         no_states = np.zeros(0, dtype=bool)
         return [self._references(no_states, u[k], p[k], (FIXED, TUNABLE, INPUT)) for k in range(len(p))]
 
     def _resolve_inputs(self, u: Flags, p: Flags) -> tuple[Flags, Flags]:
-        """Replace dependencies on inputs by dependencies on the parameters that set them.
+        """Replace dependencies on inputs by dependencies on the parameters that set these inputs.
 
-        u and p are masks of the inputs and of the parameters.
+        `u` and `p` are masks of inputs and parameters, with one row per dependent quantity. The result contains both.
         """
         u, p = u.copy(), p.copy()
         for k, (item, source) in enumerate(zip(self.export_model.inputs, self.sources, strict=True)):
@@ -216,7 +212,7 @@ class FmuLayout:
     def _references(self, x: Flags, u: Flags, p: Flags, roles: Collection[int]) -> list[int]:
         """Return the value references of selected elements of x, u and p.
 
-        Elements are selected by masks. Parameters without one of the roles in `roles` are omitted.
+        `x`, `u` and `p` are masks. Only parameters with one of the roles `roles` are included.
         """
         state_of = {parameter: k for k, parameter in self.initial_parameters.items()}
         of_p = [
@@ -228,11 +224,10 @@ class FmuLayout:
         return [*of_p, *of_u, *(self.state_reference(int(k)) for k in np.flatnonzero(x))]
 
     @cached_property
-    def guided(self) -> list[tuple[int, int]]:
-        """Pairs of indices for inputs that prescribe the motion of a body.
+    def motion_inputs(self) -> list[tuple[int, int]]:
+        """Inputs that prescribe the motion of a body and that the importer sets.
 
-        A pair contains the parameter with the first value, and the input. Only inputs that the importer sets are
-        included.
+        Each item contains the index of the parameter with the start value, and the index of the input.
         """
         names = [item.name for item in self.export_model.model.inputs]
         bases = sorted({item.slope_of for item in self.export_model.model.inputs if item.slope_of})
@@ -267,9 +262,9 @@ class FmuLayout:
 
     @cached_property
     def state_outputs(self) -> dict[int, int]:
-        """Mapping from outputs to the states that they are equal to.
+        """Indices of the states that are also outputs, by the index of the output.
 
-        Keys and values are indices. An output and its state have the same address.
+        A state and its output have the same address and value.
         """
         import casadi as ca
 
@@ -284,9 +279,9 @@ class FmuLayout:
 
     @cached_property
     def initial_parameters(self) -> dict[int, int]:
-        """Mapping from states to the parameters that are their initial values.
+        """Indices of parameters that are initial values of states, by the index of the state.
 
-        Keys and values are indices. Only parameters without any other effect are included.
+        Only parameters without any other effect are included.
         """
         index_of = {parameter.address: k for k, parameter in enumerate(self.export_model.parameters)}
         pairs = {k: index_of.get(state.address, -1) for k, state in enumerate(self.export_model.states)}
@@ -312,10 +307,7 @@ class FmuLayout:
 
     @cached_property
     def variables(self) -> list[Variable]:
-        """All variables of the FMU.
-
-        Each address appears once.
-        """
+        """All variables of the FMU, with one variable per address."""
         variables = [Variable("time", TIME_REFERENCE, "independent", "continuous", unit="s", meaning="time")]
         if DRIVEN in self.sources:
             text = "the inputs follow the signals of the circuit, and what is set is not looked at"
@@ -355,9 +347,9 @@ class FmuLayout:
         return variables
 
     def _state_variables(self, k: int, names: set[str]) -> list[Variable]:
-        """Return the variables of one state and of its derivative.
+        """Return the variable of the state with index `k`, and that of its derivative.
 
-        `k` is the index of the state.
+        `names` are the names of the variables so far.
         """
         state = self.export_model.states[k]
         name, outputs = structured_name(state.address), self.export_model.outputs
@@ -421,7 +413,7 @@ def build_layout(export_model: ExportModel, inputs: Sequence[str] = ()) -> FmuLa
         for address in inputs:
             if address not in reasons:
                 near = NameSuggestion(address, reasons)
-                errors.add("names.unknown", address, meaning="an input or parameter of this circuit", near=near)
+                errors.add("names.unknown", address, meaning="an input or parameter of this circuit", suggestion=near)
             elif reasons[address]:
                 errors.add("deploy.fmu.fixed_input", address, why=reasons[address])
     return FmuLayout(export_model, frozenset(inputs))

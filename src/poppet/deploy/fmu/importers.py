@@ -30,7 +30,7 @@ CIRCUIT, CHANGES, PARAMETERS = "resources/circuit.toml", "resources/changes.toml
 
 
 class ImporterRun(NamedTuple):
-    """Results of an FMU that an importer has simulated with the signals of the circuit."""
+    """Results of an FMU, simulated by an importer with the signals of the circuit."""
 
     values: Array  # (n_names, n_times)
     points: Array  # (n_times,) ends of the importer's steps [s]
@@ -59,9 +59,9 @@ def fmi_version(path: Path) -> int:
 
 
 def read_description(path: Path) -> tuple[list[str], list[str]]:
-    """Return the names of all variables of an FMU, and errors in its description.
+    """Return the names of all variables of an FMU, and the errors in its description.
 
-    FMPy checks the description.
+    The package FMPy finds the errors.
     """
     with needed("FMPy", "running an FMU", "check"):
         import fmpy
@@ -73,8 +73,8 @@ def read_description(path: Path) -> tuple[list[str], list[str]]:
 def run_in_fmpy(path: Path, kind: str, grid: Array, names: Sequence[str]) -> ImporterRun:
     """Simulate an FMU in FMPy, and return the values of some variables.
 
-    `kind` is `CoSimulation` or `ModelExchange`. Model exchange uses the solver CVODE. `grid` contains the times of the
-    values, and `names` the variables.
+    `kind` is `CoSimulation`, or `ModelExchange` with the solver CVODE. `grid` contains the output times [s], and
+    `names` the variables.
     """
     import fmpy
 
@@ -100,8 +100,8 @@ def run_in_fmpy(path: Path, kind: str, grid: Array, names: Sequence[str]) -> Imp
 def run_in_libcosim(path: Path, grid: Array, names: Sequence[str]) -> ImporterRun:
     """Simulate an FMU in libcosim, and return the values of some variables.
 
-    `grid` contains the times of the values, and `names` the variables. The first values are those at the end of the
-    first step.
+    `grid` contains the output times [s], and `names` the variables. The values at the first time are NaN, because
+    libcosim returns values at the ends of steps only.
     """
     with needed("libcosimpy", "running an FMU in a second host", "check"):
         from libcosimpy.CosimExecution import CosimExecution
@@ -129,10 +129,11 @@ def run_in_libcosim(path: Path, grid: Array, names: Sequence[str]) -> ImporterRu
 
 
 def circuit_resources(text: str, changes: Mapping[str, float | str], result: str | None) -> dict[str, bytes]:
-    """Return the files inside an FMU that contain the circuit, by path.
+    """Return the files inside an FMU from which its circuit can be read.
 
-    They are the circuit file and the changes made before the export. `result` is the path of a file with identified
-    parameters.
+    The result maps paths to contents. `text` is the circuit file, `changes` maps addresses to values that were changed
+    before the export, and `result` is the path of a file with identified parameters. The result is empty without
+    `text`.
     """
     if not text:
         return {}

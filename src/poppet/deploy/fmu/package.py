@@ -46,7 +46,7 @@ C_END = "#ifdef __cplusplus\n}\n#endif\n"
 
 
 class Fmu(NamedTuple):
-    """FMU before it is written to a file."""
+    """FMU before it is written: layout, contents of its files, platforms and notes."""
 
     layout: FmuLayout
     content: dict[str, bytes]  # path in the archive to bytes
@@ -57,7 +57,7 @@ class Fmu(NamedTuple):
 def directional_derivatives(model: Model) -> casadi.Function:
     """Return a CasADi function for directional derivatives of rates and outputs.
 
-    The direction is a change of x, u and p.
+    Its arguments are t, x, u and p, then the changes of x, u and p.
     """
     import casadi as ca
 
@@ -80,7 +80,7 @@ def export_fmu(
 ) -> Export:  # fmt: skip
     """Export a circuit as an FMU.
 
-    The keyword arguments are the options of the export target.
+    The keyword arguments are the options of `poppet export fmu`.
     """
     platforms = [entry.strip() for entry in (platform or "").split(",") if entry.strip()] or ["linux64"]
     resources = circuit_resources(source.text, source.changes, source.result)
@@ -92,7 +92,7 @@ def export_fmu(
     summary = f"{counts}; binaries: {', '.join(fmu.platforms) or 'none'}"
     if names["input"]:
         summary += f"\ninputs: {', '.join(names['input'])}"
-    return Export({f"{fmu.layout.export_model.name}.fmu": pack(fmu.content)}, summary, fmu.notes)
+    return Export({f"{fmu.layout.export_model.name}.fmu": zip_bytes(fmu.content)}, summary, fmu.notes)
 
 
 def build_fmu(
@@ -119,7 +119,7 @@ def build_fmu(
     Returns
     -------
     Fmu
-        FMU with a note for each platform without a compiler.
+        FMU, with a note for each platform that has no available compiler.
 
     Raises
     ------
@@ -130,7 +130,7 @@ def build_fmu(
         for platform in platforms:
             if platform not in PLATFORMS:
                 near = NameSuggestion(platform, PLATFORMS)
-                errors.add("fields.not_an_option", "platform", value=platform, meaning="platform", near=near)
+                errors.add("fields.not_an_option", "platform", value=platform, meaning="platform", suggestion=near)
     layout = build_layout(build_export_model(circuit, name), inputs)
     export_model = layout.export_model
     identifier, derivatives = export_model.name, directional_derivatives(export_model.model)
@@ -174,7 +174,8 @@ License, whose text stands in them. All other sources were written by poppet, an
 def model_source(export_model: ExportModel, derivatives: casadi.Function) -> str:
     """Return the C source of the model functions and of the integrator.
 
-    It is for importers that compile an FMU themselves. `derivatives` is the function of directional derivatives.
+    Importers can compile it if the FMU has no binary for them. `derivatives` is the function of directional
+    derivatives.
     """
     directional = print_function(derivatives, "directional", DIRECTIONAL, prefix="model_")
     head = "/* The model and the integrator; written by poppet. */\n#include <math.h>\n#include <stdint.h>\n\n"
@@ -188,27 +189,27 @@ def _read(folder: str, name: str) -> str:
     return files("poppet.deploy.fmu").joinpath(folder, name).read_text(encoding="utf-8")
 
 
-def literal(value: float) -> str:
-    """Return a number as a C90 literal with all digits."""
+def c_literal(value: float) -> str:
+    """Return a floating-point number as a literal of C90 with all digits."""
     if math.isinf(value):
         return "-HUGE_VAL" if value < 0.0 else "HUGE_VAL"
     return repr(float(value))
 
 
-def array(kind: str, name: str, values: Iterable[Any]) -> str:
+def c_array(kind: str, name: str, values: Iterable[Any]) -> str:
     """Return the C definition of a constant array.
 
-    `kind` is the type of the elements. An empty array gets one element, because C has no empty arrays.
+    `kind` is the C type of the elements. An empty array gets one element, because C has no empty arrays.
     """
-    texts = [literal(v) if kind == "double" else str(int(v)) for v in values] or ["0"]
+    texts = [c_literal(v) if kind == "double" else str(int(v)) for v in values] or ["0"]
     lines = [", ".join(texts[k : k + PER_LINE]) for k in range(0, len(texts), PER_LINE)]
     return f"static const {kind} {name}[{len(texts)}] = {{\n  " + ",\n  ".join(lines) + "\n};"
 
 
 def names_header(functions: Sequence[str], fmi: int) -> str:
-    """Return the text of `names.h`, which adds a prefix to function names.
+    """Return the text of `names.h`, whose macros add a prefix to function names.
 
-    The header contains a macro for each model function, so that several FMUs can be linked together.
+    With these macros, several FMUs can be linked together. `fmi` is the FMI version, 2 or 3.
     """
     prefix = f"FMI{fmi}_FUNCTION_PREFIX"
     lines = [
@@ -223,9 +224,9 @@ def names_header(functions: Sequence[str], fmi: int) -> str:
 
 
 def model_header(layout: FmuLayout, functions: Sequence[str], token: str) -> str:
-    """Return the text of `model.h`, which contains all constants of the FMU.
+    """Return the text of the C header `model.h`, which contains all constants of the FMU.
 
-    `token` identifies the content of the model.
+    `functions` are the names of the model functions. `token` is a text that identifies the content of the model (GUID).
     """
     export_model, problem = layout.export_model, layout.export_model.problem
     model, kernel = export_model.model, export_model.instance.kernel
@@ -243,7 +244,7 @@ def model_header(layout: FmuLayout, functions: Sequence[str], token: str) -> str
         "N_SCRATCH": kernel.memory_size,
         "N_CONDITIONS": len(problem.stop_conditions),
         "N_SEGMENTS": problem.starts.size,
-        "N_GUIDED": len(layout.guided),
+        "N_GUIDED": len(layout.motion_inputs),
         "JOB_SIZE": len(Job._fields),
     }
     sizes |= {f"JOB_{name}": k for k, name in enumerate(Job._fields)}
@@ -260,31 +261,32 @@ def model_header(layout: FmuLayout, functions: Sequence[str], token: str) -> str
         '#include "names.h"\n',
         f"#define MODEL_GUID {c_string(token)}",
         *(f"#define {name} {value}" for name, value in sizes.items()),
-        f"#define TOLERANCE {literal(problem.relative_tolerance)}",
-        f"#define LONGEST_STEP {literal(problem.maximum_step)}",
-        f"#define MOST_ATTEMPTS {literal(problem.most_attempts)}\n",
-        array("double", "START_P", problem.p),
-        array("double", "START_U", start),
-        array("unsigned char", "NUMBER_ROLE", layout.roles),
-        array("double", "NUMBER_LOW", (parameter.low for parameter in export_model.parameters)),
-        array("double", "NUMBER_HIGH", (parameter.high for parameter in export_model.parameters)),
-        array("unsigned char", "INPUT_SOURCE", layout.sources),
-        array("int", "INPUT_NUMBER", (item.parameter for item in export_model.inputs)),
-        array("double", "INPUT_LOW", (item.low for item in export_model.inputs)),
-        array("double", "INPUT_HIGH", (item.high for item in export_model.inputs)),
-        array("int", "GUIDED_NUMBER", (parameter for parameter, _ in layout.guided)),
-        array("int", "GUIDED_INPUT", (item for _, item in layout.guided)),
-        array("double", "SEGMENT_STARTS", problem.starts),
-        array("int", "SEGMENT_COURSES", problem.courses),
-        array("unsigned char", "SEGMENT_JUMPS", problem.jumps),
-        array("double", "COURSES", problem.coefficients.ravel()),
-        array("int", "STATE_NUMBER", (layout.initial_parameters.get(k, -1) for k in range(len(model.states)))),
-        array("double", "STATE_SCALES", kernel.scales.ravel()),
-        array("double", "STATE_NOMINALS", nominal_sizes(layout)),
-        array("unsigned char", "STATE_POSITIVE", kernel.positive),
-        array("unsigned char", "MEMORY_ACTING", kernel.acting),
-        array("int64_t", "CONDITION_PLACES", (p for c in conditions for p in c.places)),
-        array("double", "CONDITION_WEIGHTS", (w for c in conditions for w in c.weights)),
+        f"#define TOLERANCE {c_literal(problem.relative_tolerance)}",
+        f"#define LONGEST_STEP {c_literal(problem.maximum_step)}",
+        f"#define MOST_ATTEMPTS {c_literal(problem.most_attempts)}\n",
+        c_array("double", "START_P", problem.p),
+        c_array("double", "START_U", start),
+        c_array("unsigned char", "NUMBER_ROLE", layout.roles),
+        c_array("double", "NUMBER_LOW", (parameter.low for parameter in export_model.parameters)),
+        c_array("double", "NUMBER_HIGH", (parameter.high for parameter in export_model.parameters)),
+        c_array("unsigned char", "INPUT_SOURCE", layout.sources),
+        c_array("int", "INPUT_NUMBER", (item.parameter for item in export_model.inputs)),
+        c_array("double", "INPUT_LOW", (item.low for item in export_model.inputs)),
+        c_array("double", "INPUT_HIGH", (item.high for item in export_model.inputs)),
+        c_array("int", "GUIDED_NUMBER", (parameter for parameter, _ in layout.motion_inputs)),
+        c_array("int", "GUIDED_INPUT", (item for _, item in layout.motion_inputs)),
+        c_array("double", "SEGMENT_STARTS", problem.starts),
+        c_array("int", "SEGMENT_COURSES", problem.courses),
+        c_array("unsigned char", "SEGMENT_JUMPS", problem.jumps),
+        c_array("double", "COURSES", problem.coefficients.ravel()),
+        c_array("int", "STATE_NUMBER", (layout.initial_parameters.get(k, -1) for k in range(len(model.states)))),
+        c_array("double", "STATE_SCALES", kernel.scales.ravel()),
+        c_array("double", "STATE_NOMINALS", nominal_sizes(layout)),
+        c_array("unsigned char", "STATE_POSITIVE", kernel.positive),
+        c_array("unsigned char", "MEMORY_ACTING", kernel.acting),
+        c_array("int64_t", "CONDITION_PLACES", (p for c in conditions for p in c.places)),
+        c_array("double", "CONDITION_WEIGHTS", (w for c in conditions for w in c.weights)),
+        f"static const char *const VARIABLE_NAMES[] = {{\n  {_variable_names(layout)}\n}};",
         f"static const char *const CONDITION_TEXTS[] = {{{', '.join(texts)}}};\n",
         '#ifdef __cplusplus\nextern "C" {\n#endif',
         *prototypes(functions, "model_"),
@@ -297,10 +299,20 @@ def model_header(layout: FmuLayout, functions: Sequence[str], token: str) -> str
     return "\n".join(lines)
 
 
-def pack(content: Mapping[str, bytes]) -> bytes:
-    """Return a ZIP archive of files as bytes.
+def _variable_names(layout: FmuLayout) -> str:
+    """Return the C names of the variables for parameters and inputs, in the order of their value references.
 
-    Equal content gives equal bytes.
+    A parameter without a variable has an empty name.
+    """
+    names = {v.reference: v.name for v in layout.variables}
+    references = range(layout.parameter_reference(0), layout.state_reference(0))
+    return ",\n  ".join(c_string(names.get(reference, "")) for reference in references) or '""'
+
+
+def zip_bytes(content: Mapping[str, bytes]) -> bytes:
+    """Return a ZIP archive with given files as bytes.
+
+    `content` maps paths to contents. Equal contents give equal bytes.
     """
     buffer = io.BytesIO()
     with zipfile.ZipFile(buffer, "w", zipfile.ZIP_DEFLATED, compresslevel=9) as archive:

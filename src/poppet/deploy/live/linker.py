@@ -27,7 +27,7 @@ _ADDRESS_RELOCATIONS = {3: "leb", 4: "sleb", 5: "i32"}
 
 
 class Module(NamedTuple):
-    """Linked WebAssembly module, with data that the page needs to call it."""
+    """Linked WebAssembly module, with the data that a page needs to call it."""
 
     code: bytes
     table: Mapping[str, int]  # index of each function that is called by its index
@@ -41,7 +41,7 @@ class LinkError(ValueError):
 
 @dataclass
 class _ByteReader:
-    """Reader of the binary format of WebAssembly."""
+    """Reader of the binary format of WebAssembly, at a position in some bytes."""
 
     data: bytes
     position: int = 0
@@ -102,10 +102,12 @@ def link(code: bytes, exports: Sequence[str], tabled: Sequence[str], *, stack: i
     ----------
     code : bytes
         Relocatable object.
-    exports, tabled : sequence of str
-        Functions that are called by name, and by their index in the table, which begins at 1.
+    exports : sequence of str
+        Functions that the page calls by name.
+    tabled : sequence of str
+        Functions that are called by their index in the function table, which begins at 1.
     stack : int
-        Size of the stack [B]. It is below the data: an overflow causes a trap.
+        Size of the stack [B]. The stack is below the data, so an overflow causes a trap.
 
     Returns
     -------
@@ -214,9 +216,9 @@ def _iterate_segments(wasm_object: _Object) -> Iterator[tuple[int, bytes]]:
 
 
 def _read_symbols(wasm_object: _Object) -> None:
-    """Return all symbols of an object file.
+    """Add all symbols of an object file to its field `symbols`.
 
-    A symbol has a kind, a name, and the index of its function or the address of its data.
+    A symbol has a kind, a name, and a number: the index of a function or the address of data.
     """
     reader = _ByteReader(wasm_object.linking)
     if reader.number() != 2:
@@ -249,7 +251,7 @@ def _encode_unsigned(value: int) -> bytes:
 
 
 def _encode_signed(value: int) -> bytes:
-    """Return a non-negative integer in the signed LEB128 encoding."""
+    """Encode a non-negative integer as signed LEB128, the integer format of WebAssembly."""
     encoded = _encode_unsigned(value)
     return encoded if encoded[-1] < 0x40 else bytes([*encoded[:-1], encoded[-1] | 0x80, 0])
 

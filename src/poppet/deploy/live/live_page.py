@@ -12,7 +12,7 @@ from poppet.core.number_format import USUAL, pretty, printable
 from poppet.core.units import convert
 from poppet.deploy.export_model import ExportModel, build_export_model
 from poppet.deploy.live.page_inputs import Slider, affine, select_sliders
-from poppet.deploy.live.page_kernel import pack, run_data
+from poppet.deploy.live.page_kernel import pack_base64, run_data
 from poppet.deploy.targets import CircuitSource, Export
 from poppet.report.circuit.schematic import EmptyLine, draw_with_empty_lines
 from poppet.report.html_page import document, findings, head, inline_svg
@@ -25,7 +25,7 @@ if TYPE_CHECKING:
     from poppet.circuit.circuit import BaseCircuit
     from poppet.timeseries.recording import Recording
 
-_LEAD = "The model itself runs in this page. Change a number, and curves, bars and the drawing follow; * is assumed."
+_LEAD = "The model itself runs in this page. Change a parameter, and curves, bars and the drawing follow; * is assumed."
 _CURVES = "<!-- curves -->"
 MAX_ROWS = 2001
 """Maximum number of rows that a page computes; a longer run has a larger output step on the page."""
@@ -54,9 +54,9 @@ _INPUT_UNITS = {
 
 
 def export_live(circuit: BaseCircuit, source: CircuitSource, *, parameters: Sequence[str] = ()) -> Export:
-    """Export a circuit as a live page, an HTML page that simulates the circuit.
+    """Export a circuit as a live page: an HTML page that simulates the circuit.
 
-    `parameters` contains the texts of the option --parameter.
+    `parameters` contains the texts of the option `--parameter`.
     """
     page = printable(live_page(circuit, parameters=parameters)).encode()
     return Export({"page.html": page}, f"{len(page) / 1000:.0f} kB; runs in any browser, without a network connection.")
@@ -99,7 +99,7 @@ def live_page(circuit: BaseCircuit, *, parameters: Sequence[str] = ()) -> str:
     header, blobs = run_data(replace(export_model.problem, most_attempts=MAX_ATTEMPTS))
     with style("A live page"):
         content = page_content(export_model, circuit, recording, sliders)
-    data = pack({**header, **content}, blobs)
+    data = pack_base64({**header, **content}, blobs)
     omitted = content["left_out"]
     notes = [f"Constant in the file's run, and without a curve here: {', '.join(omitted)}."] if omitted else []
     title, curves = circuit.title or "A circuit", _empty_figure(content, float(grid[-1]))
@@ -117,8 +117,8 @@ def page_content(
 ) -> dict[str, Any]:
     """Return the data of a live page, except the compiled model.
 
-    Curves, and bars that show codes such as a flow regime, refer to outputs by index. A bar of a flow regime also has
-    the index of the flow.
+    Curves and bars refer to outputs by index. A bar shows the codes of an output over time, such as a flow regime; then
+    it also has the index of the flow.
     """
     ambient = circuit.surroundings.pressure
     sheet = Sheet({"": recording}, None, None, "", inner=False)
@@ -167,9 +167,9 @@ def page_content(
 
 
 def _schematic_of_page(export_model: ExportModel, circuit: BaseCircuit) -> dict[str, Any]:
-    """Return the schematic as SVG text, with positions of values and of moving bodies.
+    """Return the schematic as SVG text, with positions of values and of moving symbols.
 
-    The positions are those inside the boxes of the parts.
+    The positions are empty lines inside the boxes of the parts.
     """
     inner = export_model.instance.inner
     values_of: dict[str, list[dict[str, Any]]] = {}
@@ -214,7 +214,7 @@ def _schematic_of_page(export_model: ExportModel, circuit: BaseCircuit) -> dict[
 def _empty_figure(content: dict[str, Any], duration: float) -> str:
     """Return the HTML of the figure of a live page, without curves and bars.
 
-    The script of the page adds them. `content` is the data of the page, and `duration` that of the run [s].
+    The script of the page adds them. `content` is the result of `page_content`, and `duration` that of the run [s].
     """
     name, size = content["time"]
     x: dict[str, Any] = {"label": f"time [{name}]", "range": [0.0, duration / size]}

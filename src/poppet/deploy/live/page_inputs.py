@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 from poppet.core.errors import ErrorCollector, InputError, NameSuggestion
 from poppet.core.number_format import USUAL, readable_unit
-from poppet.core.units import Kind, convert, quantity
+from poppet.core.units import Kind, convert, quantity, sizes_of
 from poppet.deploy.export_model import ExportModel
 from poppet.timeseries.signals import Points, Steps
 
@@ -30,7 +30,7 @@ _KINDS: dict[str, Kind] = {"Pa": "pressure", "K": "temperature", "kg/s": "mass_f
 class Slider:
     """Slider of a live page for a parameter or an input.
 
-    Values are in SI units, and `unit` is the display unit. The script of the page reads the fields by these names.
+    Values are in SI units, and `unit` is the display unit. The script of the page reads these fields by name.
     """
 
     address: str
@@ -50,6 +50,10 @@ class Slider:
     # Signal that the user can edit, with kind "steps" or "points"; no points if the file has no signal.
     course: dict[str, Any] | None = None
     delay: float = 0.0  # of the signal [s]
+    above: float | None = None  # the value must be greater; None if `least` is permitted
+    below: float | None = None  # the value must be less; None if `most` is permitted
+    reference: str = ""  # "gauge" if the value is a gauge pressure
+    is_settable: bool = True  # False if only a signal can set the input
 
     def scale(self, ambient_pressure: float) -> tuple[float, float]:
         """Return factor and offset that convert SI values to the display unit."""
@@ -57,18 +61,18 @@ class Slider:
 
 
 def affine(unit: str, display_unit: str, ambient_pressure: float = 1e5) -> tuple[float, float]:
-    """Return factor and offset that convert a unit to a display unit.
+    """Return factor and offset that convert values of a unit to a display unit.
 
-    The ambient pressure is the reference of gauge pressures.
+    Gauge pressures are relative to the ambient pressure [Pa].
     """
     at_zero, at_one = (float(convert(v, unit, display_unit, ambient_pressure=ambient_pressure)) for v in (0.0, 1.0))
     return at_one - at_zero, at_zero
 
 
 def select_sliders(export_model: ExportModel, circuit: BaseCircuit, texts: Sequence[str]) -> list[Slider]:
-    """Return the sliders that the user requested.
+    """Return the sliders that the user requested, or a default selection.
 
-    Each text is `ADDRESS` or `ADDRESS=LOW..HIGH`. Without texts, the result is a default selection.
+    Each text is `ADDRESS` or `ADDRESS=LOW..HIGH`.
     """
     if not texts:
         # Inputs with a signal, then parameters that the user gave or that are assumed; no temperatures or start values.
@@ -87,7 +91,7 @@ def select_sliders(export_model: ExportModel, circuit: BaseCircuit, texts: Seque
             *candidates,
         ]
         texts = list(dict.fromkeys(ordered))[:DEFAULT_COUNT]
-    sliders = {}
+    sliders: dict[str, Slider] = {}
     with ErrorCollector() as errors:
         for text in texts:
             address, _, span = (part.strip() for part in text.partition("="))
@@ -95,15 +99,27 @@ def select_sliders(export_model: ExportModel, circuit: BaseCircuit, texts: Seque
                 slider = _slider(export_model, circuit, address)
                 if span:
                     slider = _with_range(slider, span, circuit.surroundings.pressure)
-                sliders[slider.address] = slider
+                sliders[slider.address] = replace(slider, is_settable=_is_settable(circuit, slider))
     return list(sliders.values())
+
+
+def _is_settable(circuit: BaseCircuit, slider: Slider) -> bool:
+    """Return True if the circuit accepts a value at the address of the slider.
+
+    It is False for an input that is not also a parameter.
+    """
+    try:
+        circuit.with_values({slider.address: slider.value})
+    except InputError:
+        return False
+    return True
 
 
 def _is_guided(export_model: ExportModel, address: str) -> bool:
     """Return True if an input prescribes the motion of a body.
 
-    Another input is then its rate of change. A slider cannot set such an input, because a constant value would not move
-    the body.
+    The rate of change of such an input is a further input. A slider cannot set an input that prescribes a motion,
+    because a constant value would not move the body.
     """
     inputs = export_model.inputs
     return any(item.slope_of >= 0 and inputs[item.slope_of].address == address for item in inputs)
@@ -131,7 +147,7 @@ def _slider(export_model: ExportModel, circuit: BaseCircuit, address: str) -> Sl
         address = export_model.parameters[inputs[address].parameter].address
     if address not in parameters:
         near = NameSuggestion(address, [*parameters, *inputs])
-        raise InputError("names.unknown", address, meaning="a parameter or input of the circuit", near=near)
+        raise InputError("names.unknown", address, meaning="a parameter or input of the circuit", suggestion=near)
     if not parameters[address].is_free:
         raise InputError(f"deploy.live.{parameters[address].fixed}", address)
     parameter, number = parameters[address], circuit.numbers()[address]
@@ -150,14 +166,16 @@ def _slider(export_model: ExportModel, circuit: BaseCircuit, address: str) -> Sl
     return Slider(
         address, value, low, high, parameter.low, parameter.high, parameter.unit, unit, parameter.meaning,
         source, number.source.kind == "assumed", index, setters, is_driven=False,
+        # The smallest plausible value stands for a limit of 0 that is excluded.
+        above=0.0 if parameter.low == sizes_of(parameter.unit)[0] > 0.0 else parameter.above, below=parameter.below,
         **(_signal_and_delay(export_model, circuit, setters[0]) if is_input else {}),
     )  # fmt: skip
 
 
 def _signal_and_delay(export_model: ExportModel, circuit: BaseCircuit, index: int) -> dict[str, Any]:
-    """Return the signal of an input in the circuit file, and its delay.
+    """Return the signal and the delay of the input with the given index.
 
-    `index` is the index of the input.
+    The keys of the result are `course` and `delay`, as in the fields of a slider.
     """
     item, signal = export_model.model.inputs[index], circuit.signals.get(export_model.inputs[index].address)
     course: dict[str, Any] = {"kind": "steps", "times": [], "values": []}
@@ -170,7 +188,8 @@ def _signal_and_delay(export_model: ExportModel, circuit: BaseCircuit, index: in
 def _default_range(value: float, lower_limit: float, upper_limit: float, unit: str) -> tuple[float, float]:
     """Return a default range for a slider, within the limits of the parameter.
 
-    The range is half to twice the value, or 30 K on either side of a temperature.
+    The range is half to twice the value, or 30 K on either side of a temperature. For the value 0, it extends to the
+    limits; an infinite limit is replaced by -1 or 1.
     """
     if unit in _TEMPERATURES:
         low, high = value - 30.0, value + 30.0
@@ -187,10 +206,7 @@ def _default_range(value: float, lower_limit: float, upper_limit: float, unit: s
 
 
 def _with_range(slider: Slider, span: str, ambient_pressure: float) -> Slider:
-    """Return a slider with another range.
-
-    `span` is the text of the range, for example `50 l..400 l`.
-    """
+    """Return the slider with the range of the text `span`, such as `50 l..400 l`."""
     if ".." not in span:
         raise InputError("deploy.live.range", slider.address, text=span)
     ends = []

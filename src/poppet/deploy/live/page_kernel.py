@@ -79,10 +79,10 @@ def compile_wasm_object(llvm_module: Any) -> bytes:
 
 
 def run_data(problem: Problem) -> tuple[dict[str, Any], dict[str, bytes]]:
-    """Return the data of a run for a live page.
+    """Return the data with which a live page simulates a run.
 
-    The result contains a header with array lengths, and the bytes of each array by the name of the field for its
-    address.
+    The result contains a header with array lengths, and the bytes of each array by name. The compiled model is one of
+    the arrays.
     """
     kernel, conditions, module = problem.kernel, problem.stop_conditions, live_module(problem.kernel.model)
     lengths = {name: value for name, value in kernel.job.items() if name.startswith("n_")}
@@ -108,10 +108,10 @@ def run_data(problem: Problem) -> tuple[dict[str, Any], dict[str, bytes]]:
     return header, {"module": module.code, **{name: array.tobytes() for name, array in arrays.items()}}
 
 
-def pack(header: Mapping[str, Any], blobs: Mapping[str, bytes]) -> str:
+def pack_base64(header: Mapping[str, Any], blobs: Mapping[str, bytes]) -> str:
     """Return a header and arrays as one compressed base64 text.
 
-    The order is: length of the header, header as JSON, arrays.
+    The uncompressed order is: length of the header, header as JSON, arrays.
     """
     places, body = {}, b""
     for name, blob in blobs.items():
@@ -123,14 +123,15 @@ def pack(header: Mapping[str, Any], blobs: Mapping[str, bytes]) -> str:
 
 
 def run_in_node(problem: Problem, folder: Path, *numbers: Any) -> tuple[dict[str, Any], NDArray[np.float64]]:
-    """Run the WebAssembly model in Node.js, and return outcome and outputs.
+    """Run the WebAssembly model in Node.js, and return the outcome and the outputs.
 
-    The outcome includes the computing time [s]. `numbers` contains pairs of an index in p and a value.
+    The outcome includes the computing time [s], and the outputs have shape (n_outputs, n_times). `numbers` contains
+    pairs of the index of a parameter and its new value.
     """
     script, table = folder / "run.js", folder / "table.bin"
     kernel = (files("poppet.deploy.live") / "kernel.js").read_text(encoding="utf-8")
     script.write_text(kernel + _MAIN, encoding="utf-8")
     command = ["node", str(script), str(table), json.dumps([numbers])]
-    text = pack(*run_data(problem))
+    text = pack_base64(*run_data(problem))
     result = subprocess.run(command, input=text, capture_output=True, text=True, check=True, timeout=300)
     return json.loads(result.stdout), np.fromfile(table).reshape(-1, problem.grid.size)

@@ -20,7 +20,7 @@ from poppet.deploy.comparison import START_CHANGE
 from poppet.deploy.controller import controller_program
 from poppet.deploy.fmu.fmu_layout import structured_name
 from poppet.deploy.fmu.importers import read_description, run_in_fmpy, run_in_libcosim
-from poppet.deploy.fmu.package import build_fmu, pack
+from poppet.deploy.fmu.package import build_fmu, zip_bytes
 from poppet.deploy.live.page_kernel import run_in_node
 from poppet.deploy.parity.parity_check import MAX_INSTANTS, KernelReference, NotRunError, ParityCheck, TargetResult
 from poppet.engine.solve import solve
@@ -40,13 +40,13 @@ EXCHANGE = (1e-5, "gas", "sharp", "method")
 def _run_solver(reference: KernelReference, folder: Path, solver: str) -> TargetResult:
     """Run a circuit with one solver, for comparison with the reference run.
 
-    `solver` is a reference solver, or `rosenbrock` for the own integrator with a changed start. Without a solver, the
-    result is that of `simulate`.
+    `solver` is the name of a reference solver, or `rosenbrock` for poppet's own integrator with a slightly changed
+    start state. If the name is empty, the existing run by poppet's own integrator is returned. `folder` is unused.
     """
     if not solver:
         return TargetResult(reference.run.values, reference.seconds)
     if solver == "rosenbrock":
-        problem = replace(reference.separate, x0=reference.separate.x0 * (1.0 + START_CHANGE))
+        problem = replace(reference.unfused_problem, x0=reference.unfused_problem.x0 * (1.0 + START_CHANGE))
     elif reference.n_instants > MAX_INSTANTS:
         raise NotRunError("instants", count=reference.n_instants, most=MAX_INSTANTS)
     else:
@@ -58,7 +58,7 @@ def _run_solver(reference: KernelReference, folder: Path, solver: str) -> Target
 
 
 def kernel_checks() -> list[ParityCheck]:
-    """Return the parity checks of the own integrator and of the reference solvers.
+    """Return the parity checks of poppet's own integrator and of the reference solvers.
 
     A parity check compares the results of two programs.
     """
@@ -78,9 +78,9 @@ def kernel_checks() -> list[ParityCheck]:
 
 
 def _run_c(reference: KernelReference, folder: Path, step: float = 0.0, substeps: int = 1) -> TargetResult:
-    """Compile and run the exported C code.
+    """Compile the exported C code in `folder`, and run it.
 
-    `step` is the fixed step, or 0 for error control. `substeps` is the number of substeps.
+    `step` is the fixed step [s], or 0 for error control. `substeps` is the number of integration steps in a fixed step.
     """
     compiler = shutil.which(os.environ.get("CC", "cc")) or shutil.which("gcc") or shutil.which("clang")
     if compiler is None:
@@ -107,7 +107,7 @@ def _run_c(reference: KernelReference, folder: Path, step: float = 0.0, substeps
 
 
 def c_checks() -> list[ParityCheck]:
-    """Return the checks that compare the exported C code with the simulation."""
+    """Return the parity checks of the exported C code."""
 
     steps = {
         "c 1 kHz": ("1 ms", 1e-3, 1e-3, 1),
@@ -132,7 +132,8 @@ def c_checks() -> list[ParityCheck]:
 def _run_fmu(reference: KernelReference, folder: Path, kind: str, fmi: int) -> TargetResult:
     """Run an exported FMU in one importer.
 
-    `kind` selects libcosim, or FMPy with `CoSimulation` or `ModelExchange`. `fmi` is the FMI version.
+    `kind` is `libcosim`, or, for the importer FMPy, `CoSimulation` or `ModelExchange`. `fmi` is the FMI version, 2 or
+    3.
     """
     if not sys.platform.startswith("linux"):
         raise NotRunError("other_system", system=sys.platform)
@@ -146,7 +147,7 @@ def _run_fmu(reference: KernelReference, folder: Path, kind: str, fmi: int) -> T
             fmu = build_fmu(reference.circuit, "model", fmi=fmi)
             if not fmu.platforms:
                 raise NotRunError("because", why=str(fmu.notes[0]))
-            file.write_bytes(pack(fmu.content))
+            file.write_bytes(zip_bytes(fmu.content))
         variables, problems = read_description(file)
         if problems:
             raise NotRunError("because", why="; ".join(problems))
@@ -164,7 +165,7 @@ def _run_fmu(reference: KernelReference, folder: Path, kind: str, fmi: int) -> T
 
 
 def fmu_checks() -> list[ParityCheck]:
-    """Return the checks that compare the exported FMU with the simulation."""
+    """Return the parity checks of the exported FMU."""
     return [
         ParityCheck(name, text, limit, scope, partial(_run_fmu, kind=kind, fmi=fmi), rows, cause, fmi)
         for name, text, kind, fmi, (limit, scope, rows, cause) in (
@@ -195,14 +196,14 @@ def _run_page_kernel(reference: KernelReference, folder: Path) -> TargetResult:
 
 
 def live_checks() -> list[ParityCheck]:
-    """Return the checks that compare the live page with the simulation."""
+    """Return the parity check of the live page."""
     return [ParityCheck("wasm", "WebAssembly of the live page, in node", 1e-9, "all", _run_page_kernel)]
 
 
 def _run_controllers(reference: KernelReference, folder: Path) -> TargetResult:
-    """Run the program of all controllers with recorded sensor values.
+    """Run the exported program of all controllers with sensor values from a simulation.
 
-    The sensor values come from a simulation.
+    The result contains the differences of its outputs from the simulation.
     """
     if not reference.controllers:
         raise NotRunError("no_controller")
@@ -218,7 +219,7 @@ def _run_controllers(reference: KernelReference, folder: Path) -> TargetResult:
         columns.append(recording[address][:-1] + offset)
     inputs = np.array(columns).T
     start_time = time.perf_counter()
-    outputs = program.run([*inputs])
+    outputs = program.run(inputs).outputs
     seconds = time.perf_counter() - start_time
     differences = {}
     for k, output in enumerate(program.outputs):
@@ -229,9 +230,9 @@ def _run_controllers(reference: KernelReference, folder: Path) -> TargetResult:
 
 
 def controller_checks() -> list[ParityCheck]:
-    """Return the check that compares exported controllers with the simulation.
+    """Return the parity check of exported controllers.
 
-    The program is printed as structured text and as C.
+    It runs the program from which structured text and C are printed.
     """
     text = "the program of the controllers, which structured text and C print"
     return [ParityCheck("controllers", text, 1e-9, "all", _run_controllers)]

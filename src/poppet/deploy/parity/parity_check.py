@@ -51,7 +51,7 @@ class TargetResult(NamedTuple):
 class ParityCheck(NamedTuple):
     """Comparison of one export target with the simulation.
 
-    It is one row of the parity table.
+    It gives one row of the table that `poppet export check` prints.
     """
 
     name: str
@@ -69,9 +69,9 @@ class ParityCheck(NamedTuple):
 
 @dataclass(frozen=True, eq=False)
 class KernelReference:
-    """Reference run of a circuit, and variants of it for comparisons.
+    """Reference run of a circuit, and variants of it, with which targets are compared.
 
-    The runs are those of poppet's own integrator, the kernel.
+    The runs are those of the kernel, poppet's own integrator.
     """
 
     circuit: BaseCircuit
@@ -83,38 +83,32 @@ class KernelReference:
 
     @property
     def names(self) -> tuple[str, ...]:
-        """Addresses of the outputs."""
+        """Addresses of the outputs of the circuit."""
         return self.problem.kernel.model.columns[0]
 
     @cached_property
-    def separate(self) -> Problem:
-        """Definition of the run for a kernel without fused multiply-add operations (FMA)."""
+    def unfused_problem(self) -> Problem:
+        """Definition of the run with a kernel without fused operations (FMA), as in the targets."""
         return without_fused_operations(self.problem)
 
     @cached_property
     def rows(self) -> ReferenceRun:
-        """Reference run at the output times of the circuit.
-
-        The kernel has no fused multiply-add operations.
-        """
+        """Reference run at the output times of the circuit, without fused operations."""
         # A row at a sample instant has the values after it; the last row of a run has the values before it.
-        return run_reference(self.separate, self.problem.grid.size - bool(self.problem.kernel.model.memory))
+        return run_reference(self.unfused_problem, self.problem.grid.size - bool(self.problem.kernel.model.memory))
 
     def at_points(self, points: Array) -> ReferenceRun:
-        """Return the reference run for an importer that communicates at given times.
+        """Return the reference run for an importer that communicates at given times [s].
 
         The steps of the run end at these times. The kernel has no fused operations.
         """
-        return run_reference(with_points(self.separate, _with_next_row(points)), points.size)
+        return run_reference(with_points(self.unfused_problem, _with_next_row(points)), points.size)
 
     @cached_property
-    def sharp(self) -> ReferenceRun:
-        """Reference run with the smaller tolerance of FMI model exchange.
-
-        The kernel has no fused operations.
-        """
+    def exchange_run(self) -> ReferenceRun:
+        """Reference run with the smaller tolerance of FMI model exchange, without fused operations."""
         grid = _with_next_row(self.problem.grid)
-        sharp = replace(self.separate, grid=grid, relative_tolerance=EXCHANGE_TOLERANCE)
+        sharp = replace(self.unfused_problem, grid=grid, relative_tolerance=EXCHANGE_TOLERANCE)
         return run_reference(sharp, grid.size - 1)
 
     @cached_property
@@ -130,22 +124,22 @@ class KernelReference:
 
     @cached_property
     def controllers(self) -> tuple[str, ...]:
-        """Names of the parts with a sampled controller."""
+        """Names of the sampled controllers of the circuit."""
         return tuple(find_controllers(self.circuit))
 
 
 def _with_next_row(points: Array) -> Array:
-    """Return times, followed by one later time.
+    """Return increasing times, followed by one later time.
 
-    The values at the last given time are then those after an event, as in importers.
+    With the later time, the values at the last given time are those after an event, as in importers.
     """
     return np.append(points, 2.0 * points[-1] - points[-2])
 
 
 def with_points(problem: Problem, points: Array) -> Problem:
-    """Return the definition of a run for an importer that communicates at given times.
+    """Return the definition of a run for an importer that communicates at given times [s].
 
-    Output times and ends of steps are these times.
+    These times are the output times of the run, and steps end at them.
     """
     starts = np.union1d(problem.starts, points[:-1])
     # A point next to a breakpoint is replaced by the breakpoint, as in the FMU.

@@ -46,28 +46,28 @@ class ParityRow:
     check : ParityCheck
         The check.
     seconds : float or None
-        Time of the run; None if the target was not run.
+        Computing time of the target [s]; None if it was not run.
     greatest : float or None
-        Maximum compared difference relative to the size of the output; None if nothing is compared.
+        Maximum compared difference, relative to the size of the output; None if nothing is compared.
     worst : str
-        Output with this difference.
+        Address of the output with this difference.
     ratio : float
-        Maximum ratio of a difference to the allowed one: the limit, or ten times the effect of small changes. It
-        includes the differences of states in the rest of the run.
+        Maximum ratio of a difference to the permitted difference: the limit, or ten times the effect of small changes.
+        After the end of the comparison, only the differences of states count.
     until : float
         End of the comparison [s]: after it, small changes of the kernel lead to a different run.
     share : float
         Compared fraction of the values.
     overall : float or None
-        Maximum difference in the whole run.
+        Maximum relative difference in the whole run.
     drift : float or None
-        Maximum difference of a state in the whole run.
+        Maximum relative difference of a state in the whole run.
     moved : float or None
-        Maximum effect of small changes on a state of the kernel; None without changes.
+        Maximum relative effect of small changes on a state of the kernel; None without changes.
     differences : dict
         Maximum compared difference of each output by address, relative to its size.
     why : Note or None
-        Reason for which the target was not run.
+        Reason why the target was not run; None if it was run.
     """
 
     check: ParityCheck
@@ -92,7 +92,8 @@ class ParityRow:
     def verdict(self) -> str:
         """Verdict on the agreement of the target with the simulation.
 
-        It is `within` the limit, within `rounding`, `coarse` step, `beyond`, `not run` or `not compared`.
+        It is `within` (the limit), `rounding` (beyond the limit, but explained by rounding), `coarse` (the fixed step
+        is too long), `beyond`, `not run` or `not compared`.
         """
         if self.why is not None:
             return "not run"
@@ -109,6 +110,8 @@ class ParityRow:
 class Parity:
     """Results of all parity checks of one circuit.
 
+    A parity check compares an export target with the kernel, poppet's own integrator.
+
     Parameters
     ----------
     title : str
@@ -116,7 +119,7 @@ class Parity:
     duration : float
         Duration of the run [s].
     seconds : float
-        Computing time of the kernel.
+        Computing time of the kernel [s].
     steps : int
         Accepted steps of the kernel.
     sizes : dict
@@ -134,9 +137,9 @@ class Parity:
 
     @property
     def is_within_limits(self) -> bool:
-        """True if no target differs more than the limit and the effect of rounding permit.
+        """True if no verdict is `beyond`.
 
-        Targets that were not run are not considered.
+        Targets that were not run are ignored.
         """
         return all(row.verdict != "beyond" for row in self.rows)
 
@@ -151,14 +154,16 @@ def all_checks() -> dict[str, ParityCheck]:
 
 
 def compare_targets(circuit: BaseCircuit, *, only: Sequence[str] = (), fmu: Path | None = None) -> Parity:
-    """Run a circuit with every export target, and compare each run with the run of the kernel.
+    """Run a circuit with every export target, and compare the results with the kernel.
+
+    The kernel is poppet's own integrator.
 
     Parameters
     ----------
     circuit : Circuit
         Circuit with a duration.
     only : sequence of str, optional
-        Names of checks (default: all).
+        Names of the checks to make (default: all).
     fmu : Path, optional
         FMU of the circuit, which is then the only target and is run instead of new FMUs.
 
@@ -179,7 +184,7 @@ def compare_targets(circuit: BaseCircuit, *, only: Sequence[str] = (), fmu: Path
     for name in selected:
         if name not in checks:
             near = NameSuggestion(name, checks)
-            raise InputError("fields.not_an_option", "target", value=name, meaning="target", near=near)
+            raise InputError("fields.not_an_option", "target", value=name, meaning="target", suggestion=near)
     selected_checks = [check for check in checks.values() if not selected or check.name in selected]
     if fmu is not None:
         version = fmi_version(fmu)
@@ -195,7 +200,7 @@ def compare_targets(circuit: BaseCircuit, *, only: Sequence[str] = (), fmu: Path
 def run_kernel(circuit: BaseCircuit, fmu: Path | None = None) -> KernelReference:
     """Run a circuit with poppet's own integrator, and measure the computing time.
 
-    `fmu` is an FMU that is checked instead of newly exported ones.
+    `fmu` is an FMU file to check instead of newly exported ones.
     """
     circuit.simulate()  # compiles everything, and raises the error of a run that fails
     problem = circuit.problem(circuit.run)
@@ -222,7 +227,7 @@ def _run_check(check: ParityCheck, reference: KernelReference, folder: Path) -> 
     if check.reference == "points" and result.points is not None:
         run = reference.at_points(result.points)
     else:
-        run = reference.sharp if check.reference == "sharp" else reference.rows
+        run = reference.exchange_run if check.reference == "sharp" else reference.rows
     # Changes of the size of rounding, or of the tolerance of another method, measure an acceptable difference.
     changes: list[Problem] = []
     if check.cause == "rounding":
@@ -288,7 +293,7 @@ def results_table(parity: Parity, *, is_long: bool = False) -> ReportTable:
 
 
 def outputs_table(parity: Parity) -> ReportTable:
-    """Return a table of the largest difference of each output.
+    """Return a table of the largest difference of each output from the reference run.
 
     It has one column for each target that was run.
     """
@@ -305,7 +310,7 @@ def not_run_notes(parity: Parity) -> list[str]:
 
 
 def write_parity(parity: Parity, path: str | Path) -> Path:
-    """Write the results of all parity checks as a report."""
+    """Write the results of all parity checks as an HTML report."""
     return write_page(path, lambda: parity_page(parity))
 
 

@@ -2,24 +2,19 @@
 
 from __future__ import annotations
 
-import re
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
-from poppet.core.errors import InputError, collect
+from poppet.core.errors import InputError, raise_errors
 from poppet.core.version import __version__
-from poppet.deploy.controller import (
-    SIGNATURES,
-    ControllerProgram,
-    controller_program,
-    controllers_of_option,
-    find_controllers,
-)
+from poppet.deploy.controller import controller_program, controllers_of_option, find_controllers
+from poppet.deploy.controller_program import FLAGS, SIGNATURES, STATUS, ControllerProgram
 from poppet.deploy.export_files import comment_text, identifier
 from poppet.deploy.targets import CircuitSource, Export
 from poppet.engine.printers.instructions import instructions
-from poppet.engine.printers.st import FUNCTIONS, Statements, UnsupportedOperationError, literal
+from poppet.engine.printers.st import FUNCTIONS, STRUCTURED_TEXT, literal
+from poppet.engine.printers.statements import ResultVariable, Statements, UnsupportedOperationError, Value
 from poppet.parts.part import NEVER
 from poppet.timeseries.signals import SampledSignal
 
@@ -28,10 +23,15 @@ if TYPE_CHECKING:
 
 MAX_NAME_LENGTH = 32
 """Maximum number of characters of a name; some controllers ignore further characters."""
-MAX_ROUNDS = 1000
-"""Maximum number of sample instants in one call."""
-BLOCK_NAMES = ("cycle_time", "restart", "overrun", "started", "calls", "now", "due", "never", "rounds", *FUNCTIONS)
+BLOCK_NAMES = ("cycle_time", "restart", "never", *STATUS, *FLAGS, *FUNCTIONS)
 """Names of the block in addition to those of the program."""
+_STATUS_MEANINGS = {
+    "input_held": "an input is not valid; its last valid value is used",
+    "safe": "the command is the safe command",
+    "saturated": "a command is cut by a limit",
+    "late": "a sample was late or is dropped, or time ran backwards",
+    "parameter_held": "a parameter is not valid; the last valid parameters are used",
+}
 # Keywords, types, standard functions and blocks in addition to those of `identifier`.
 _RESERVED = frozenset(
     """
@@ -69,13 +69,12 @@ class BlockNames:
         Examples
         --------
         >>> names = BlockNames()
-        >>> [names.add(text) for text in ("outer.gain", "Outer gain", "end_if", "v1", "x" * 40)]
-        ['outer_gain', 'Outer_gain_2', 'end_if_1', 'v1_1', 'xxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxx']
+        >>> [names.add(text) for text in ("outer.gain", "Outer gain", "end_if", "x" * 40)]
+        ['outer_gain', 'Outer_gain_2', 'end_if_1', 'xxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxx']
         """
         # The standard allows neither an underscore at the end nor two in a row.
         base = identifier(text).strip("_")[:MAX_NAME_LENGTH].strip("_")
-        # `v1` and `fired_1` are variables of the block.
-        if base.lower() in _RESERVED or identifier(base) != base or re.fullmatch(r"(?i)v\d+|fired_\d+", base):
+        if base.lower() in _RESERVED or identifier(base) != base:
             base = f"{base[: MAX_NAME_LENGTH - 2].strip('_')}_1"
         name, count = base, 1
         while name.lower() in self.used:
@@ -123,7 +122,7 @@ def block_of(circuit: BaseCircuit, parts: Sequence[str] = ()) -> str:
     """
     program = controller_program(circuit, parts)
     sampled = [i.address for i in program.inputs if isinstance(circuit.signals.get(i.address), SampledSignal)]
-    collect([InputError("deploy.file_in_block", address) for address in sampled])
+    raise_errors([InputError("deploy.file_in_block", address) for address in sampled])
     return function_block(program)
 
 
@@ -150,35 +149,74 @@ def function_block(program: ControllerProgram) -> str:
     # In a program of one part, the names omit the part.
     prefix = f"{program.parts[0]}." if len(program.parts) == 1 else ""
 
-    def local_names(quantities: Iterable[Any], mark: Callable[[str], str] = lambda address: "") -> list[str]:
-        return [names.add(f"{mark(q.address)}{q.address.removeprefix(prefix)}") for q in quantities]
+    def local_names(addresses: Iterable[str], mark: str = "") -> list[str]:
+        return [names.add(f"{mark}{address.removeprefix(prefix)}") for address in addresses]
 
-    inputs, outputs = local_names(program.inputs), local_names(program.outputs)
-    parameters = local_names(program.parameters)
-    interface = {q.address for q in program.outputs} | {q.address for q in program.inputs}
-    memory = local_names(program.memory, lambda address: "held " * (address in interface))
-    fired = [f"fired_{k + 1}" for k in range(program.n_timers)]
-    variables = {"t": ["now"], "u": inputs, "p": parameters, "z": memory, "fired": fired}
+    inputs = local_names(item.address for item in program.inputs)
+    outputs = local_names(output.address for output in program.outputs)
+    parameters = local_names(parameter.address for parameter in program.parameters)
+    interface = {*(item.address for item in program.inputs), *(output.address for output in program.outputs)}
+    states = [
+        state.address
+        if state.group == "flag"
+        else names.add(
+            f"{'held ' if state.group != 'memory' or state.address in interface else ''}"
+            f"{state.address.removeprefix(prefix)}"
+        )
+        for state in program.states
+    ]
+    fired = [names.add(f"sample {name}") for name in states[: program.n_timers]]
+    values = {
+        "dt": [Value("cycle_time")],
+        "u": [Value(name, q.address in program.flags) for name, q in zip(inputs, program.inputs, strict=True)],
+        "p": [Value(name) for name in parameters],
+        "z": [Value(name, state.is_flag) for name, state in zip(states, program.states, strict=True)],
+        "fired": [Value(name, True) for name in fired],
+        "y": [Value(name) for name in outputs],
+        "status": [Value(name, True) for name in STATUS],
+    }
+    labels = {
+        function: [(names.add(address.removeprefix(prefix)), comment_text(text)) for address, text in items.items()]
+        for function, items in program.labels.items()
+    }
+    label_names = {name for items in labels.values() for name, _ in items}
     printed: dict[str, Statements] = {}
-    count = 0
     for name, signature in SIGNATURES.items():
-        arguments = [variables[argument] for argument in signature.partition(" -> ")[0].split()]
-        results = outputs if name == "outputs" else memory
-        statements = Statements(arguments, [results], count + 1, frozenset(fired), {NEVER: "never"})
+        arguments, results = (side.split() for side in signature.split("->"))
+        statements = Statements(
+            STRUCTURED_TEXT,
+            [values[argument] for argument in arguments],
+            [[ResultVariable(v.text, v.is_flag) for v in values[result]] for result in results if result != "labels"],
+            # A labelled value has its name already.
+            lambda text: text if text in label_names else names.add(text),
+            labels=labels[name],
+            constants={NEVER: "never"},
+            is_in_place=True,
+        )
         try:
             statements.read(instructions(program.functions[name]))
         except UnsupportedOperationError as problem:
             raise InputError("deploy.no_structured_text", program.parts[0], what=str(problem)) from problem
-        printed[name], count = statements, statements.count
+        printed[name] = statements
+    any_fired = " OR ".join(fired)
     text = "\n".join(
         [
             *([f"(* {comment_text(program.title)} *)"] if program.title else []),
             f"(* {comment_text(', '.join(program.parts))}; written by poppet {__version__}. All values are in SI units,"
             " pressures absolute. *)",
-            f"(* Call it every cycle_time seconds, {program.cycle:g} s: it samples by its own count of its calls. *)",
+            f"(* Call it every {program.cycle:g} s, with the time since the previous call in cycle_time. *)",
             f"FUNCTION_BLOCK {block_name}",
-            *_declarations(program, {**variables, "y": outputs}, printed),
-            *_statements_of_call(printed, memory[: program.n_timers], fired),
+            *_declarations(program, {key: [v.text for v in group] for key, group in values.items()}, printed),
+            *printed["accept"].lines,
+            "IF restart OR NOT is_started THEN",
+            *_indent(printed["start"].lines),
+            "  is_started := FALSE;",
+            "END_IF;",
+            *printed["advance"].lines,
+            f"IF {any_fired} THEN",
+            *_indent(printed["update"].lines),
+            "END_IF;",
+            *printed["outputs"].lines,
             "END_FUNCTION_BLOCK",
             "",
         ]
@@ -196,6 +234,14 @@ def _declaration(name: str, kind: str, start: str, unit: str, *texts: str) -> st
     return f"  {name} : {kind}{f' := {start}' if start else ''};{f' (* {comment} *)' if comment else ''}"
 
 
+def _type_and_start(quantity: Any) -> tuple[str, str]:
+    """Return type and start value of a variable for an input or an element of the state."""
+    if quantity.is_flag:
+        return "BOOL", "TRUE" if quantity.value > 0.5 else "FALSE"
+    # A start value is no expression: it accepts a sign, but no parentheses.
+    return "LREAL", literal(quantity.value).strip("()")
+
+
 def _declarations(
     program: ControllerProgram, names: Mapping[str, list[str]], printed: Mapping[str, Statements]
 ) -> list[str]:
@@ -204,64 +250,42 @@ def _declarations(
     `names` maps quantities to names, and `printed` contains the printed functions.
     """
 
-    def start_value(quantity: Any) -> str:
-        # A start value is no expression: it accepts a sign, but no parentheses.
-        return literal(quantity.value).strip("()")
-
-    inputs = zip(names["u"], program.inputs, strict=True)
+    inputs = zip(names["u"], [state for state in program.states if state.group == "in"], strict=True)
     parameters = zip(names["p"], program.parameters, strict=True)
-    outputs = zip(names["y"], program.outputs, strict=True)
-    memory = zip(names["z"], program.memory, strict=True)
     return [
         "VAR_INPUT",
-        *(_declaration(name, "LREAL", start_value(q), q.unit, q.address) for name, q in inputs),
-        _declaration("cycle_time", "LREAL", literal(program.cycle), "s", "time from call to call"),
-        _declaration("restart", "BOOL", "FALSE", "", "TRUE: begin anew"),
-        "  (* Numbers of the controller. *)",
-        *(_declaration(name, "LREAL", start_value(q), q.unit, q.meaning, q.address) for name, q in parameters),
+        *(_declaration(name, *_type_and_start(q), q.unit, q.address) for name, q in inputs),
+        _declaration("cycle_time", "LREAL", literal(program.cycle), "s", "time since the previous call"),
+        _declaration("restart", "BOOL", "FALSE", "", "TRUE: start again"),
+        "  (* Parameters of the controller. *)",
+        *(
+            _declaration(name, "LREAL", literal(q.value).strip("()"), q.unit, q.meaning, q.address)
+            for name, q in parameters
+        ),
         "END_VAR",
         "VAR_OUTPUT",
-        *(_declaration(name, "LREAL", "", q.unit, q.address) for name, q in outputs),
-        _declaration("overrun", "BOOL", "", "", "it was called too seldom, or a sample time is zero"),
+        *(
+            _declaration(name, "LREAL", "", q.unit, q.address)
+            for name, q in zip(names["y"], program.outputs, strict=True)
+        ),
+        *(_declaration(name, "BOOL", "", "", meaning) for name, meaning in _STATUS_MEANINGS.items()),
         "END_VAR",
         "VAR",
-        *(_declaration(name, "LREAL", "", q.unit, q.address) for name, q in memory),
-        *(_declaration(name, "BOOL", "", "") for name in ("started", *names["fired"])),
-        *(_declaration(name, "LREAL", "", "") for name in ("calls", "now", "due")),
+        *(
+            _declaration(name, *_type_and_start(state), state.unit)
+            for name, state in zip(names["z"], program.states, strict=True)
+        ),
         # Not `NEVER`: it has more digits before the point than some compilers accept.
-        _declaration("never", "LREAL", "1.0E+30", "s", "a time that does not come"),
-        _declaration("rounds", "INT", "", ""),
-        *(_declaration(*variable, "", "") for statements in printed.values() for variable in statements.variables),
+        _declaration("never", "LREAL", "1.0E+30", "s", "time of an inactive timer"),
         "END_VAR",
-    ]
-
-
-def _statements_of_call(printed: Mapping[str, Statements], timers: Sequence[str], fired: Sequence[str]) -> list[str]:
-    """Return the statements that the function block executes in each call.
-
-    `timers` are the names of the timers, and `fired` those of the variables that show which timer is due.
-    """
-    expiry = [f"{flag} := {timer} <= due;" for flag, timer in zip(fired, timers, strict=True)]
-    any_expired = " OR ".join(fired)
-    return [
-        "IF restart OR NOT started THEN",
-        *_indent(printed["start"].lines),
-        "  calls := 0.0;",
-        "  started := TRUE;",
-        "END_IF;",
-        "now := calls * cycle_time;",
-        "calls := calls + 1.0;",
-        "(* What is closer than this is one instant. *)",
-        "due := now + 1.0E-14 * now + 1.0E-15;",
-        "rounds := 0;",
-        *expiry,
-        f"WHILE {f'({any_expired})' if len(fired) > 1 else any_expired} AND rounds < {MAX_ROUNDS} DO",
-        *_indent(printed["update"].lines),
-        "  rounds := rounds + 1;",
-        *_indent(expiry),
-        "END_WHILE;",
-        f"overrun := rounds >= {MAX_ROUNDS};",
-        *printed["outputs"].lines,
+        "VAR_TEMP",
+        *(_declaration(name, "BOOL", "", "") for name in names["fired"]),
+        *(
+            _declaration(name, STRUCTURED_TEXT.types[is_flag], "", "")
+            for statements in printed.values()
+            for name, is_flag in statements.variables
+        ),
+        "END_VAR",
     ]
 
 

@@ -13,6 +13,7 @@ from collections.abc import Collection, Mapping, Sequence
 from typing import Any, NamedTuple
 
 from poppet.engine.printers.instructions import SIGNATURES, Block, Instruction, blocks, instructions
+from poppet.engine.printers.statements import Language
 from poppet.engine.rosenbrock import ARGUMENT, COUPLING, DENSE, GAMMA, INPUT_TIMES, STAGE_DRIFT, STAGE_TIME
 
 BLOCK_SIZE = 1500
@@ -53,7 +54,7 @@ LARGEST_SINGLE = 3e38
 class Precision(NamedTuple):
     """Floating-point type in C, for example double.
 
-    It contains the suffixes of constants and of functions in `math.h`.
+    It contains the suffixes of its constants and of its functions in `math.h`.
     """
 
     real: str = "double"
@@ -91,15 +92,54 @@ static {real} with_sign({real} x, {real} s) {{
 """
 
 
-def used_prelude(text: str, precision: Precision = DOUBLE) -> str:
-    """Return the C text of the helper functions that a text calls.
+def statement_helpers(text: str, precision: Precision) -> str:
+    """Return the C text of the helper functions that readable statements call."""
+    real = precision.real
+    helpers = [
+        f"static {real} {name}({real} a, {real} b) {{\n  return (a {sign} b) ? a : b;\n}}"
+        for name, sign in (("smaller", "<"), ("larger", ">"))
+        if f"{name}(" in text
+    ]
+    return "\n\n".join([*helpers, *filter(None, [used_prelude(text, precision)])])
 
-    The others are omitted, because compilers warn about unused functions.
+
+def used_prelude(text: str, precision: Precision = DOUBLE) -> str:
+    """Return the C text of those helper functions that a text calls.
+
+    Compilers would warn about unused functions.
     """
     first, second = prelude(precision).split("\n\n", 1)
     return "\n\n".join(
         f for f, name in ((first, "power("), (second.rstrip(), "with_sign(")) if name in text
     )  # fmt: skip
+
+
+def statement_language(precision: Precision) -> Language:
+    """Return the syntax of C for readable statements, which call `smaller`, `larger` and `power`."""
+    real, e = precision
+    one, zero = precision.literal(1.0), precision.literal(0.0)
+    operations = {
+        **{name: _FORMS[name] for name in ("add", "sub", "mul", "div", "neg", "sq", "twice", "copysign", "pow")},
+        "inv": f"{one} / {{0}}",
+        "fmin": "smaller({0}, {1})",
+        "fmax": "larger({0}, {1})",
+        "sign": f"(({{0}} > {zero}) ? {one} : (({{0}} < {zero}) ? -{one} : {zero}))",
+        **{name: f"{name}{e}({{0}})" for name in _OF_LIBRARY if name != "atan2"},
+        "atan2": f"atan2{e}({{0}}, {{1}})",
+    }
+    return Language(
+        operations=operations,
+        comparisons={"lt": "{0} < {1}", "le": "{0} <= {1}", "eq": "{0} == {1}", "ne": "{0} != {1}"},
+        logic={"and": "{0} && {1}", "or": "{0} || {1}", "not": "!{0}", "true": "true", "false": "false"},
+        literal=precision.literal,
+        choice="{0} ? {1} : {2}",
+        non_zero=f"{{0}} != {zero}",
+        types=(real, "bool"),
+        declaration="  const {type} {name} = {text};",
+        assignment="  {name} = {text};",
+        comment="  /* {text} */",
+        longest=60,
+    )
 
 
 def print_function(
@@ -116,11 +156,12 @@ def print_function(
 ) -> str:
     """Return the C text of one traced function.
 
-    `signature` contains the names of its arguments, as in `SIGNATURES`; `labels` contains comments for the elements of
-    each argument. In single precision, the vectors of `wide` are double precision. Values that are computed from the
-    listed elements, such as times, are also double precision; other elements are double precision only if combined with
-    these. With `shares_inverses`, divisions by the same value become products with one inverse, which is faster and
-    changes the last digit.
+    `signature` contains the names of its arguments and results, as in `SIGNATURES`. The keyword `labels` contains
+    comments for the elements of each argument. With `shares_inverses`, divisions by the same value become products with
+    one inverse, which is faster and changes the last digit.
+
+    In single precision, the keyword `wide` selects vectors that remain in double precision, and elements of them, such
+    as times. Values that are computed from these elements also have double precision.
     """
     arguments, _, results = (signature or SIGNATURES[name]).partition("->")
     names, name = (arguments.split(), results.split()), prefix + name
@@ -156,7 +197,8 @@ class _Style(NamedTuple):
 class _Operand(NamedTuple):
     """Operand of an expression in C: the name of a variable, or a constant.
 
-    `is_wide` is True for a double in a function of single precision. `double_name` is the name in double precision.
+    `is_wide` is True for a value of double precision in a function of single precision. `double_name` is the name of
+    the same value in double precision, or empty.
     """
 
     name: str
@@ -244,9 +286,9 @@ def _print_block(block: Block, names: tuple[list[str], list[str]], style: _Style
 
 
 def _shared_divisors(block: Block, live: Collection[int]) -> dict[int, int]:
-    """Return the divisions that share their divisor with another division.
+    """Return the divisions whose divisor is also the divisor of another division.
 
-    Keys are indices of division instructions. A value identifies the instruction that computes the divisor.
+    The keys are indices of instructions. Divisions with the same divisor have the same value.
     """
     origin: dict[int, int] = {}
     divisors: dict[int, int] = {}
@@ -261,7 +303,7 @@ def _shared_divisors(block: Block, live: Collection[int]) -> dict[int, int]:
 def _live_instructions(block: Block) -> set[int]:
     """Return the indices of the instructions whose results are used.
 
-    Others are not printed, because compilers warn about unused variables.
+    All others are not printed, because compilers warn about unused variables.
     """
     needed, live = set(block.live_out), set()
     for k in reversed(range(len(block.instructions))):
@@ -290,17 +332,17 @@ def _expression(instruction: Instruction, arguments: Sequence[_Operand], precisi
 
 
 def _weighted_sum_of_stages(weights: Sequence[float]) -> str:
-    """Return a C expression for a weighted sum of solver stages.
+    """Return a C expression for a weighted sum of the solver stages of one state.
 
-    The sum is that of one state s: `weights` are the factors on k0[s], k1[s] and so on.
+    With the index s of the state, it is `weights[0]*k0[s] + weights[1]*k1[s]` and so on.
     """
     return " + ".join(f"{DOUBLE.literal(weight)} * k{j}[s]" for j, weight in enumerate(weights))
 
 
 def _with_drift(i: int, rates: str) -> str:
-    """Return a C expression for a rate plus the drift term of a stage.
+    """Return a C expression for the rate of a state plus the drift term of a solver stage.
 
-    `i` is the index of the solver stage, and `rates` the expression of the rate.
+    The drift is the time derivative of the rate. `i` is the index of the stage, and `rates` the expression of the rate.
     """
     return rates if STAGE_DRIFT[i] == 0.0 else f"{rates} + {DOUBLE.literal(STAGE_DRIFT[i])} * h * drift[s]"
 

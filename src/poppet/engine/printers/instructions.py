@@ -47,9 +47,9 @@ SIGNATURES = {
 
 
 def trace_functions(model: Model) -> dict[str, Any]:
-    """Return the CasADi functions of a model by name.
+    """Return the CasADi functions of a model by name, for example `rates` and `outputs`.
 
-    The names are those in `SIGNATURES`. `update` is included only if the model has discrete states.
+    The names are keys of `SIGNATURES`. The function `update` is included only if the model has discrete states.
     """
     import casadi as ca
 
@@ -95,7 +95,7 @@ class Instruction(NamedTuple):
 
 
 class InstructionList(NamedTuple):
-    """Instructions of one function, with the numbers of its arguments and results."""
+    """Instructions of one function, with the counts of its arguments and results."""
 
     instructions: Sequence[Instruction]
     n_in: int
@@ -115,8 +115,8 @@ class InstructionList(NamedTuple):
 class Block(NamedTuple):
     """Sequence of instructions that is printed as one function.
 
-    `live_out` contains the elements of w that the block writes and later blocks read. Vector w contains the
-    intermediate values.
+    The instructions work on a vector w of intermediate values. `live_out` contains the elements of w that this block
+    writes and later blocks read.
     """
 
     instructions: Sequence[Instruction]

@@ -25,7 +25,7 @@ _Key = tuple[Any, ...]
 class LaneListings(NamedTuple):
     """Simplified functions for simultaneous runs (lanes), by name.
 
-    It also contains the number of elements that the function `derived` appends to p.
+    The function `derived` appends `n_derived` elements to p.
     """
 
     functions: dict[str, InstructionList]
@@ -66,9 +66,10 @@ class _Values:
         self._indices: dict[_Key, int] = {}
 
     def read(self, function: Any, name: str, zero: Sequence[str] = ()) -> list[tuple[tuple[int, int], int]]:
-        """Add the instructions of a function, and return the values of its results.
+        """Add the instructions of a function to the table, and return its results.
 
-        A result is a pair of (vector, element) and value. `zero` contains arguments that are always zero.
+        Each result is a pair. Its first item is the index of a result vector with the index of an element, and its
+        second item is the index of the value. `zero` contains the names of arguments that are always zero.
         """
         vectors = SIGNATURES[name].partition("->")[0].split()
         slots: dict[int, int] = {}
@@ -171,10 +172,10 @@ class _Values:
         return bool(key[0] == "const" and key[1] == number)
 
     def list_function(self, results: Any, name: str, n_p: int, derived: dict[int, int]) -> InstructionList:
-        """Return the instructions of a function that computes `results`.
+        """Return the instructions of the function `name`, which computes `results`.
 
         Expressions that depend only on parameters are added to `derived`, which maps a value to the index of its
-        additional element in p. `n_p` is the number of original elements of p.
+        additional element in p. `n_p` is the original length of p.
         """
         arguments, _, outputs = SIGNATURES[name].partition("->")
         vectors = {vector: k for k, vector in enumerate(arguments.split())}
@@ -187,9 +188,9 @@ class _Values:
         return self.is_fixed[value] and self.keys[value][0] not in ("input", "const")
 
     def _needed(self, results: Sequence[int], *, stops: bool) -> list[int]:
-        """Return all values that are required for given results, in order of computation.
+        """Return the indices of all values that are required for given results, in order of computation.
 
-        If `stops` is True, operands of expressions that depend only on parameters are omitted.
+        If the keyword `stops` is True, operands of expressions that depend only on parameters are omitted.
         """
         needed, values = set(results), []
         for value in reversed(range(max(results, default=-1) + 1)):
@@ -204,10 +205,10 @@ class _Values:
     def order(
         self, results: Any, vectors: Mapping[str, int], n_p: int, derived: Mapping[int, int]
     ) -> list[Instruction]:
-        """Return the instructions that compute given results.
+        """Return the instructions that compute `results`, which have the form of those of `read`.
 
         Values in `derived` are read from p instead of being computed. `vectors` contains the indices of the arguments,
-        and `n_p` is the number of original elements of p.
+        and `n_p` is the original length of p.
         """
         needed = self._needed([value for _, value in results], stops=bool(derived))
         last: dict[int, int] = {}

@@ -58,11 +58,11 @@ for _name, _callee in (("copysign", "llvm.copysign.{v}"), ("atan2", "atan2{o}"),
 
 
 class Kind:
-    """Type of the numbers in LLVM IR: a double, or a vector of lanes.
+    """Type of the numbers in printed LLVM IR: a double, or a vector with one double for each lane.
 
-    Text for lanes reads and writes elements of `width` doubles, aligned to their size. It calls other functions
-    (`poppet.engine.printers.llvm_lanes`). Divisions are products with an inverse, which divisions by the same value
-    share, as in `poppet.engine.printers.lane_values`.
+    A vector type changes the printed text in three ways. Array elements have `width` doubles and are aligned to their
+    size. The text calls the functions of `poppet.engine.printers.llvm_lanes`. Divisions become products with an
+    inverse, which divisions by the same value share.
     """
 
     def __init__(self, width: int = 1) -> None:
@@ -152,7 +152,7 @@ class Text:
         return name
 
     def at(self, pointer: str, offset: int | str) -> str:
-        """Add the computation of the address of an array element, and return its name."""
+        """Add the computation of the address of an array element; return the name of the address."""
         return self.emit(f"getelementptr inbounds {self.kind.number}, ptr {pointer}, i64 {offset}")
 
     def load(self, pointer: str, offset: int | str) -> str:
@@ -164,7 +164,7 @@ class Text:
         self.lines.append(f"  store {self.kind.number} {value}, ptr {self.at(pointer, offset)}")
 
     def name(self, name: str, pointer: str, offset: int) -> None:
-        """Add the computation of the address of an array element under a given name."""
+        """Add the address of an array element under a given name."""
         self.lines.append(f"  {name} = getelementptr inbounds {self.kind.number}, ptr {pointer}, i64 {offset}")
 
     def times(self, factor: float, value: str) -> str:
@@ -179,7 +179,7 @@ class Text:
     def inverse(self, value: str) -> str:
         """Add the inverse 1/x of a value, and return its name.
 
-        Each inverse is computed only once. The method is valid only in functions for lanes without branches.
+        Each inverse is computed only once. The text must be for lanes and have no branches.
         """
         if value not in self._inverses:
             self._inverses[value] = self.emit(f"call {self.kind.number} @inverse.v({self.kind.number} {value})")

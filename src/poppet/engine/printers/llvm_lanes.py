@@ -26,9 +26,10 @@ _VECTOR_NAMES = {
 
 @cache
 def vector_functions(width: int) -> Mapping[str, tuple[str, int]]:
-    """Return the functions of the vector library by name.
+    """Return the functions of the vector math library, by name.
 
-    Each value contains symbol and address. The mapping is empty if this machine has no vector library.
+    Each value contains the symbol and the address of the function. The mapping is empty if this machine has no such
+    library.
     """
     import ctypes
     import platform
@@ -82,7 +83,7 @@ _PURE = "nounwind willreturn memory(none)"
 def _define_function(kind: Kind, name: str, formal: str, text: Text, result: str, attributes: str = "") -> str:
     """Return the LLVM IR of a complete function for simultaneous runs (lanes).
 
-    `formal` contains the declared arguments, `text` the lines, and `result` the name of the result.
+    `formal` is the text of the declared arguments. `text` contains the lines, and `result` is the name of the result.
     """
     head = f"define internal {kind.number} @{name}({formal}) {attributes}{_PURE} {{"
     return "\n".join([head, *text.lines, f"  ret {kind.number} {result}", "}", ""])
@@ -142,9 +143,9 @@ def _has_estimates(kind: Kind) -> bool:
 
 
 def _begin_with_estimate(kind: Kind, name: str) -> tuple[Text, str]:
-    """Return lines of LLVM IR that compute an estimate, and the name of the estimate.
+    """Return lines of LLVM IR that compute an estimate of a function of %x, and its name.
 
-    `name` selects the instruction of the processor. The argument of the function is %x. More lines can be added.
+    `name` selects the instruction of the processor, for example for the inverse. More lines can be added.
     """
     text, d, zero = Text(kind), kind.number, kind.words["zero"]
     return text, text.emit(f"call {d} @llvm.x86.avx512.{name}.pd.512({d} %x, {d} {zero}, i8 -1)")
@@ -157,9 +158,9 @@ def _add_fused(text: Text, a: str, b: str, c: str) -> str:
 
 
 def _keep_estimate(text: Text, error: str, first: str, refined: str) -> str:
-    """Add a selection between an estimate and its refined value, and return its name.
+    """Add the refined value, or the first estimate if the error is NaN; return the name.
 
-    The estimate `first` is used if the error is NaN. This is the case for zero, infinite values and NaN.
+    `first` is the estimate, and `error` its error. The error is NaN for zero, infinite values and NaN.
     """
     d = text.kind.number
     is_nan = text.emit(f"fcmp uno {d} {error}, {error}")
@@ -202,11 +203,11 @@ general:
 
 
 def print_judge(n_controlled: int, kind: Kind) -> str:
-    """Return LLVM IR of `judge`, which computes errors and factors of the step length.
+    """Return LLVM IR of `judge`, which computes the error of a step and factors on the step length.
 
-    The formulas are those of `error` and `growth` of `poppet.engine.stepping`, with roots in place of powers. Arguments
-    are relative and absolute tolerances, lower limits of the states, state, new state, error estimate, time and length.
-    The function reads and writes rows of `control`.
+    The formulas are those of `error` and `growth` in `poppet.engine.stepping`, with square roots in place of powers.
+    The arguments are tolerances, lower limits of the states, state, new state, error estimate, time with step length,
+    and `control`. The results are rows of `control`.
     """
     text, d, b = Text(kind), kind.number, kind.flag
     infinite, unity, zero = kind.constant(float("inf")), kind.words["one"], kind.words["zero"]
@@ -290,9 +291,10 @@ def print_choose(kind: Kind) -> str:
 
 
 def print_settle(kind: Kind) -> str:
-    """Return the LLVM IR of the function `settle`, which prepares the next steps.
+    """Return LLVM IR of the function `settle`, which prepares the next steps of all lanes.
 
-    It computes times and lengths of the steps, and the lanes that the integrator must handle separately.
+    It computes times and step lengths. It also marks the lanes that the integrator must handle separately, for example
+    at the end of a segment.
     """
     text, d, b = Text(kind), kind.number, kind.flag
     unity, zero = kind.words["one"], kind.words["zero"]
@@ -337,9 +339,9 @@ def print_settle(kind: Kind) -> str:
 
 
 def print_commit(n_states: int, kind: Kind) -> str:
-    """Return the LLVM IR of the function `commit`, which completes accepted steps.
+    """Return LLVM IR of the function `commit`, which completes accepted steps.
 
-    Lanes with an accepted step get the new state. Extremes and sums of |change| are updated.
+    Lanes with an accepted step get the new state. Extremes and sums of |change| of the states are updated.
     """
     text, d, b = Text(kind), kind.number, kind.flag
     text.lines.append(f"  %is = fcmp une {d} {text.load('%control', job.TAKEN)}, {kind.words['zero']}")
@@ -362,11 +364,12 @@ def print_commit(n_states: int, kind: Kind) -> str:
 def print_rows(outputs: Any, n_states: int, kind: Kind) -> str:
     """Return LLVM IR of `rows` and `rows_held`, which write output rows of one lane.
 
-    They write `width` rows simultaneously.
+    They write `width` rows simultaneously. `rows` has inputs for each row and writes at most `width` rows. `rows_held`
+    has constant inputs.
 
-    Arguments are the grid, which ends with infinities; the table; the next column, which is also written; the number of
-    rows; the time limit of the rows; start and length of the step; state, new state and interpolant; inputs and p of
-    the lane. `rows` has inputs for each row and writes at most `width` rows; `rows_held` has constant inputs.
+    The arguments are, in this order: the output times, which end with infinities; the table of outputs; the next
+    column, which is also written; the number of rows; the time limit of the rows; start and length of the step; state,
+    new state and interpolant; inputs and p of the lane.
     """
     text = print_function(outputs, "row", kind).replace("define void", "define internal void", 1)
     return text + _print_rows(outputs, n_states, kind, "rows_held") + _print_rows(outputs, n_states, kind, "rows")
@@ -380,7 +383,7 @@ def _print_rows(outputs: Any, n_states: int, kind: Kind, name: str) -> str:
             elements[instruction.place[0]].add(instruction.place[1])
 
     def broadcast(pointer: str, element: int) -> str:
-        """Add a value of one lane as a vector of equal elements."""
+        """Add a vector whose elements all equal one double in memory, and return its name."""
         location = text.emit(f"getelementptr inbounds double, ptr {pointer}, i64 {element * n}")
         value = text.emit(f"load double, ptr {location}")
         first = text.emit(f"insertelement {d} undef, double {value}, i32 0")

@@ -26,9 +26,10 @@ def _add_weighted_sum(text: Text, index: str, weights: Sequence[float], start: s
 
 
 def _add_drift(text: Text, i: int, index: str, rates: str) -> str:
-    """Add a rate and the drift term of a stage; return the sum's name.
+    """Add the sum of a rate and the drift term of a stage, and return its name.
 
-    `i` is the index of the solver stage, `index` that of the state, and `rates` the name of the rate.
+    The drift is the time derivative of the rate. `i` is the index of the solver stage, `index` that of the state, and
+    `rates` the name of the rate.
     """
     if STAGE_DRIFT[i] == 0.0:
         return rates
@@ -38,9 +39,11 @@ def _add_drift(text: Text, i: int, index: str, rates: str) -> str:
 def print_step(n_states: int, n_controlled: int, n_inputs: int, kind: Kind = SCALAR) -> str:
     """Return LLVM IR of `step` (one Rosenbrock step) and `dense` (its interpolant).
 
-    Arguments of `step` are time and length, state, inputs at `INPUT_TIMES`, p, rates, Jacobian and drift at the start,
-    and scratch memory; results are the six stages and the new state. Stage 5 is the error estimate. The rates do not
-    depend on the quadratures after the controlled states, so only the last stage computes their argument.
+    The arguments of `step` are time and length, state, inputs at `INPUT_TIMES`, and p; then rates, Jacobian and drift
+    at the start, and scratch memory. The results are the six stages and the new state. Stage 5 is the error estimate.
+
+    The quadratures (the states after the controlled ones) do not affect the rates, so only the last stage computes
+    their argument.
     """
     text, d = Text(kind), kind.number
     for i in range(6):

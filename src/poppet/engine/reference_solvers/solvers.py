@@ -84,9 +84,9 @@ class _Legs(ABC):
 
     @abstractmethod
     def over(self, segment: int, begin: float, end: float, x: Array) -> Iterator[Leg]:
-        """Yield the solution over a part of one segment, in successive legs.
+        """Yield the solution between two times of one segment of the inputs, in successive legs.
 
-        `segment` is the index of the segment, and x the state at the time `begin`. The part ends at the time `end` [s].
+        `segment` is the index of the segment. x is the state at the time `begin`, and `end` is the last time [s].
         """
 
     def has_too_many_steps(self) -> bool:
@@ -107,8 +107,8 @@ def _run_segments(
 ) -> Outcome:
     """Run a solver through all segments of the inputs.
 
-    The solver stops at each sample instant. `track` records the progress, and `legs` is the solver. `fractions` are
-    points of a leg at which stop conditions are evaluated.
+    The solver `legs` stops at each sample instant, and `track` stores the results. Stop conditions are evaluated at the
+    given fractions of each leg.
     """
     starts, last = track.problem.starts, track.problem.grid[-1]
     for segment, (begin, end) in enumerate(zip(starts, np.append(starts[1:], last), strict=True)):
@@ -184,9 +184,9 @@ class _Scipy(_Legs):
 
     @staticmethod
     def _quietly(work: Callable[[], _T]) -> _T | None:
-        """Call a function of a solver without its warnings, and return the result.
+        """Call the function `work` without warnings of the solver, and return its result.
 
-        `work` is this function. The result is None after a numerical error.
+        The result is None after a numerical error.
         """
         with warnings.catch_warnings(), np.errstate(all="ignore"):
             warnings.simplefilter("ignore")
@@ -199,9 +199,9 @@ class _Scipy(_Legs):
 class _Cvodes(_Legs):
     """Solver CVODES with the traced expressions, with one leg per output time.
 
-    One compiled integrator runs all segments: the coefficients of the inputs are parameters, and each unit of its time
-    tau is one interval between rows, ``t = start + offset + length * tau``. Offset and length are controls. CasADi
-    restarts CVODES after a change of a control; with equidistant rows they are constant.
+    One compiled CasADi integrator runs all segments; the coefficients of the inputs are its parameters. One unit of its
+    time tau is the interval between two output times: ``t = start + offset + length * tau``. Offset and length are
+    inputs of the integrator. Their changes restart CVODES, so they are constant if the output times are equidistant.
     """
 
     def __init__(self, problem: Problem) -> None:
@@ -241,7 +241,8 @@ class _Cvodes(_Legs):
     def _chain(self, segment: int, parts: Sequence[Array], x: Array) -> Iterator[Leg]:
         """Yield the solution over several groups of intervals, until the solver fails.
 
-        Each element of `parts` contains the ends of the intervals in one group.
+        Each element of `parts` contains the start of the first interval of a group, and the ends of all its intervals
+        [s].
         """
         for stops in parts:
             reached = stops[0]
@@ -256,7 +257,7 @@ class _Cvodes(_Legs):
     def _legs(self, segment: int, stops: Array, x: Array) -> Iterator[Leg]:
         """Yield the solution over successive intervals, which one call of CVODES integrates.
 
-        `stops` contains the start of the first interval and the ends of all. If the call fails, its intervals are
+        `stops` contains the start of the first interval and the ends of all [s]. If the call fails, its intervals are
         divided into two calls.
         """
         if stops.size == 2:

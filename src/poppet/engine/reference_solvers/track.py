@@ -40,9 +40,9 @@ def rounding(t: float) -> float:
 
 
 class Track:
-    """Progress and output rows of a run with a reference solver.
+    """Time, state and output rows of a run with a reference solver.
 
-    The run changes the discrete states, so the problem must have its own copy of `p`.
+    The run changes the discrete states in p, so the problem must have its own copy of p.
     """
 
     def __init__(self, problem: Problem) -> None:
@@ -82,10 +82,7 @@ class Track:
         return first if first < end - rounding(end) else end
 
     def act(self) -> None:
-        """Execute all timers that are due.
-
-        The timers change the discrete states.
-        """
+        """Execute all timers that are due; they change the discrete states."""
         due = self.t + rounding(self.t)
         # A timer can set another timer to the current time, for example a clock that switches a solenoid.
         while np.any(fired := self.timers <= due):
@@ -95,7 +92,7 @@ class Track:
             self.memory[:] = updated
 
     def take(self, leg: Leg, fractions: tuple[float, ...]) -> None:
-        """Write the output rows of a leg, up to a stop condition.
+        """Accept a leg and write its output rows, up to the first true stop condition.
 
         Without a stop, the rows up to the end of the leg are written. Stop conditions are evaluated at the given
         fractions of the leg.

@@ -77,7 +77,10 @@ def write_characteristic(result: Result, path: str | Path, *, closing: float | N
 
 
 def characteristic_table(result: Result, *, closing: float | None = None) -> dict[str, Any]:
-    """Return the table that `write_characteristic` writes into a file."""
+    """Return the fitted curves of C and b as the content of a characteristic file.
+
+    `write_characteristic` describes the arguments.
+    """
     if result.method != "characteristic":
         raise InputError("characteristic.other_method", method=result.method)
     conditions, is_table = result.conditions, result.conditions["form"] == "spline"
@@ -189,9 +192,9 @@ def read_characteristic_file(path: str | Path) -> tuple[list[StrokeTest], dict[s
 
 
 class _Bench(NamedTuple):
-    """Settings that all tests of a file share.
+    """Settings that all tests in a file have in common.
 
-    They include the errors of C and b that all tests have in common.
+    They include the standard uncertainties of errors of sonic conductance and critical ratio that all tests share.
     """
 
     folder: Path

@@ -32,7 +32,7 @@ FLAT = 1e-6
 
 @dataclass(frozen=True)
 class MonotoneVerdict:
-    """Result of a test whether C can increase with the stroke without any fall."""
+    """Result of a statistical test of the constraint that the sonic conductance never falls with the stroke."""
 
     rejected: bool  # True if the data reject the constraint
     probability: float  # probability of this gain or a larger one if C does not fall
@@ -56,10 +56,10 @@ def judge_monotone(
 
     Notes
     -----
-    The gain is the reduction of chi-square without the constraint. If C does not fall, the gain follows a mixture of
-    chi-square distributions with at most as many degrees of freedom as active constraints. The test uses this number,
-    which is conservative. The gain is divided by the lack of fit of the unconstrained spline. Otherwise a spline with
-    too few knots could reject the constraint.
+    The gain is the reduction of chi-square if the constraint is removed. If the true C does not fall, the gain follows
+    a mixture of chi-square distributions with at most as many degrees of freedom as active constraints. The test uses
+    this largest number, which is conservative. The gain is divided by the lack of fit of the unconstrained spline.
+    Otherwise a spline with too few knots could reject the constraint.
     """
     from scipy.special import chdtrc
 
@@ -91,10 +91,10 @@ def judge_monotone(
 
 
 def curve_residuals(fit: CurveFit, evidence: Sequence[TestEvidence], curve_index: int) -> Array:
-    """Return the differences between a curve and the tests, in standard uncertainties.
+    """Return curve minus test value at each test, divided by the standard uncertainty of the test.
 
-    `evidence` contains C and b of the tests. The curve is C for `curve_index` 0 and b for 1. The residuals are curve
-    minus test, in the order of the strokes.
+    `evidence` contains C and b of the tests. The curve is C for `curve_index` 0 and b for 1. The residuals are in the
+    order of the strokes.
     """
     ordered = sorted(evidence, key=lambda e: e.stroke)
     curve = fit.curve(curve_index, np.array([e.stroke for e in ordered]))
@@ -112,10 +112,11 @@ def characteristic_findings(
     domain: tuple[float, float],
     joint: bool,
 ) -> tuple[Note, ...]:
-    """Return findings on the fitted curves and the tests, the most important first.
+    """Return findings on the fitted curves of C and b and on the tests, the most important first.
 
-    `by_test` is the fit to C and b of the single tests, `evidence` contains these values, and `verdict` is the test of
-    the constraint on C.
+    `evidence` contains the values of C and b from the single tests, and `by_test` the fit to these values. `verdict` is
+    the test of the constraint that C never falls. `domain` is the range of strokes [m]. `joint` is True if a fit to the
+    samples of all tests was requested.
     """
     notes = list[Note]()
     if verdict:
@@ -152,7 +153,24 @@ def characteristic_findings(
     counts = {"of": len(evidence)}
     if blind := [e.name for e in evidence if not np.isfinite(e.uncertainty[1])]:
         notes.append(Note("characteristic.blind", "critical_ratio", count=len(blind), **counts, tests=blind))
-    notes += _stroke_notes(evidence, domain)
+    for stroke, group in groupby(sorted(evidence, key=lambda e: e.stroke), key=lambda e: e.stroke):
+        tests = list(group)
+        for curve_index, name in enumerate(NUMBERS):
+            centres = np.array([e.centre[curve_index] for e in tests])
+            errors = np.array([e.uncertainty[curve_index] for e in tests])
+            low, high = int(np.argmin(centres)), int(np.argmax(centres))
+            apart = (centres[high] - centres[low]) / np.hypot(errors[low], errors[high])
+            if apart > FAR:
+                numbers = {"stroke_mm": 1e3 * stroke, "apart": apart}
+                repeated = [tests[low].name, tests[high].name]
+                notes.append(Note("characteristic.not_repeated", name, **numbers, symbol=SYMBOLS[name], tests=repeated))
+    strokes = np.unique([e.stroke for e in evidence])
+    steps = np.diff(strokes)
+    gaps = np.flatnonzero(steps > GAP * np.median(steps))
+    notes += [Note("characteristic.gap", low_mm=1e3 * strokes[k], high_mm=1e3 * strokes[k + 1]) for k in gaps]
+    for end, edge in zip(domain, (strokes[0], strokes[-1]), strict=True):
+        if not np.isclose(end, edge, rtol=0.0, atol=1e-9):
+            notes.append(Note("characteristic.continued", "domain", end_mm=1e3 * end, edge_mm=1e3 * edge))
     if fit is not by_test:
         shape = fit.shapes[0]
         ends = shape.domain if isinstance(shape, PolynomialShape) else (shape.knots[0], shape.knots[-1])
@@ -164,31 +182,3 @@ def characteristic_findings(
     if 0 < len(points) < len(evidence):  # points among recordings
         notes.append(Note("characteristic.by_numbers", count=len(points), **counts, tests=points))
     return tuple(dict.fromkeys([*notes, *(note for e in evidence for note in e.findings)]))
-
-
-def _stroke_notes(evidence: Sequence[TestEvidence], domain: tuple[float, float]) -> list[Note]:
-    """Return findings on the strokes of the tests.
-
-    The findings are on repeated tests that differ, and on ranges of stroke that no test covers.
-    """
-    notes = []
-    for stroke, group in groupby(sorted(evidence, key=lambda e: e.stroke), key=lambda e: e.stroke):
-        tests = list(group)
-        for curve_index, name in enumerate(NUMBERS):
-            values = np.array([e.centre[curve_index] for e in tests])
-            errors = np.array([e.uncertainty[curve_index] for e in tests])
-            low, high = int(np.argmin(values)), int(np.argmax(values))
-            difference = (values[high] - values[low]) / np.hypot(errors[low], errors[high])
-            if difference > FAR:
-                facts = {"stroke_mm": 1e3 * stroke, "apart": difference, "symbol": SYMBOLS[name]}
-                notes.append(
-                    Note("characteristic.not_repeated", name, **facts, tests=[tests[low].name, tests[high].name])
-                )
-    strokes = np.unique([e.stroke for e in evidence])
-    steps = np.diff(strokes)
-    gaps = np.flatnonzero(steps > GAP * np.median(steps))
-    notes += [Note("characteristic.gap", low_mm=1e3 * strokes[k], high_mm=1e3 * strokes[k + 1]) for k in gaps]
-    for end, edge in zip(domain, (strokes[0], strokes[-1]), strict=True):
-        if not np.isclose(end, edge, rtol=0.0, atol=1e-9):
-            notes.append(Note("characteristic.continued", "domain", end_mm=1e3 * end, edge_mm=1e3 * edge))
-    return notes

@@ -13,7 +13,12 @@ from poppet.core.codes import Note
 from poppet.identify.characteristic.characteristic_shapes import LARGEST_RATIO, Shape, start_parameters
 from poppet.identify.characteristic.stroke_tests import StrokeRecording, StrokeTest, TestEvidence, free_parameters
 from poppet.identify.fit.experiment import FAILED, Experiment
-from poppet.identify.fit.optima import NEARLY_ADIABATIC, NEARLY_ISOTHERMAL, kappa_of, thermal_units
+from poppet.identify.fit.optima import (
+    NEARLY_ADIABATIC,
+    NEARLY_ISOTHERMAL,
+    isentropic_exponent_of,
+    typical_wall_conductances,
+)
 from poppet.identify.free_parameter import FreeParameter, by_name
 from poppet.identify.gum import SPREAD, chi_square_probability, coverage_factor
 from poppet.timeseries.checks import FloatArray as Array
@@ -33,10 +38,10 @@ APART = 0.01
 """Relative difference of C above which optima are distinct."""
 
 
-class HistoryTerm:
-    """Contribution of one recorded test to the residuals of a fit.
+class RecordingTerm:
+    """Residuals of the samples of one recorded test, as a function of C, b and parameters of the test bench.
 
-    The noise of the samples is that of the fit to this test alone.
+    They are divided by the noise that a fit to this test alone has estimated.
     """
 
     def __init__(self, test: StrokeRecording, evidence: TestEvidence) -> None:
@@ -47,10 +52,10 @@ class HistoryTerm:
         self.largest = float(evidence.centre[0])
 
     def evaluate(self, z: Array, nuisance: Array) -> tuple[Array, Array]:
-        """Return the residuals of all samples of the test, and their derivatives.
+        """Return the weighted residuals of all samples of a test, (n,), and their derivatives, (n, 2 + n_nuisance).
 
-        `z` contains C and b. `nuisance` contains the free parameters of the bench. The residuals are divided by the
-        noise.
+        `z` contains C and b at the stroke of the test. `nuisance` contains the free parameters of the bench, such as a
+        wall conductance.
         """
         law_values = np.array([max(z[0], SMALLEST * self.largest), min(max(z[1], 0.0), LARGEST_RATIO)])
         values = by_name(self.free, (*law_values, *nuisance))
@@ -64,21 +69,21 @@ class HistoryTerm:
 
 @dataclass(frozen=True, eq=False)
 class LackOfFit:
-    """Deviations of the tests from the curves, compared with the uncertainties of the tests."""
+    """Chi-square of the deviations between tests and curves, with its degrees of freedom."""
 
     chi_square: float  # sum of squared residuals minus that of the separate fits to the tests
     freedom: int
 
     @property
     def probability(self) -> float:
-        """Probability of a larger chi-square, if curves and uncertainties are correct."""
+        """Probability of a larger chi-square, if the curves and the stated uncertainties are correct."""
         return chi_square_probability(self.chi_square, self.freedom)
 
     @property
     def widening(self) -> float:
         """Factor by which the lack of fit increases the variances (square of Birge's ratio).
 
-        The factor is 1 if the scatter agrees with the uncertainties.
+        The factor is 1 if the deviations agree with the stated uncertainties.
         """
         return max(1.0, self.chi_square / self.freedom) if self.probability < DOUBT else 1.0
 
@@ -86,15 +91,15 @@ class LackOfFit:
     def coverage(self) -> float:
         """Ratio of the half width of a 95 % interval to the standard uncertainty.
 
-        If the lack of fit enlarges the uncertainty, the ratio is that of Student's t. Its degrees of freedom are those
-        of the lack of fit plus those of the stated uncertainties.
+        The ratio is that of the normal distribution. If the lack of fit enlarges the uncertainty, it is that of
+        Student's t. Its degrees of freedom are those of the lack of fit plus a constant for the stated uncertainties.
         """
         return coverage_factor(self.freedom + STATED if self.widening > 1.0 else math.inf)
 
 
 @dataclass(frozen=True, eq=False)
 class CurveFit:
-    """Fitted curves of C and b over the stroke."""
+    """Fitted curves of sonic conductance C and critical ratio b versus stroke."""
 
     shapes: Shapes  # shapes of C and b
     theta: Array  # free parameters of C, of b, then the scaled parameters of the bench
@@ -110,7 +115,7 @@ class CurveFit:
     strokes: tuple[Array, Array] = (np.empty(0), np.empty(0))  # strokes of the tests that determine C and b, ascending
 
     def part(self, index: int) -> slice:
-        """Return the slice of `theta` with the parameters of C, b or the bench.
+        """Return the slice of `theta`, the vector of free parameters, that belongs to C, b or the test bench.
 
         `index` is 0 for C, 1 for b and 2 for the bench.
         """
@@ -127,15 +132,18 @@ class CurveFit:
     def standard_uncertainty(self, index: int, x: Array) -> Array:
         """Return the standard uncertainty of C or b at the strokes `x`, (n,).
 
-        `index` is 0 for C and 1 for b. Errors that all tests have in common and the unknown shape of the curve are
-        included.
+        `index` is 0 for C and 1 for b. The uncertainty includes the errors that all tests share, and the unknown shape
+        of the curve.
         """
         shared = self.common[index] * (self.curve(0, x) if index == 0 else np.ones_like(x))
         variance = self._variance(index, x) + self.shape_variance(index, x)
         return np.asarray(np.sqrt(np.maximum(variance, 0.0) + shared**2))
 
     def _variance(self, index: int, x: Array) -> Array:
-        """Return the variance of C (`index` 0) or b (`index` 1) at the strokes `x`, (n,), for a known shape."""
+        """Return the variance of C or b at the strokes `x`, (n,), if the shape of the curve is correct.
+
+        `index` is 0 for C and 1 for b.
+        """
         part = self.part(index)
         slopes = self.shapes[index].slopes(self.theta[part], x)
         return np.asarray(np.einsum("ij,jk,ik->i", slopes, self.covariance[part, part], slopes))
@@ -143,8 +151,9 @@ class CurveFit:
     def shape_variance(self, index: int, x: Array) -> Array:
         r"""Return the variance caused by the unknown shape of C or b at the strokes `x`, (n,).
 
-        `index` is 0 for C and 1 for b. In the formula, y is the curve, l are straight lines between the tests, and y_k
-        with the standard uncertainty u_k is the spline with the selection of knots k; the best selection is 0.
+        `index` is 0 for C and 1 for b. In the formula, y is the fitted curve, and l the straight lines between the
+        tests. y_k is a spline with another selection k of knots, and u_k its standard uncertainty. k = 0 is the best
+        selection.
 
         .. math::
 
@@ -173,36 +182,36 @@ class CurveFit:
 
     @property
     def chi_square(self) -> float:
-        """Sum of the squared, normalised deviations of all tests from both curves."""
+        """Sum of the squared, normalised deviations of all tests from the curves of C and b."""
         return sum(m.chi_square for m in dict.fromkeys(self.misfits))
 
     @property
     def freedom(self) -> int:
-        """Degrees of freedom of `chi_square`, which measures the lack of fit of both curves."""
+        """Degrees of freedom of `chi_square`, which measures the lack of fit of the curves of C and b."""
         return sum(m.freedom for m in dict.fromkeys(self.misfits))
 
     @property
     def size(self) -> int:
-        """Number of free parameters of both curves."""
+        """Number of free parameters of the curves of C and b together."""
         return self.shapes[0].size + self.shapes[1].size
 
     def aicc(self) -> float:
-        """Return the information criterion AICc of both curves.
+        """Return the information criterion AICc of the curves of C and b.
 
-        The criterion of Akaike is corrected for small samples only if the variance is estimated. Here the variances are
-        known, so the correction is zero.
+        The correction of Akaike's criterion for small samples applies only if the variance is estimated. Here the
+        variances are known, so the correction is zero.
         """
         return self.chi_square + 2.0 * self.size
 
 
 @dataclass
 class _CurveObjective:
-    """Function object that returns the residuals of all tests for given parameters.
+    """Function object that returns the residuals of all tests and their derivatives.
 
-    The parameters are `theta`. The derivatives are returned too.
+    Its argument is the vector of the free parameters: those of the curves of C and b, then those of the bench.
     """
 
-    terms: Sequence[TestEvidence | HistoryTerm]
+    terms: Sequence[TestEvidence | RecordingTerm]
     strokes: Array
     shapes: Shapes
     nuisance: tuple[FreeParameter, ...]
@@ -240,9 +249,10 @@ class _CurveObjective:
 def fit_evidence(
     evidence: Sequence[TestEvidence], shapes: Shapes, common: tuple[float, float] = (0.0, 0.0)
 ) -> CurveFit:
-    """Fit curves to the values of C and b from the single tests.
+    """Fit curves versus stroke to the values of C and b from the single tests.
 
-    `evidence` contains these values, `shapes` the forms of the curves, and `common` the errors that all tests share.
+    `evidence` contains these values, and `shapes` the forms of the curves. `common` contains the standard uncertainties
+    of the errors that all tests share: of C (relative) and of b.
     """
     strokes = np.array([e.stroke for e in evidence])
     objective = _CurveObjective(evidence, strokes, shapes, ())
@@ -252,18 +262,18 @@ def fit_evidence(
     return _fit_curves(objective, first, evidence, 0.0, common)
 
 
-def fit_histories(
+def fit_recordings(
     tests: Sequence[Any],
     evidence: Sequence[TestEvidence],
     first_fit: CurveFit,
     progress: Callable[[int, float], Any] | None = None,
 ) -> CurveFit:
-    """Fit both curves to the recorded samples of all tests together.
+    """Fit the curves of C and b to the recorded samples of all tests together.
 
-    The search starts from `first_fit`, the fit to C and b of the single tests.
+    The search starts from `first_fit`, the fit to the values of C and b from the single tests (`evidence`).
     """
     pairs = list(zip(tests, evidence, strict=True))
-    terms = [HistoryTerm(t, e) if isinstance(t, StrokeRecording) else e for t, e in pairs]
+    terms = [RecordingTerm(t, e) if isinstance(t, StrokeRecording) else e for t, e in pairs]
     nuisance = tuple(dict.fromkeys(f for term in terms for f in term.nuisance))
     objective = _CurveObjective(terms, np.array([e.stroke for e in evidence]), first_fit.shapes, nuisance, progress)
     bench = []
@@ -279,10 +289,10 @@ def fit_histories(
     fits = [_fit_curves(objective, theta, evidence, single_cost, first_fit.common)]
     # If no recorded temperature determines a wall conductance, search at the opposite thermal limit of the tank too: an
     # adiabatic charge with conductance C has the pressure of an isothermal charge with kappa C.
-    experiments = [term.experiment for term in terms if isinstance(term, HistoryTerm)]
-    for index, unit in thermal_units(experiments, nuisance).items():
+    experiments = [term.experiment for term in terms if isinstance(term, RecordingTerm)]
+    for index, unit in typical_wall_conductances(experiments, nuisance).items():
         theta, wall = fits[0].theta.copy(), fits[0].part(2).start + index
-        kappa, scale = kappa_of(experiments[0]), nuisance[index].scale
+        kappa, scale = isentropic_exponent_of(experiments[0]), nuisance[index].scale
         is_adiabatic = theta[wall] * scale < unit
         theta[fits[0].part(0)] *= kappa if is_adiabatic else 1.0 / kappa
         theta[wall] = (NEARLY_ISOTHERMAL if is_adiabatic else NEARLY_ADIABATIC) * unit / scale
@@ -302,9 +312,10 @@ def _fit_curves(
     single_cost: float,
     common: tuple[float, float],
 ) -> CurveFit:
-    """Return the fit of the curves from a search that starts at `theta`.
+    """Return the fit of the curves of C and b from a search that starts at `theta`.
 
-    `objective` returns the residuals. `single_cost` is the cost of the fits to single tests.
+    `objective` returns the residuals of all tests. `single_cost` is the sum of squares that remains after separate fits
+    to the tests; it is not a lack of fit of the curves. `common` contains the errors that all tests share.
     """
     from scipy.optimize import least_squares
 
@@ -358,10 +369,10 @@ def _fit_curves(
 def bootstrap_bands(
     fit: CurveFit, evidence: Sequence[TestEvidence], x: Array, count: int, seed: int
 ) -> tuple[tuple[Array, Array], tuple[Array, Array]]:
-    """Return 95 % bands of C and b from a parametric bootstrap.
+    """Return the lower and upper limits of the 95 % bands of C and b at the strokes `x`.
 
-    `count` is the number of bootstrap fits. Each uses random errors of all tests, and satisfies all constraints of the
-    curves. `x` contains the strokes.
+    The bands are from a parametric bootstrap with `count` fits. Each fit uses random errors of all tests, and satisfies
+    all constraints of the curves.
     """
     generator = np.random.default_rng(seed)
     strokes = np.array([e.stroke for e in evidence])
@@ -384,9 +395,9 @@ TEMPERATURE = "temperature"
 
 @dataclass(frozen=True)
 class AmbientUncertainty:
-    """Standard uncertainties that result from temperatures that are assumed.
+    """Relative standard uncertainties that result from assumed temperatures.
 
-    A temperature is assumed if it is neither stated nor recorded. The uncertainties are relative.
+    A temperature is assumed if it is neither stated nor recorded.
     """
 
     unstated: tuple[str, ...]  # addresses of the temperatures that are not stated
@@ -394,18 +405,18 @@ class AmbientUncertainty:
     shares: dict[str, float]  # relative standard uncertainty by free parameter
 
     def note(self, names: Sequence[str]) -> Note:
-        """Return a finding on parameters whose intervals include this uncertainty.
+        """Return a finding that the uncertainty of assumed temperatures is included in intervals.
 
-        `names` are these parameters.
+        `names` contains the parameters with these intervals.
         """
         facts = {"percent": 100.0 * self.conductance / SPREAD, "spread": SPREAD, "untold": self.unstated}
         return Note("characteristic.room", "sonic_conductance", **facts, names=tuple(names))
 
 
 def ambient_uncertainty(tests: Sequence[StrokeTest], evidence: Sequence[TestEvidence]) -> AmbientUncertainty | None:
-    """Return the uncertainty that results from temperatures that are not stated.
+    """Return the uncertainty that results from temperatures that are neither stated nor recorded.
 
-    The result is None if all temperatures are stated.
+    The result is None if no recorded test has such a temperature.
     """
     unstated, largest = list[str](), dict[str, float]()
     for test, test_evidence in zip(tests, evidence, strict=True):
@@ -425,7 +436,7 @@ def ambient_uncertainty(tests: Sequence[StrokeTest], evidence: Sequence[TestEvid
         x = test_evidence.optimum.x
         warm = test.circuit.with_values({address: value + SPREAD for address, value in defaults.items()})
         (cold, slopes), (warmer, _) = (
-            HistoryTerm(t, test_evidence).evaluate(x[:2], x[2:]) for t in (test, replace(test, circuit=warm))
+            RecordingTerm(t, test_evidence).evaluate(x[:2], x[2:]) for t in (test, replace(test, circuit=warm))
         )
         shifts = np.linalg.lstsq(slopes * x, cold - warmer, rcond=None)[0]
         for f, shift in zip(free_parameters(test), shifts, strict=True):

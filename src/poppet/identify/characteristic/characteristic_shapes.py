@@ -21,8 +21,8 @@ STEP = 1e-7
 class PolynomialShape:
     """Curve that is a polynomial of the stroke.
 
-    The polynomial is a Chebyshev series over the domain. From 0 to 1 mm, the powers up to degree 7 have a condition
-    number of about 1e5; that of the Chebyshev polynomials is about 2.
+    The polynomial is a Chebyshev series over the domain, because powers of the stroke are ill-conditioned. From 0 to 1
+    mm, powers up to degree 7 have a condition number of about 1e5, and Chebyshev polynomials of about 2.
     """
 
     degree: int
@@ -31,19 +31,19 @@ class PolynomialShape:
 
     @property
     def size(self) -> int:
-        """Number of free parameters."""
+        """Number of free parameters of the polynomial."""
         return self.degree + 1
 
     @property
     def bounds(self) -> tuple[Array, Array]:
-        """Lower and upper bounds of the free parameters, as two arrays of shape (size,)."""
+        """Lower and upper bounds of the free parameters of the polynomial, (size,) each."""
         return np.full(self.size, -np.inf), np.full(self.size, np.inf)
 
     @cached_property
     def numbers_matrix(self) -> Array:
         """Matrix that converts Chebyshev coefficients to coefficients of powers of the stroke in mm.
 
-        The scale of the curve is not included.
+        The resulting coefficients must still be multiplied by the scale of the curve.
         """
         from numpy.polynomial import Chebyshev, Polynomial
 
@@ -71,7 +71,7 @@ class PolynomialShape:
     def slopes(self, theta: Array, x: Array) -> Array:
         """Return the derivatives of the curve by its free parameters, (n, size).
 
-        `theta` contains these parameters, and `x` the strokes.
+        `theta` contains the free parameters, and `x` the strokes, (n,).
         """
         low, high = self.domain
         powers = np.polynomial.chebyshev.chebvander((2.0 * x - low - high) / (high - low), self.degree)
@@ -82,8 +82,9 @@ class PolynomialShape:
 class SplineShape:
     """Monotone piecewise cubic curve (PCHIP) through values at knots.
 
-    The free parameters of a rising spline are the first value and the increments between knots. Otherwise they are the
-    values at the knots. Before the first free knot the curve is extrapolated linearly; after the last it is constant.
+    The free parameters are the values at the free knots. For a curve that must not fall, they are the first value and
+    the increments between knots. The curve is extrapolated linearly below the first free knot, and is constant above
+    the last.
     """
 
     knots: tuple[float, ...]  # strictly increasing strokes at which values are free [m]
@@ -96,28 +97,28 @@ class SplineShape:
 
     @property
     def size(self) -> int:
-        """Number of free parameters."""
+        """Number of free parameters of the spline."""
         return len(self.knots)
 
     @property
     def bounds(self) -> tuple[Array, Array]:
-        """Lower and upper bounds of the free parameters, as two arrays of shape (size,)."""
+        """Lower and upper bounds of the free parameters of the spline, (size,) each."""
         low = np.full(self.size, 0.0 if self.constrained or not self.rises else -np.inf)
         low[0] = 0.0
         return low, np.full(self.size, self.upper / self.scale)
 
     @property
     def table_knots(self) -> tuple[float, ...]:
-        """Strokes of all knots, including those that are added at both ends [m]."""
+        """Strokes of all knots, including those that are added at the ends of the domain [m]."""
         start_knots = (self.first,) if self.first < self.knots[0] else ()
         end_knots = (self.last,) if self.last > self.knots[-1] else ()
         return (*start_knots, *self.knots, *end_knots)
 
     @cached_property
     def numbers_matrix(self) -> Array:
-        """Matrix that converts the free parameters to the values at all knots.
+        """Matrix that converts the free parameters of the spline to its values at all knots.
 
-        The scale of the curve is not included.
+        The resulting values must still be multiplied by the scale of the curve.
         """
         free = np.tril(np.ones((self.size, self.size))) if self.rises else np.eye(self.size)
         rows = [free]
@@ -129,7 +130,7 @@ class SplineShape:
         return np.vstack(rows)
 
     def numbers(self, theta: Array) -> Array:
-        """Return the values of the curve at all knots, in the unit of the curve.
+        """Return the values of the spline at all knots, in the unit of the curve.
 
         `theta` contains the free parameters.
         """
@@ -154,7 +155,7 @@ class SplineShape:
     def slopes(self, theta: Array, x: Array) -> Array:
         """Return the derivatives of the curve by its free parameters, (n, size).
 
-        `theta` contains these parameters, and `x` the strokes.
+        `theta` contains the free parameters, and `x` the strokes, (n,).
         """
         base = self.values(theta, x)
         step = STEP * max(float(np.max(np.abs(theta))), 1e-3)
@@ -167,10 +168,10 @@ Shape = PolynomialShape | SplineShape
 
 
 def start_parameters(shape: Shape, x: Array, y: Array, weight: Array) -> Array:
-    """Return start values of the free parameters from a linear fit to points.
+    """Return start values of the free parameters of a curve, from a weighted linear fit to points.
 
-    `x`, `y` and `weight` are the positions, the values and the weights of the points. The start values are limited to
-    the bounds.
+    `x`, `y` and `weight` are the positions, the values and the weights of the points. The result is limited to the
+    bounds.
     """
     low, high = shape.bounds
     rows = shape.slopes(np.clip(np.full(shape.size, 0.5), low, high), x) * weight[:, None]
@@ -178,9 +179,9 @@ def start_parameters(shape: Shape, x: Array, y: Array, weight: Array) -> Array:
 
 
 def pchip(knots: tuple[float, ...], values: Array, x: Array) -> Array:
-    """Evaluate a monotone piecewise cubic curve through knots at the positions `x`.
+    """Evaluate a monotone piecewise cubic curve through `values` at `knots`, at the positions `x`.
 
-    Beyond the knots the curve is constant. The interpolation equals that of `TableCurve`.
+    Beyond the knots the curve is constant. The interpolation equals that of the curve class `TableCurve`.
 
     Examples
     --------

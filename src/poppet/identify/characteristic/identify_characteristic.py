@@ -26,7 +26,7 @@ from poppet.identify.characteristic.characteristic_fit import (
     ambient_uncertainty,
     bootstrap_bands,
     fit_evidence,
-    fit_histories,
+    fit_recordings,
 )
 from poppet.identify.characteristic.characteristic_shapes import (
     LARGEST_RATIO,
@@ -42,12 +42,12 @@ from poppet.identify.characteristic.stroke_tests import (
     TestEvidence,
     check_tests,
     determined_values,
-    evidence_of,
+    evaluate_test,
     test_name,
 )
 from poppet.identify.data_file import or_file
-from poppet.identify.gum import few_runs_probability, widened
-from poppet.identify.result import Estimate, ResidualSummary, Result, judged, replace_uncertain_findings
+from poppet.identify.gum import add_relative_uncertainty, few_runs_probability
+from poppet.identify.result import Estimate, ResidualSummary, Result, replace_uncertain_findings, verdict_on_interval
 from poppet.timeseries.checks import FloatArray as Array
 
 Form = Literal["polynomial", "spline"]
@@ -62,7 +62,7 @@ BOUND = 1e-6
 
 @dataclass(frozen=True)
 class _CurveOptions:
-    """Options of `identify_characteristic` after a check of their values."""
+    """Checked options of `identify_characteristic`."""
 
     form: Form
     degrees: tuple[int, int]
@@ -174,7 +174,7 @@ def identify_characteristic(
     assert not isinstance(tests, str | Path)  # `or_file` has read a file
     degrees = {"degree_conductance": degree_conductance, "degree_ratio": degree_ratio}
     options = _check_options(tests, form, degrees, domain, knots, common, bootstrap, seed)
-    evidence = [evidence_of(test, test_name(test, k)) for k, test in enumerate(tests)]
+    evidence = [evaluate_test(test, test_name(test, k)) for k, test in enumerate(tests)]
     n_strokes = np.unique(determined_values(evidence, 1)[0]).size
     n_needed = degree_ratio + 1 if form == "polynomial" else FEWEST_KNOTS
     if n_strokes < n_needed:
@@ -191,14 +191,14 @@ def identify_characteristic(
     by_test = fit
     recorded = [k for k, test in enumerate(tests) if not isinstance(test, StrokePoint)]
     if joint and recorded and not (verdict and verdict.rejected):
-        fit = fit_histories(tests, evidence, fit, progress)
+        fit = fit_recordings(tests, evidence, fit, progress)
     bands = _confidence_bands(fit, evidence, options)
     remarks = characteristic_findings(fit, by_test, evidence, verdict, options.domain, joint and bool(recorded))
     prefix = f"{part}.characteristic." if part else ""
     estimates = _estimates(fit, options, prefix)
     if ambient:
         names = [f.name for f in fit.nuisance if f.name in ambient.shares]
-        estimates |= {name: widened(estimates[name], ambient.shares[name]) for name in names}
+        estimates |= {name: add_relative_uncertainty(estimates[name], ambient.shares[name]) for name in names}
         remarks = (*remarks, ambient.note(("C(x)", *names)))
     if fit.twin:  # the intervals include those of the equivalent curves
         twin_bands = _confidence_bands(fit.twin, evidence, options)
@@ -234,11 +234,11 @@ def _check_options(
     bootstrap: int,
     seed: int,
 ) -> _CurveOptions:
-    """Check the tests and the options of an identification, and return the options."""
+    """Check the tests and the options of `identify_characteristic`, and return the options."""
     with ErrorCollector() as errors:
         if form not in FORMS:
             near = NameSuggestion(str(form), FORMS)
-            errors.add("fields.not_an_option", "form", value=form, meaning="form", near=near)
+            errors.add("fields.not_an_option", "form", value=form, meaning="form", suggestion=near)
         for name, degree in degrees.items():
             with errors.collecting():
                 Field(type="integer", low=0, high=15).read(degree, name)
@@ -274,12 +274,19 @@ def _polynomial_shapes(options: _CurveOptions) -> Shapes:
 def _fit_spline(
     options: _CurveOptions, evidence: Sequence[TestEvidence], common: tuple[float, float]
 ) -> tuple[CurveFit, MonotoneVerdict]:
-    """Return the spline in which C never falls, and the test of this constraint.
+    """Return the spline in which C never falls, and the test whether the data reject this constraint.
 
-    `evidence` contains C and b of the tests, and `common` the errors that they share.
+    `evidence` contains C and b of the tests, and `common` the errors that all tests share.
     """
     decoupled = [e.decoupled() for e in evidence]
-    candidates = [options.knots] if options.knots else _knot_candidates(options.strokes, decoupled)
+    if options.knots:
+        candidates = [options.knots]
+    else:
+        # AICc decides between selections of knots; the largest one has all strokes at which tests determine b.
+        strokes, determined = options.strokes, np.unique(determined_values(decoupled, 1)[0])
+        selections = [select_knots(strokes, n) for n in range(FEWEST_KNOTS, strokes.size)]
+        selections += [select_knots(determined, n) for n in range(FEWEST_KNOTS, determined.size + 1)]
+        candidates = list(dict.fromkeys(selections))
     fits = (fit_evidence(decoupled, _spline_shapes(options, k, False)) for k in candidates)
     rivals = tuple(sorted(fits, key=CurveFit.aicc))
     free = rivals[0]
@@ -291,17 +298,6 @@ def _fit_spline(
         else None
     )
     return constrained, judge_monotone(constrained, free, polynomials, decoupled)
-
-
-def _knot_candidates(strokes: Array, evidence: Sequence[TestEvidence]) -> list[tuple[float, ...]]:
-    """Return several selections of knots, between which AICc decides.
-
-    The largest selection contains all strokes at which tests determine b.
-    """
-    determined = np.unique(determined_values(evidence, 1)[0])
-    candidates = [select_knots(strokes, n) for n in range(FEWEST_KNOTS, strokes.size)]
-    candidates += [select_knots(determined, n) for n in range(FEWEST_KNOTS, determined.size + 1)]
-    return list(dict.fromkeys(candidates))
 
 
 def _spline_shapes(options: _CurveOptions, knots: tuple[float, ...], constrained: bool) -> Shapes:
@@ -341,7 +337,7 @@ def _estimates(fit: CurveFit, options: _CurveOptions, prefix: str) -> dict[str, 
 
 def _estimate(value: float, unit: str, error: float, coverage: float, limits: tuple[float, float]) -> Estimate:
     half, is_at_bound = coverage * error, value <= limits[0] or value >= limits[1] * (1.0 - BOUND)
-    verdict = "at bound" if is_at_bound else judged(half, abs(value))
+    verdict = "at bound" if is_at_bound else verdict_on_interval(half, abs(value))
     return Estimate(value, unit, error, max(limits[0], value - half), min(limits[1], value + half), verdict)
 
 
@@ -361,7 +357,7 @@ def _comparison(fit: CurveFit, evidence: Sequence[TestEvidence], verdict: Monoto
 def _confidence_bands(
     fit: CurveFit, evidence: Sequence[TestEvidence], options: _CurveOptions
 ) -> list[tuple[Array, Array]]:
-    """Return the 95 % bands of C and b at many strokes in the domain."""
+    """Return lower and upper limits of the 95 % bands of C and b at evenly spaced strokes."""
     x = np.linspace(*options.domain, DRAWN)
     limits = ((0.0, np.inf), (0.0, 1.0))
     if options.bootstrap:

@@ -81,7 +81,7 @@ class StrokeRecording:
         Recorded pressures, and temperatures if available.
     passage : str
         Name of the flow path in the circuit.
-    free : tuple of Free
+    free : tuple of FreeParameter
         Further free parameters of the bench, such as `tank.wall_conductance`. In a joint fit, all tests share them.
     name : str
         Name for messages; the default is the name of the measurement.
@@ -100,10 +100,10 @@ StrokeTest = StrokePoint | StrokeRecording
 
 @dataclass(frozen=True, eq=False)
 class TestEvidence:
-    r"""Values of C and b from one test with their covariance, as residuals.
+    r"""Values of C and b from one test, with their covariance in the form of two residuals.
 
-    There are two residuals r of unit variance, which are a function of z = (C, b). z_0 is `centre`, R is `root`, and
-    r_0 is `pull`.
+    The residuals r are a linear function of z = (C, b), and have unit variance. z_0 is the estimate `centre`, R is
+    `root`, and r_0 is `pull`.
 
 
     .. math:: r(z) = R\,(z - z_0) + r_0
@@ -122,19 +122,19 @@ class TestEvidence:
 
     @property
     def nuisance(self) -> tuple[FreeParameter, ...]:
-        """Free parameters of the bench, which are none: they have been eliminated."""
+        """Free parameters of the test bench: none, because the fit to the test has eliminated them."""
         return ()
 
     def evaluate(self, z: Array, nuisance: Array) -> tuple[Array, Array]:
-        """Return the two residuals for values z = (C, b), and their derivatives by z.
+        """Return two residuals and their derivatives, which compare C and b with the values from one test.
 
-        `nuisance` is not used.
+        z contains C and b. The residuals have unit variance, and are not correlated. `nuisance` is not used.
         """
         return np.asarray(self.root @ (z - self.centre) + self.pull), self.root
 
     @property
     def uncertainty(self) -> Array:
-        """Standard uncertainties of C and b.
+        """Standard uncertainties of C and b, (2,).
 
         The uncertainty of a value that the test does not determine is infinite.
         """
@@ -146,15 +146,15 @@ class TestEvidence:
         return uncertainty
 
     def decoupled(self) -> TestEvidence:
-        """Return a copy in which the errors of C and b are not correlated."""
+        """Return a copy in which the errors of C and b are not correlated, with the same standard uncertainties."""
         root = np.diag(1.0 / self.uncertainty)
         return replace(self, root=root, pull=np.zeros(2))
 
 
 def check_tests(tests: Sequence[StrokeTest], domain: tuple[float, float] | None) -> None:
-    """Check the tests of a characteristic, and raise all errors together.
+    """Check the tests of a flow path at several strokes, and raise all errors together.
 
-    `domain` is the range of strokes for the curves.
+    `domain` is the range of strokes for the curves [m].
     """
     with ErrorCollector() as errors:
         recordings = [(k, test) for k, test in enumerate(tests) if isinstance(test, StrokeRecording)]
@@ -181,7 +181,7 @@ def check_tests(tests: Sequence[StrokeTest], domain: tuple[float, float] | None)
             parameters, measurement = test.circuit.numbers(), test.measurement
             if test.passage not in test.circuit.parts:
                 near = NameSuggestion(test.passage, test.circuit.parts)
-                errors.add("names.unknown", f"tests.{name}.passage", meaning="a part of the circuit", near=near)
+                errors.add("names.unknown", f"tests.{name}.passage", meaning="a part of the circuit", suggestion=near)
             elif any(f"{test.passage}.{number}" not in parameters for number in NUMBERS):
                 errors.add("stroke.no_own_numbers", test=name, passage=test.passage)
             floating = [c.address for c in measurement.channels if c.lag is None]
@@ -192,9 +192,9 @@ def check_tests(tests: Sequence[StrokeTest], domain: tuple[float, float] | None)
 
 
 def determined_values(evidence: Sequence[TestEvidence], index: int) -> Array:
-    """Return all values of C or b that tests determine, with their strokes.
+    """Return the values of C or b from all tests that determine them, (3, n).
 
-    `index` is 0 for C and 1 for b. The result has the shape (3, n) and contains stroke, value and standard uncertainty.
+    The rows are stroke, value and standard uncertainty. `index` is 0 for C and 1 for b.
     """
     rows = [(e.stroke, e.centre[index], e.uncertainty[index]) for e in evidence]
     return np.array([row for row in rows if math.isfinite(row[2])], dtype=float).reshape(-1, 3).T
@@ -209,10 +209,10 @@ def test_name(test: StrokeTest, index: int) -> str:
     return name or f"test {index + 1}"
 
 
-def evidence_of(test: StrokeTest, name: str) -> TestEvidence:
+def evaluate_test(test: StrokeTest, name: str) -> TestEvidence:
     """Return the values of C and b from one test, with their covariance.
 
-    A recording is fitted for this purpose, separately from all other tests.
+    If the test is a recording, a separate fit to it gives these values. `name` is the name of the test.
     """
     if isinstance(test, StrokeRecording):
         free = free_parameters(test)
@@ -245,16 +245,16 @@ def evidence_of(test: StrokeTest, name: str) -> TestEvidence:
 def free_parameters(test: StrokeRecording) -> tuple[FreeParameter, ...]:
     """Return the free parameters of the fit to one recorded test.
 
-    C and b come first, then those of the bench.
+    C and b come first, then those of the test bench, such as a wall conductance.
     """
     return (*(read_free(f"{test.passage}.{number}", {}, test.circuit) for number in NUMBERS), *test.free)
 
 
 def point_of_result(result: Result, stroke: float, *, part: str = "", name: str = "") -> StrokePoint:
-    """Return C and b from another identification as a test at one stroke.
+    """Return the C and b of an earlier identification as a test at the stroke `stroke` [m].
 
-    The result is that of a tank test or a flow bench. `part` is the name of the flow path in the result. The
-    uncertainties exclude errors that all tests have in common.
+    `result` is the result of a tank test or a flow bench, and `part` the name of the flow path in it. The uncertainties
+    exclude errors that all tests on a bench have in common.
     """
     keys = [f"{part}.{number}" if part else number for number in NUMBERS]
     missing = [key for key in keys if key not in result.parameters]
@@ -280,10 +280,10 @@ def point_of_result(result: Result, stroke: float, *, part: str = "", name: str 
 
 
 def common_of_result(result: Result, *, part: str = "") -> tuple[float, float]:
-    """Return the errors of C (relative) and b that all tests of a bench share.
+    """Return the standard uncertainties of the errors that all tests on a bench share, of C (relative) and b.
 
-    They are standard uncertainties, and result from the sensors and an unknown ambient temperature. `part` is the name
-    of the flow path in the result.
+    The errors are those of the sensors and of an unknown ambient temperature. `result` is the result of a tank test or
+    a flow bench, and `part` the name of the flow path in it.
     """
     keys = [f"{part}.{number}" if part else number for number in NUMBERS]
     budget = result.comparison.get("uncertainty", {})

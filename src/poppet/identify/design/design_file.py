@@ -56,7 +56,7 @@ class DesignSensor:
 
 @dataclass(frozen=True)
 class TestCandidate:
-    """Possible test, which the design can recommend."""
+    """Test that the design of an experiment can recommend: a circuit, its sensors and a duration."""
 
     name: str
     circuit: BaseCircuit
@@ -150,7 +150,7 @@ def _read_sensor(address: str, table: Any, units: Mapping[str, str]) -> DesignSe
     location = f"sensors.{address}"
     if address not in units:
         near = NameSuggestion(address, units)
-        raise InputError("names.unknown", location, meaning="an output of this circuit", near=near)
+        raise InputError("names.unknown", location, meaning="an output of this circuit", suggestion=near)
     unit = units[address]
     deviation = Field(unit=unit, kind=DIFFERENCE_KINDS.get(unit, "plain"), low=0.0, default=0.0)
     fields = {
@@ -172,7 +172,7 @@ def _read_candidates(
 ) -> Iterator[TestCandidate]:
     """Yield a possible test for each combination of the varied values.
 
-    `data` is the content of the design file.
+    `data` is the content of the design file, and `circuit` the circuit without these values.
     """
     tests: dict[str, Mapping[str, Any]] = {}
     for name, table in data.get("tests", {"": {}}).items():
@@ -223,7 +223,9 @@ def _read_candidate(
     for address in selected:
         if address not in sensors:
             near = NameSuggestion(str(address), sensors)
-            raise InputError("fields.not_an_option", f"{location}.sensors", value=address, meaning="sensor", near=near)
+            raise InputError(
+                "fields.not_an_option", f"{location}.sensors", value=address, meaning="sensor", suggestion=near
+            )
     start = fields.get("start", {})
     for address, value in start.items() if isinstance(start, Mapping) else ():
         if value != "free":

@@ -50,7 +50,7 @@ class Prediction:
     standard_error : float
         Standard error caused by noise and sensor offsets, in `unit`.
     typical : float
-        Geometric mean of the standard error at the assumed values and at all samples of the priors, in `unit`.
+        Geometric mean of the standard errors at the assumed values and at all samples of the priors, in `unit`.
     largest : float
         Largest standard error over all samples of the priors, in `unit`.
     verdict : str
@@ -69,7 +69,7 @@ class Prediction:
 
     @property
     def half(self) -> float:
-        """Half width of the 95 % confidence interval."""
+        """Half width of the 95 % confidence interval of the parameter, in its unit."""
         return TWO_SIDED * self.standard_error
 
     @property
@@ -82,12 +82,12 @@ class Prediction:
         """Geometric mean of the half widths of the 95 % intervals at all samples of the priors."""
         return TWO_SIDED * self.typical
 
-    def __getattr__(self, name: str) -> Any:
+    def __getattr__(self, name: str) -> float:
         former_names = {"half_at_most": "largest_half_width", "half_typical": "typical_half_width"}
         if name not in former_names:
             raise AttributeError(name)
         warnings.warn(f"Prediction.{name} is now called {former_names[name]}.", DeprecationWarning, stacklevel=2)
-        return getattr(self, former_names[name])
+        return float(getattr(self, former_names[name]))
 
 
 @dataclass(frozen=True)
@@ -131,10 +131,10 @@ class Design(ResultFileMixin):
     simulated: Mapping[str, SimulatedEstimate] = field(default_factory=dict)
 
     def ranked_by(self) -> dict[str, float]:
-        """Return the criterion of each test, as half of a relative 95 % interval [%].
+        """Return the criterion of each test, as the half width of a relative 95 % interval [%].
 
         For `intervals` it is the geometric mean over all parameters, and for `worst` their maximum. For `volume` it is
-        the geometric mean of the semi-axes of the joint region.
+        the geometric mean of the semi-axes of the joint confidence region.
         """
         axes = len(self.together) if self.criterion == "volume" else 1
         return {test: 100.0 * TWO_SIDED * math.exp(score / axes) for test, score in self.scores.items()}
@@ -251,10 +251,10 @@ def identify_design(plan: DesignPlan | str | Path, *, progress: Callable[[int, i
 
 
 def _points_and_information(plan: DesignPlan) -> tuple[list[FloatArray], FloatArray]:
-    """Return sample points of the priors, and the information that is already available.
+    """Return sample points of the priors, and the Fisher information before any new test.
 
-    The information is the Fisher information from the priors and from an earlier result. The points are the start
-    values of the free parameters and random samples.
+    The points are the start values of the free parameters and random samples of their priors. The information, (n_free,
+    n_free), is that of the priors and of an earlier result.
     """
     points = [np.array([f.start for f in plan.free])]
     generator = np.random.default_rng(plan.seed)
@@ -277,7 +277,7 @@ def _points_and_information(plan: DesignPlan) -> tuple[list[FloatArray], FloatAr
 
 
 def _fisher_information(candidate: TestCandidate, free: Sequence[FreeParameter], point: FloatArray) -> FloatArray:
-    """Return the Fisher information of one test on the free parameters.
+    """Return the Fisher information of one test on the free parameters, (n_free, n_free).
 
     `point` contains the values of these parameters. The nuisance parameters of the test (initial values, lags, offsets)
     are eliminated.
@@ -304,10 +304,10 @@ def _fisher_information(candidate: TestCandidate, free: Sequence[FreeParameter],
 
 
 def _standard_errors(plan: DesignPlan, information: FloatArray) -> tuple[FloatArray, FloatArray]:
-    """Return the standard errors and the log determinants for all points of the priors.
+    """Return the relative standard errors, (n_points, n_free), and the log determinants of the covariance, (n_points,).
 
-    The relative standard errors have the shape (n_points, n_free). The log determinants are those of the covariance.
-    `information` is the Fisher information of tests and priors at each point, (n_points, n_free, n_free).
+    The points are samples of the priors. `information` is the Fisher information of tests and priors at each point,
+    (n_points, n_free, n_free).
     """
     scale = np.array([f.scale for f in plan.free])
     relative = information * np.outer(scale, scale)
@@ -321,9 +321,10 @@ def _standard_errors(plan: DesignPlan, information: FloatArray) -> tuple[FloatAr
 
 
 def _criterion(plan: DesignPlan, information: FloatArray) -> float:
-    """Return the logarithm of the criterion, averaged over the points of the priors.
+    """Return the logarithm of the criterion for the choice of tests; a lower value is better.
 
-    `information` is the Fisher information at each point. A lower value is better.
+    It is averaged over samples of the priors. `information` is the Fisher information at each sample, (n_points,
+    n_free, n_free).
     """
     errors, volumes = _standard_errors(plan, information)
     if plan.criterion == "volume":
@@ -337,7 +338,7 @@ def _criterion(plan: DesignPlan, information: FloatArray) -> float:
 def _select_tests(plan: DesignPlan, prior: FloatArray, informations: Sequence[FloatArray]) -> list[int]:
     """Return the indices of the recommended tests.
 
-    Tests are first added one by one, the best at each time. Single tests are then exchanged while this improves the
+    Tests are first added one by one, always the best one. Single tests are then exchanged while this improves the
     criterion. `prior` and `informations` contain the Fisher information of the priors and of each test.
     """
 

@@ -52,10 +52,10 @@ class SimulatedEstimate:
 
 
 def count_fits(plan: DesignPlan, selected: Sequence[TestCandidate]) -> int:
-    """Return the number of simulated fits.
+    """Return the number of simulated fits of the selected tests.
 
-    If the plan does not state it, the default is 5 for fast fits. It is 0 for sampled circuits, for many samples, and
-    for designs with an earlier result: a fit does not use this result.
+    If the plan does not state it, the default is 5. It is 0 if fits are slow (circuits with sampled controllers, many
+    samples), and for designs with an earlier result, because a fit does not use this result.
     """
     if plan.fits is not None:
         return plan.fits
@@ -67,10 +67,10 @@ def count_fits(plan: DesignPlan, selected: Sequence[TestCandidate]) -> int:
 def simulate_fits(
     plan: DesignPlan, selected: Sequence[TestCandidate], on_fit: Callable[[int, int], None]
 ) -> dict[str, SimulatedEstimate]:
-    """Fit simulated recordings of the recommended tests.
+    """Fit simulated recordings of the recommended tests, and return the estimates of each free parameter.
 
-    The result contains the estimates of each free parameter. The recordings have the assumed values, random noise, and
-    random offsets of the sensors. `on_fit` is called with the number of completed fits and their total number.
+    The recordings have the assumed values, random noise, and random offsets of the sensors. `on_fit` is called with the
+    number of completed fits and their total number.
 
     Raises
     ------
@@ -110,23 +110,23 @@ def simulate_fits(
         if optimum.interrupted:
             raise KeyboardInterrupt
         tables.append(describe_optimum(fit_plan, optimum, with_trials=False).parameters)
-    return {f.name: _summary(f, [table[f.name] for table in tables]) for f in plan.free if tables}
-
-
-def _summary(f: FreeParameter, estimates: Sequence[Estimate]) -> SimulatedEstimate:
-    verdicts = sorted((e.verdict for e in estimates), key=VERDICTS.index)
-    return SimulatedEstimate(
-        f.unit,
-        float(np.median([e.standard_error for e in estimates])),
-        float(np.sqrt(np.mean([(e.value - f.start) ** 2 for e in estimates]))),
-        verdicts[len(verdicts) // 2],
-        verdicts.count("determined"),
-        len(estimates),
-    )
+    result = {}
+    for f in plan.free if tables else ():
+        estimates = [table[f.name] for table in tables]
+        verdicts = sorted((e.verdict for e in estimates), key=VERDICTS.index)
+        result[f.name] = SimulatedEstimate(
+            f.unit,
+            float(np.median([e.standard_error for e in estimates])),
+            float(np.sqrt(np.mean([(e.value - f.start) ** 2 for e in estimates]))),
+            verdicts[len(verdicts) // 2],
+            verdicts.count("determined"),
+            len(estimates),
+        )
+    return result
 
 
 def empty_measurement(name: str, candidate: TestCandidate) -> Measurement:
-    """Return a measurement for one possible test, in which the values are missing."""
+    """Return the measurement of one possible test, with zeros instead of samples."""
     time = candidate.sample_time * np.arange(candidate.samples, dtype=np.float64)
     channels = tuple(
         Channel(s.address, time, np.zeros(time.size), s.unit, s.noise, s.lag, offset=s.offset or None)
@@ -137,7 +137,10 @@ def empty_measurement(name: str, candidate: TestCandidate) -> Measurement:
 
 
 def with_values(measurement: Measurement, values: Sequence[FloatArray]) -> Measurement:
-    """Return a measurement in which the channels have other values."""
+    """Return a measurement with other samples.
+
+    `values` contains the samples of each channel, in the order of the channels.
+    """
     channels = zip(measurement.channels, values, strict=True)
     return replace(measurement, channels=tuple(replace(channel, values=row) for channel, row in channels))
 
@@ -145,9 +148,9 @@ def with_values(measurement: Measurement, values: Sequence[FloatArray]) -> Measu
 def noise_free_values(
     measurement: Measurement, candidate: TestCandidate, values: Mapping[str, float], free: Sequence[FreeParameter]
 ) -> list[FloatArray]:
-    """Return the simulated channels of a test without noise.
+    """Return the simulated samples of each channel of a test, without noise.
 
-    `values` are the parameter values. Free lags have their start values.
+    `values` maps the names of the free parameters to their values. Sensor lags that are free have their start values.
     """
     # A free initial value starts from the first value of the noise-free recording.
     started = replace(measurement, start={})

@@ -31,9 +31,10 @@ Fit = Callable[..., Optimum]
 
 
 def add_contour(plan: FitPlan, optimum: Optimum, result: Result, on_progress: Callable[[str, int, int], Any]) -> Result:
-    """Add the contour of chi-square to a result.
+    """Add the chi-square contour over conductance and wall conductance to the result of a fit.
 
-    A note describes each connected 95 % region. `on_progress` is called during the fits.
+    A note describes each connected region of 95 % confidence. `on_progress` is called after each fit that the contour
+    needs.
     """
     conductance_index, wall_index = contour_indices(plan.free)
     conductance_parameter, wall_parameter = plan.free[conductance_index], plan.free[wall_index]
@@ -83,6 +84,8 @@ def add_contour(plan: FitPlan, optimum: Optimum, result: Result, on_progress: Ca
 def contour_indices(free: Sequence[FreeParameter]) -> tuple[int, int]:
     """Return the indices of conductance and wall conductance among the free parameters.
 
+    The conductance is a sonic conductance or an effective area.
+
     Raises
     ------
     InputError
@@ -106,10 +109,11 @@ def _fit_wall_conductances(
     fit: Fit,
     variance_factor: float,
 ) -> list[tuple[float, Optimum]]:
-    """Fit at each wall conductance of a grid.
+    """Repeat a fit with the wall conductance fixed at each value of a grid.
 
-    The result contains pairs of wall conductance and optimum. `wall_error` is the standard error of the wall
-    conductance. The grid is local to the optimum, or global if another region fits equally well.
+    The result contains pairs of wall conductance and optimum. `fit` repeats the fit from a start point. The grid covers
+    `wall_error`, the standard error, several times on both sides of the optimum. It covers all wall conductances if
+    another region fits equally well.
     """
     low, high = wall_parameter.low, wall_parameter.high
     best = float(optimum.x[wall_index])
@@ -133,10 +137,10 @@ def _fit_wall_conductances(
 
 
 def _fit_from_neighbours(walls: FloatArray, best: float, optimum: Optimum, fit: Fit) -> dict[float, Optimum]:
-    """Fit at given wall conductances, one after the other.
+    """Repeat a fit with the wall conductance fixed at given values, and return the optima by wall conductance.
 
-    `best` is the wall conductance at the optimum, where the fits begin. Each fit starts from the result of the
-    neighbour that is closer to the optimum. The result is sorted by wall conductance.
+    `best` is the wall conductance at the optimum. The fits proceed from there in both directions. Each fit starts from
+    the optimum of the neighbour that is closer to `best`.
     """
     rows: dict[float, Optimum] = {}
     for branch in (walls[walls >= best], walls[walls < best][::-1]):
@@ -154,9 +158,10 @@ def _fit_conductances(
     fit: Fit,
     variance_factor: float,
 ) -> list[tuple[float, float]]:
-    """Fit at conductances on both sides of the best fit for one wall conductance.
+    """Repeat a fit with conductance and wall conductance fixed, for several conductances.
 
-    `wall` is the wall conductance and `row_optimum` the best fit. The result contains pairs of conductance and cost.
+    `wall` is the wall conductance, and `row_optimum` its best fit, from which the conductances extend to both sides.
+    The result contains pairs of conductance and cost.
     """
     conductance_index, n_parameters = pair[0], row_optimum.x.size
     nuisances = [k for k in range(n_parameters) if k not in pair and row_optimum.active[k] == 0]

@@ -44,7 +44,7 @@ FAILED = 1e6
 
 
 class ChannelSensor(NamedTuple):
-    """Model of a sensor: lag and offset between an output and its readings."""
+    """Model of a sensor: lag and offset between a simulated output and its readings."""
 
     places: slice | NDArray[np.int64]  # indices of the times of the samples in the grid
     lag: float  # known time constant [s]
@@ -53,7 +53,7 @@ class ChannelSensor(NamedTuple):
 
 
 class _LastRun(NamedTuple):
-    """Results of the most recent run, which are stored for repeated requests."""
+    """Results of the most recent simulation, stored because the same values are often requested again."""
 
     repeated: RepeatedCall | None  # call of the compiled kernel; None if several runs are computed together
     tables: FloatArray  # (n_runs, n_outputs, n_times); the first run has the given values, others one shifted parameter
@@ -61,7 +61,7 @@ class _LastRun(NamedTuple):
 
 
 class Experiment:
-    """Recording, and the model that simulates it.
+    """Recording together with the model that simulates it.
 
     The constructor ignores free parameters that apply to other recordings only.
     """
@@ -76,13 +76,23 @@ class Experiment:
     ) -> None:
         self.measurement = measurement
         parameters = [f for f in free if f.recording in ("", measurement.name)]
-        self.free, instance = _with_dead_times(parameters, measurement, instance)
+        # Replace free dead times of recorded inputs by shifts of the recordings, which can contain times before the
+        # start of the run.
+        recorded = {item.address for item in measurement.inputs}
+        inputs = {i.delay: i.name for i in instance.model.inputs if i.delay and i.name in recorded}
+        shifting = {f.address for f in parameters if f.role == "number"} & set(inputs)
+        self.free = tuple(
+            dataclasses.replace(f, role="dead_time", address=inputs[f.address]) if f.address in shifting else f
+            for f in parameters
+        )
+        if shifting:
+            instance = instance.with_values(dict.fromkeys(shifting, 0.0))
         outputs = [name for name, _ in instance.model.outputs]
         for channel in measurement.channels:
             if channel.address not in outputs:
                 location = f"recordings.{measurement.name}.{channel.address}"
                 near = NameSuggestion(channel.address, outputs)
-                raise InputError("names.unknown", location, meaning="an output of this circuit", near=near)
+                raise InputError("names.unknown", location, meaning="an output of this circuit", suggestion=near)
         starts = start_values(measurement, instance)
         try:
             started = instance.with_values(starts) if starts else instance
@@ -121,7 +131,7 @@ class Experiment:
         self._last: tuple[tuple[float, ...], _LastRun] | None = None
 
     def with_samples(self, samples: Sequence[FloatArray], free: Sequence[FreeParameter]) -> Experiment:
-        """Return a copy of the object with other samples and other start values.
+        """Return a copy of the recording and its model with other recorded values and other start values.
 
         `samples` contains the values of each channel. `free` contains the free parameters with the new start values.
         """
@@ -142,11 +152,14 @@ class Experiment:
 
     @property
     def sizes(self) -> list[int]:
-        """Number of samples of each channel."""
+        """Number of samples of each channel of the recording."""
         return [channel.time.size for channel in self.measurement.channels]
 
     def problem(self, values: Mapping[str, float]) -> Problem:
-        """Return the definition of a run with given values of the free parameters."""
+        """Return the definition of a simulation with given values of the free parameters.
+
+        `values` maps the names of the free parameters to their values.
+        """
         base = self.base
         if self._rebuilds:
             # Inputs or dependent parameters change: compute the arrays again from the circuit.
@@ -165,7 +178,10 @@ class Experiment:
         return dataclasses.replace(instance.problem(self.run), grid=self.grid, kernel=self._kernel)
 
     def _write(self, values: Mapping[str, float], p: FloatArray, coefficients: FloatArray) -> None:
-        """Write values of the free parameters into the arrays p and `coefficients` of a run."""
+        """Write values of the free parameters into the arrays of a simulation.
+
+        `p` contains the parameters of the model, and `coefficients` its input signals. `values` maps names to values.
+        """
         for name, slots in self.slots.items():
             if slots is None:
                 continue
@@ -175,27 +191,27 @@ class Experiment:
                 coefficients[:, driven, 0] = values[name]
 
     def all_outputs(self, values: Mapping[str, float]) -> tuple[RawRun, list[str]]:
-        """Simulate the circuit, and return all outputs with their names.
+        """Simulate the circuit, and return the run and the names of all outputs.
 
-        `values` are values of the free parameters by name.
+        `values` maps the names of the free parameters to their values.
         """
         kernel = self.instance.kernel
         run = solve(dataclasses.replace(self.problem(values), kernel=kernel))
         return run, [name for name, _ in kernel.model.outputs]
 
     def outputs(self, values: Mapping[str, float]) -> list[FloatArray]:
-        """Return the simulated channels at the times of measurement.
+        """Return the simulated readings of each channel at the times of its samples.
 
-        `values` are values of the free parameters. Lags and offsets of sensors are included.
+        They include lags and offsets of the sensors. `values` maps the names of the free parameters to their values.
         """
         return self._channels(self._run_at(values).tables[0], values)
 
     def _run_at(self, values: Mapping[str, float]) -> _LastRun:
         """Return the simulated outputs for given values of the free parameters.
 
-        If several runs can be computed together, the result also contains the runs in which one value is shifted. The
-        result is stored, because the derivatives at the same values are usually requested next. A run that stalls is
-        not repeated with a slower solver.
+        If several runs can be computed together, the result also contains one run for each parameter, in which its
+        value is shifted. The result is stored, because the derivatives at the same values are usually requested next. A
+        run that stalls is not repeated with a slower solver.
         """
         key = tuple([values[f.name] for f in self.free])
         if self._last is None or self._last[0] != key:
@@ -231,10 +247,10 @@ class Experiment:
         return apply_lag(self.grid, series, lag)[..., sensor.places]
 
     def slopes(self, values: Mapping[str, float], width: float = SAMPLED_DIFFERENCE) -> list[FloatArray]:
-        """Return the derivatives of each simulated channel by the free parameters.
+        """Return the derivatives of each simulated channel by the free parameters, (n_samples, n_free) each.
 
-        The arrays have the shape (n_samples, n_free). `width` is the relative step of the finite differences. Only
-        sampled circuits use it.
+        `values` maps the names of the free parameters to their values. `width` is the relative step of the finite
+        differences, which are used only for circuits with sampled controllers.
         """
         repeated, tables, steps = self._run_at(values)
         # Column order, because each column is written as a whole.
@@ -275,10 +291,10 @@ class Experiment:
     def _wide_slopes(
         self, free: Sequence[FreeParameter], values: Mapping[str, float], width: float
     ) -> dict[str, list[FloatArray]]:
-        """Return derivatives by some parameters, from differences between whole runs.
+        """Return derivatives by the parameters `free`, from differences between whole runs.
 
-        `free` are these parameters. The differences are central, with steps of relative size `width`. Values are
-        limited to their bounds, except delays, because an input can be recorded early or late.
+        The differences are central, with steps of relative size `width`. Values are limited to their bounds, except
+        delays, because an input can be recorded early or late.
         """
         pairs: dict[str, tuple[float, float]] = {}
         for f in free:
@@ -294,10 +310,14 @@ class Experiment:
         trials = [{**values, name: value} for name, pair in pairs.items() for value in pair]
         # Separate arrays: after an interruption, a remaining thread cannot overwrite the results.
         runs = [RepeatedCall(self.problem(trial), np.empty(0)) for trial in trials]
-        with ThreadPoolExecutor(min(usable_cores(), len(runs))) as threads:
+        threads = ThreadPoolExecutor(min(usable_cores(), len(runs)))
+        try:
             channels = [
                 self._channels(*trial) for trial in zip(threads.map(RepeatedCall.run, runs), trials, strict=True)
             ]
+        finally:
+            # `map` cancels no runs if the interruption comes before its first result is requested.
+            threads.shutdown(cancel_futures=True)
         return {
             name: [(b - a) / (high - low) for a, b in zip(*channels[2 * k : 2 * k + 2], strict=True)]
             for k, (name, (low, high)) in enumerate(pairs.items())
@@ -305,16 +325,17 @@ class Experiment:
 
 
 def _difference_step(f: FreeParameter, values: Mapping[str, float]) -> float:
-    """Return the step of a parameter for a forward difference.
+    """Return the step of a parameter for a finite difference.
 
-    `value` is its present value.
+    `values` maps names of parameters to their values. The step is negative if a positive step would exceed the upper
+    bound.
     """
     step = DIFFERENCE * max(abs(values[f.name]), 1e-3 * f.scale)
     return -step if values[f.name] + step > f.high else step
 
 
 class FittedChannel(NamedTuple):
-    """Channel that a fit compares with the model.
+    """Recorded channel that a fit compares with the model.
 
     `rows` is the slice of its samples in the vector of all residuals.
     """
@@ -325,30 +346,13 @@ class FittedChannel(NamedTuple):
 
 
 def channels_of(experiments: Sequence[Experiment]) -> list[FittedChannel]:
-    """Return the channels of all recordings, in the order of the residuals."""
+    """Return the channels of all recordings, with the location of their samples in the vector of residuals."""
     channels, row = [], 0
     for e in experiments:
         for channel in e.measurement.channels:
             channels.append(FittedChannel(f"{e.name}.{channel.address}", channel, slice(row, row + channel.time.size)))
             row += channel.time.size
     return channels
-
-
-def _with_dead_times(
-    free: Sequence[FreeParameter], measurement: Measurement, instance: Instance
-) -> tuple[tuple[FreeParameter, ...], Instance]:
-    """Treat free dead times of recorded inputs as shifts of the recordings.
-
-    A shifted recording can contain times before the start of the run.
-    """
-    recorded = {item.address for item in measurement.inputs}
-    inputs_by_delay = {item.delay: item.name for item in instance.model.inputs if item.delay and item.name in recorded}
-    shifting = {f.address for f in free if f.role == "number"} & set(inputs_by_delay)
-    parameters = tuple(
-        dataclasses.replace(f, role="dead_time", address=inputs_by_delay[f.address]) if f.address in shifting else f
-        for f in free
-    )
-    return parameters, instance.with_values(dict.fromkeys(shifting, 0.0)) if shifting else instance
 
 
 def start_values(measurement: Measurement, instance: Instance) -> dict[str, Any]:
@@ -360,7 +364,7 @@ def start_values(measurement: Measurement, instance: Instance) -> dict[str, Any]
     Raises
     ------
     InputError
-        If a start value is `first` and no channel measures it.
+        If a start value is stated as `first`, the first sample of a channel, and no channel measures it.
     """
     values: dict[str, Any] = {}
     for address, start in measurement.start.items():
@@ -376,9 +380,9 @@ def start_values(measurement: Measurement, instance: Instance) -> dict[str, Any]
 
 
 def starting_channel(address: str, instance: Instance, measurement: Measurement) -> tuple[str, Channel | None]:
-    """Return the output that begins with an initial value, and its channel.
+    """Return the output that has the initial value at `address`, and the recorded channel of this output.
 
-    `address` is that of the initial value. The channel is None if the output was not measured.
+    The channel is None if the output was not measured.
     """
     output = next((name for name, number in instance.initial.items() if number == address), address)
     return output, next((c for c in measurement.channels if c.address == output), None)
@@ -393,10 +397,10 @@ def _grid(measurement: Measurement, has_lag: bool) -> FloatArray:
 
 
 def _locations_in_arrays(instance: Instance, free: Sequence[FreeParameter]) -> dict[str, tuple[int, list[int]] | None]:
-    """Return the locations of the free parameters in the arrays of a run.
+    """Return the locations of each free parameter in the arrays of a simulation, by name.
 
     A location is the index in the parameter array p, and the indices of the inputs that have this parameter as their
-    value. It is None for a parameter on which other parameters depend.
+    value. It is None for a parameter that is not in p, or on which other parameters depend.
     """
     inputs, values = instance.model.inputs, instance.parameters
     probes: dict[str, float] = {}

@@ -43,7 +43,7 @@ class DataFrame(Protocol):
     def index(self) -> Iterable[Any]:
         """Labels of the rows."""
 
-    def __getitem__(self, key: Any, /) -> Any: ...
+    def __getitem__(self, key: Any, /) -> object: ...
 
 
 Data: TypeAlias = Recording | DataFrame
@@ -68,7 +68,7 @@ class FitResult(Result, Generic[CircuitT]):
 
     @classmethod
     def of(cls, result: Result, circuit: CircuitT, plan: FitPlan) -> FitResult[CircuitT]:
-        """Return a result, extended by the circuit with the fitted values.
+        """Return the result of a fit together with the circuit that has the fitted values.
 
         Parameters
         ----------
@@ -140,13 +140,26 @@ def fit_circuit(
     names = [measurement.name for measurement in measurements]
     for name in (name for name in validation if name not in names):
         near = NameSuggestion(name, names)
-        raise InputError("fields.not_an_option", "validation", value=name, meaning="name of a recording", near=near)
+        raise InputError(
+            "fields.not_an_option", "validation", value=name, meaning="name of a recording", suggestion=near
+        )
     roles = [ROLES[name in validation] for name in names]
     free_starts = {address for m in measurements for address, value in m.start.items() if value == "free"}
     limits: dict[str, dict[str, Any]] = {address: {} for address in free_starts} | tables
     parameters: list[FreeParameter] = []
     with ErrorCollector() as errors:
-        _add_limits(errors, limits, bounds or {}, priors or {})
+        for argument, keys, pairs in (("bounds", ("min", "max"), bounds), ("priors", ("mean", "sd"), priors)):
+            for address, pair in (pairs or {}).items():
+                location = f"{argument}.{address}"
+                if address not in limits:
+                    near = NameSuggestion(address, limits)
+                    errors.add("names.unknown", location, meaning="a free parameter", suggestion=near)
+                elif not isinstance(pair, Mapping) and (isinstance(pair, str) or not isinstance(pair, Sequence)):
+                    errors.add("fit.no_pair", location, value=pair, first=keys[0], second=keys[1])
+                else:
+                    table = pair if isinstance(pair, Mapping) else dict(zip(keys, pair, strict=False))
+                    fields = {key: value for key, value in table.items() if value is not None}
+                    limits[address].update(fields if argument == "bounds" else {"prior": fields})
         for address in (address for address in tables if address not in free_starts):
             with errors.collecting():
                 parameters.append(read_free(address, limits[address], circuit, where=address))
@@ -161,27 +174,6 @@ def fit_circuit(
     )
     result = identify_fit(plan, profile=profile, repeats=bootstrap, contour=contour, progress=progress, stages=stages)
     return FitResult.of(result, circuit, plan)
-
-
-def _add_limits(
-    errors: ErrorCollector,
-    tables: Mapping[str, dict[str, Any]],
-    bounds: Mapping[str, Sequence[Any]],
-    priors: Mapping[str, Any],
-) -> None:
-    """Add bounds and priors to the tables of the free parameters."""
-    for argument, keys, pairs in (("bounds", ("min", "max"), bounds), ("priors", ("mean", "sd"), priors)):
-        for address, pair in pairs.items():
-            if address not in tables:
-                near = NameSuggestion(address, tables)
-                errors.add("names.unknown", f"{argument}.{address}", meaning="a free parameter", near=near)
-                continue
-            if not isinstance(pair, Mapping) and (isinstance(pair, str) or not isinstance(pair, Sequence)):
-                errors.add("fit.no_pair", f"{argument}.{address}", value=pair, first=keys[0], second=keys[1])
-                continue
-            table = pair if isinstance(pair, Mapping) else dict(zip(keys, pair, strict=False))
-            fields = {key: value for key, value in table.items() if value is not None}
-            tables[address].update(fields if argument == "bounds" else {"prior": fields})
 
 
 class _RecordingReader:
@@ -227,7 +219,9 @@ class _RecordingReader:
                     errors.add("fit.input_selected", f"outputs.{address}")
                 elif address not in self.outputs:
                     near = NameSuggestion(address, self.outputs)
-                    errors.add("names.unknown", f"outputs.{address}", meaning="an output of this circuit", near=near)
+                    errors.add(
+                        "names.unknown", f"outputs.{address}", meaning="an output of this circuit", suggestion=near
+                    )
         with ErrorCollector() as errors:
             for name, data in recordings.items():
                 with errors.collecting():
@@ -238,7 +232,7 @@ class _RecordingReader:
             for argument, keys in (("outputs", self.selected or ()), ("noise", self.noise), ("offsets", self.offsets)):
                 for address in (address for address in keys if address not in compared):
                     near = NameSuggestion(address, compared)
-                    errors.add("names.unknown", f"{argument}.{address}", meaning="a compared series", near=near)
+                    errors.add("names.unknown", f"{argument}.{address}", meaning="a compared series", suggestion=near)
             for measurement in measurements:
                 recorded = {item.address for item in measurement.inputs} | self.circuit.signals.keys()
                 for address in sorted(driving - recorded):
@@ -255,7 +249,7 @@ class _RecordingReader:
     def _read(self, name: str, data: Data, recordings: Iterable[str]) -> Measurement:
         """Return one recording as a measurement in SI units.
 
-        `data` is the recording or data frame, and `recordings` contains all of them.
+        `data` is the recording or data frame. `recordings` contains the names of all recordings.
         """
         location = f"recordings.{name}"
         if isinstance(data, Recording):
@@ -281,27 +275,30 @@ class _RecordingReader:
         )
 
     def _fields(self, table: Table, internal: set[str], location: str) -> tuple[dict[str, Any], list[str]]:
-        """Return the fields that describe channels and inputs, and the omitted series.
+        """Return a table that describes the compared channels and the inputs of a recording, and the omitted series.
 
-        Only a default selection omits series. `table` is the recording, and `internal` contains the internal outputs.
+        `table` is the recording, and `internal` contains its internal outputs. Series are omitted only if the user has
+        not selected the series to compare.
         """
         recorded, omitted = dict(zip(table.names[1:], table.columns[1:], strict=True)), list[str]()
         if self.selected is not None:
             compared = [address for address in self.selected if address in recorded]
             if not compared:
-                raise InputError("fit.no_series", location, near=NameSuggestion(self.selected[0], recorded))
+                raise InputError("fit.no_series", location, suggestion=NameSuggestion(self.selected[0], recorded))
         else:
             valid = (*self.outputs, *self.inputs)
             with ErrorCollector() as errors:
                 for address in recorded:
                     if address not in valid:
-                        errors.add("fit.unknown_series", f"{location}.{address}", near=NameSuggestion(address, valid))
+                        errors.add(
+                            "fit.unknown_series", f"{location}.{address}", suggestion=NameSuggestion(address, valid)
+                        )
             candidates = [address for address in recorded if address not in self.inputs]
             finite = {address: recorded[address][np.isfinite(recorded[address])] for address in candidates}
             varying = [a for a in candidates if a not in internal and (finite[a].size == 0 or np.ptp(finite[a]) > 0.0)]
             compared = [a for a in varying if a.rpartition(".")[2].rpartition("_")[2] not in DISCRETE] or candidates
             if not compared:
-                raise InputError("fit.no_series", location, near=NameSuggestion("", self.outputs))
+                raise InputError("fit.no_series", location, suggestion=NameSuggestion("", self.outputs))
             omitted = [address for address in candidates if address not in compared]
         # A column without a unit has the SI unit of the circuit.
         units = dict(zip(table.names, table.units, strict=True))
@@ -335,7 +332,7 @@ class _RecordingReader:
 def _frame_table(frame: DataFrame, location: str) -> Table:
     """Convert a data frame to a table whose first column is the time.
 
-    `location` is the name of the data frame in messages.
+    `location` identifies the data frame in messages.
 
     Raises
     ------
@@ -367,7 +364,7 @@ def _frame_table(frame: DataFrame, location: str) -> Table:
     )
 
 
-def _column_as_floats(column: Any) -> FloatArray:
+def _column_as_floats(column: object) -> FloatArray:
     """Return a column of a data frame as floats.
 
     Dates become seconds since the first date, and text becomes NaN.

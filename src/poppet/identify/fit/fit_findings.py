@@ -39,7 +39,7 @@ IDEAL_RATIO = 0.53
 
 @dataclass(frozen=True)
 class CompletedFit:
-    """Completed fit: plan, optimum, error model and estimates."""
+    """Data of a completed fit: plan, optimum, error model and estimates."""
 
     plan: FitPlan
     optimum: Optimum
@@ -56,7 +56,7 @@ class CompletedFit:
 def finding_notes(fit: CompletedFit) -> list[Note]:
     """Return the findings of a fit, the most important first.
 
-    `critical_ratio_notes` is not included, because it needs further searches.
+    Notes on other critical ratios are not included, because they need further searches.
     """
     experiments = fit.plan.experiments
     sampled = tuple(e.name for e in experiments if e.samples)
@@ -107,7 +107,7 @@ def unexplained_note(channels: Sequence[ChannelFit]) -> Note | None:
 def offset_notes(fit: CompletedFit) -> Iterator[Note]:
     """Yield a note on each channel whose sensor seems to have an offset.
 
-    The note contains the effect of the offset on the intervals.
+    The note states the offset, and how much it widens the intervals of the parameters.
     """
     for offset in fit.spread.offsets:
         growth = {}
@@ -134,10 +134,7 @@ def offset_notes(fit: CompletedFit) -> Iterator[Note]:
 
 
 def local_misfit_notes(fit: CompletedFit) -> Iterator[Note]:
-    """Yield a note on parameters that a local lack of fit affects most.
-
-    Such parameters depend mainly on samples with a large lack of fit.
-    """
+    """Yield a note on parameters that depend mainly on a few samples with a large lack of fit."""
     pairs = zip(fit.plan.free, fit.spread.influences, strict=True)
     names = tuple(f.name for f, pull in pairs if fit.spread.is_local(pull, LOCAL))
     if names:
@@ -145,7 +142,7 @@ def local_misfit_notes(fit: CompletedFit) -> Iterator[Note]:
 
 
 def widening_of(residual: FloatArray) -> float:
-    """Return the factor by which a lack of fit increases variances.
+    """Return the factor by which a lack of fit increases variances, from the residuals of a channel.
 
     It follows from the mean square and the correlation time of the residuals. `residual` contains the residuals divided
     by the noise.
@@ -166,15 +163,15 @@ def residual_findings(name: str, residual: FloatArray, sigma: float, unit: str) 
 
 
 def residual_notes(fit: CompletedFit) -> Iterator[Note]:
-    """Yield notes on channels whose residuals are not white noise."""
+    """Yield notes on channels of a fit whose residuals are not white noise of the expected size."""
     for fitted, sigma in zip(channels_of(fit.plan.experiments), fit.optimum.sigmas, strict=True):
         yield from residual_findings(fitted.name, fit.optimum.residual[fitted.rows], sigma, fitted.channel.unit)
 
 
 def error_model_of(plan: FitPlan, optimum: Optimum) -> ErrorModel:
-    """Return the error model of a fit.
+    """Return the error model of a fit, which gives the standard errors of the estimates.
 
-    Its variance factor is averaged over all samples.
+    Its variance factor is the mean of the factors of all channels, weighted by their numbers of samples.
     """
     variance_factors, sizes, gauges = [], [], []
     for (_, channel, rows), sigma in zip(channels_of(plan.experiments), optimum.sigmas, strict=True):
@@ -201,7 +198,8 @@ def error_model_of(plan: FitPlan, optimum: Optimum) -> ErrorModel:
 def parameter_notes(free: Sequence[FreeParameter], estimates: Mapping[str, Estimate]) -> Iterator[Note]:
     """Yield notes on parameters whose estimates are not reliable.
 
-    Such a parameter is at a bound, did not change, or is not determined by the data.
+    The estimate of such a parameter is at a bound or equal to its start value, or the data determine it weakly or not
+    at all.
     """
     for f in free:
         e = estimates[f.name]
@@ -277,7 +275,10 @@ def gauge_reference_notes(fit: CompletedFit) -> Iterator[Note]:
 
 
 def correlation_notes(fit: CompletedFit) -> Iterator[Note]:
-    """Yield notes on a combination of parameters that the data cannot separate."""
+    """Yield notes on a combination of parameters that the data cannot separate.
+
+    They include ratios of these parameters that the data do determine.
+    """
     x = fit.optimum.x
     indices = [k for k in range(len(fit.plan.free)) if fit.optimum.active[k] == 0 and x[k] != 0.0]
     if len(indices) < 2:
@@ -320,9 +321,9 @@ def correlation_notes(fit: CompletedFit) -> Iterator[Note]:
 
 
 def critical_ratio_notes(fit: CompletedFit) -> Iterator[Note]:
-    """Yield notes on fits with other critical ratios.
+    """Yield a note on each critical ratio that the data do not determine.
 
-    They are made only if the data do not determine a critical ratio.
+    The note compares the rms residual of the fit with those of refits at other critical ratios.
     """
 
     def first_rms(x: FloatArray) -> float:

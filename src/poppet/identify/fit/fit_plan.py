@@ -172,8 +172,8 @@ def plan_fit(
     Raises
     ------
     InputErrors
-        If two recordings are equal, if no recording is fitted, or if a recording that is only compared has a free
-        start value, lag or delay.
+        If two recordings are equal, if no recording is fitted, or if a validation recording has a free start value, lag
+        or delay.
     """
     with ErrorCollector() as errors:
         for first, second in itertools.combinations(measurements, 2):
@@ -202,9 +202,9 @@ def plan_fit(
 
 
 def refit(plan: FitPlan, x: FloatArray, sigmas: list[float], fixed: Mapping[str, float] | None = None) -> Optimum:
-    """Repeat the search of a fit from another point.
+    """Repeat the search of a fit from the start point `x`.
 
-    `x` is this point. `sigmas` is the noise of each channel, and `fixed` maps names of parameters to fixed values.
+    `sigmas` is the noise of each channel, and `fixed` maps names of parameters to fixed values.
 
     Raises
     ------
@@ -234,9 +234,10 @@ def recording_parameters(
     roles: Sequence[str],
     limits: Mapping[str, Mapping[str, Any]] | None = None,
 ) -> list[FreeParameter]:
-    """Return the free parameters that belong to single recordings.
+    """Return the free parameters that belong to single recordings: initial values, lags and delays.
 
-    They are initial values, lags and delays. `limits` maps the address of an initial value to its bounds and prior.
+    `roles` states if a recording is fitted or used for validation. `limits` maps the address of an initial value to its
+    bounds and prior.
     """
     parameters: list[FreeParameter] = []
     fitted = [measurement for measurement, role in zip(measurements, roles, strict=True) if role == "fit"]
@@ -294,11 +295,11 @@ def offset_parameters(
 
 
 def offset_parameter(recording: str, channel: Channel, prior: NormalPrior | None) -> FreeParameter:
-    """Return the free offset of one sensor.
+    """Return the free parameter for the offset of one sensor.
 
-    The offset is limited to five standard deviations of its prior. The mean of the prior is relative to the
-    expected offset that the channel states. Without a prior, the limits are plus and minus a tenth of the range of the
-    recorded channel.
+    With a prior, the offset is limited to five standard deviations about its mean. The mean is relative to the expected
+    offset that the channel states. Without a prior, the limits are a tenth of the range of the recorded channel on both
+    sides of the expected offset.
     """
     prior = None if prior is None or not math.isfinite(prior.sd) else prior
     prior = None if prior is None else NormalPrior(prior.mean + channel.offset_mean, prior.sd)
@@ -310,9 +311,10 @@ def offset_parameter(recording: str, channel: Channel, prior: NormalPrior | None
 
 
 def check_effects(plan: FitPlan) -> None:
-    """Raise an error for each free parameter without effect on the compared outputs.
+    """Raise an error for each free parameter that changes no simulated channel of the recordings.
 
-    The check is omitted for sampled circuits: their outputs are piecewise constant in the parameters.
+    Circuits with sampled controllers are not checked, because their outputs are piecewise constant functions of the
+    parameters.
 
     Raises
     ------
@@ -339,9 +341,9 @@ def check_effects(plan: FitPlan) -> None:
 
 
 def _effective_parameters(experiment: Experiment, values: Mapping[str, float]) -> set[str]:
-    """Return the names of the parameters that affect a compared output.
+    """Return the names of the free parameters that change a simulated channel of a recording.
 
-    `values` are their present values.
+    `values` maps the names of the free parameters to their present values.
     """
     # Not-a-number, from a run that failed at a bound, gives no information.
     slopes = [np.nan_to_num(slope) for slope in experiment.slopes(values)]

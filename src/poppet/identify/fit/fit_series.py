@@ -59,9 +59,9 @@ def recursion(factor: Array, term: Array) -> Array:
 
 
 def shift_series(time: Array, values: Array, delay: float, *, hold: bool = False) -> tuple[Array, Array]:
-    """Return a series that is shifted to earlier times, and starts at time 0.
+    """Return times and values of a series that is shifted to earlier times by `delay`, and starts at time 0.
 
-    `delay` is the shift. The value at time 0 is interpolated linearly. With `hold`, it is the last value before time 0.
+    The value at time 0 is interpolated linearly. If `hold` is True, it is the last value before time 0.
     """
     shifted_time = time - delay
     first = float(np.interp(0.0, shifted_time, values))
@@ -74,10 +74,7 @@ def shift_series(time: Array, values: Array, delay: float, *, hold: bool = False
 def driving_signals(
     measurement: Any, delays: Mapping[str, float], lags: Mapping[str, float] | None = None
 ) -> dict[str, Any]:
-    """Return the recorded inputs as signals that drive the model.
-
-    They are corrected for delays and sensor lags.
-    """
+    """Return the recorded inputs, corrected for delays and sensor lags, as signals that drive the model."""
     signals: dict[str, Any] = {}
     lags = lags or {}
     for item in measurement.inputs:

@@ -29,7 +29,7 @@ from poppet.identify.fit.optima import (
     search_tables,
     unite_estimates,
 )
-from poppet.identify.fit.search import Optimum, kick_rounds
+from poppet.identify.fit.search import Optimum, count_restart_rounds
 from poppet.identify.fit.statistics import ChannelFit, ConfidenceBand, aicc, channel_fits, confidence_bands, correlation
 from poppet.identify.free_parameter import by_name
 from poppet.identify.result import Result
@@ -95,10 +95,9 @@ def identify_fit(
 
 
 def describe_optimum(plan: FitPlan, optimum: Optimum, *, with_trials: bool = True) -> Result:
-    """Return the result of a fit from its optimum.
+    """Return the result of a fit from its optimum: estimates, residuals and findings.
 
-    The result contains estimates, residuals and findings. `with_trials` adds fits with other critical ratios, which
-    need further searches.
+    If `with_trials` is True, the findings include refits with other critical ratios.
     """
     values = by_name(plan.free, optimum.x)
     fitted, validation = channel_fits(plan.experiments, values), channel_fits(plan.validation, values)
@@ -146,7 +145,7 @@ def describe_optimum(plan: FitPlan, optimum: Optimum, *, with_trials: bool = Tru
 def _series_table(channel_fit: ChannelFit, band: ConfidenceBand | None) -> dict[str, Any]:
     """Return measured and simulated series of a channel for the report.
 
-    `band` contains the confidence band. Validation data have none.
+    `band` contains the confidence bands of the channel; it is None for validation data.
     """
     channel, model = channel_fit.channel, channel_fit.model
     table = {"time": channel.time, "measured": channel.values, "model": model, "unit": channel.unit}
@@ -166,7 +165,7 @@ def _conditions(plan: FitPlan, optimum: Optimum) -> dict[str, Any]:
         "loss": plan.settings.loss,
         "starts": plan.settings.starts,
         "seed": plan.settings.seed,
-        "kicks": kick_rounds(plan.settings, plan.experiments),
+        "kicks": count_restart_rounds(plan.settings, plan.experiments),
         "fixed": {
             address: f"{number.display()} ({number.source.kind})"
             for address, number in first.instance.sources.items()
@@ -180,9 +179,9 @@ def _conditions(plan: FitPlan, optimum: Optimum) -> dict[str, Any]:
 
 
 def compare_results(first: Result, second: Result, name: str) -> Result:
-    """Add a comparison by AICc with another result to a result.
+    """Return the result `first`, extended by a comparison with the result `second` by AICc.
 
-    `first` is extended, `second` is the other result, and `name` the name of the other result.
+    `name` identifies the second result. An error is raised if the results belong to different data.
     """
     if first.comparison["samples"] != second.comparison["samples"] or set(first.residuals) != set(second.residuals):
         raise InputError("fit.compare", "compare", other=name)

@@ -33,10 +33,9 @@ BETWEEN = 8
 
 
 def add_profiles(plan: FitPlan, optimum: Optimum, result: Result, names: Sequence[str], stages: Stages) -> Result:
-    """Replace the intervals of some parameters by those of the profile likelihood.
+    """Replace the intervals of the parameters `names` by those of the profile likelihood.
 
-    `names` are these parameters. The profile of a parameter is the least cost at each of its values, with all other
-    parameters fitted again.
+    The profile of a parameter is the least cost at each of its values, with all other parameters fitted again.
     """
     spread = error_model_of(plan, optimum)
     estimates, series = dict(result.parameters), dict(result.series)
@@ -44,7 +43,7 @@ def add_profiles(plan: FitPlan, optimum: Optimum, result: Result, names: Sequenc
     for number, name in enumerate(names):
         valid = [f.name for f in plan.free]
         if name not in valid:
-            raise InputError("names.unknown", name, meaning="a free parameter", near=NameSuggestion(name, valid))
+            raise InputError("names.unknown", name, meaning="a free parameter", suggestion=NameSuggestion(name, valid))
         k, estimate = valid.index(name), estimates[name]
 
         def report(fits: int, ends: int, name: str = name, number: int = number) -> None:
@@ -66,7 +65,7 @@ def add_profiles(plan: FitPlan, optimum: Optimum, result: Result, names: Sequenc
 def _compute_profile(
     plan: FitPlan, optimum: Optimum, k: int, variance_factor: float, progress: Callable[[int, int], None]
 ) -> tuple[float, float, dict[str, Any]]:
-    """Return the 95 % interval of a parameter, and points of its profile.
+    """Return both ends of the 95 % interval of a parameter, and points of its profile likelihood.
 
     `k` is the index of the parameter. If there are several equivalent optima, the interval contains all of them.
     """
@@ -115,9 +114,9 @@ def _compute_profile(
 
 
 def _find_crossing(cost: Callable[[float], float], best: float, step: float, bound: float, limit: float) -> float:
-    """Return the parameter value at which the cost reaches a limit.
+    """Return the parameter value at which the cost exceeds a limit.
 
-    `cost` is the cost as a function of the value. The search starts at `best` with `step`. The result is `bound` if the
+    `cost` returns the cost for a parameter value. The search starts at `best` with `step`. The result is `bound` if the
     cost stays below the limit.
     """
     inner, outer = best, best + step

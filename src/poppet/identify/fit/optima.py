@@ -52,7 +52,7 @@ Local = Sequence[Mapping[str, Estimate]]
 
 @dataclass
 class _Searches:
-    """Searches for the lowest cost from several start points, and the optima that they reached."""
+    """Searches of a fit from several start points, with the optima that they reached."""
 
     plan: FitPlan
     weights: list[float]
@@ -73,8 +73,8 @@ class _Searches:
     ) -> Optimum:
         """Run one search from a start point, and return the optimum.
 
-        `name` is the name of the start point. `fixed` maps names of parameters to fixed values. The search ends if it
-        reaches a known optimum in `joinable`. `weights` is the noise of each channel.
+        `name` is the name of the start point. `fixed` maps names of parameters to fixed values. The search ends early
+        if it reaches an optimum in `joinable`. `weights` is the noise of each channel.
         """
         evaluations_before = self.evaluations
 
@@ -103,10 +103,10 @@ class _Searches:
         )
 
     def add(self, name: str, start_point: FloatArray, fixed: Mapping[str, float] | None = None) -> FloatArray:
-        """Run one search with the first noise estimates, and store its optimum.
+        """Run one search, store its optimum, and return its end point.
 
-        The result is the end point, or the start point if the user has interrupted the search. `fixed` maps names of
-        parameters to fixed values.
+        All stored searches use the same noise of the channels, so their costs are comparable. If the user has
+        interrupted the search, the result is the start point. `fixed` maps names of parameters to fixed values.
         """
         if self.is_stopped:
             return start_point
@@ -123,11 +123,14 @@ class _Searches:
 
 
 def find_optima(plan: FitPlan, *, progress: Callable[[int, float], Any] | None = None) -> Optimum:
-    """Return the optimum with the lowest cost, with all equivalent optima."""
+    """Search from several start points, and return the optimum with the lowest cost.
+
+    The result contains all other optima that fit equally well.
+    """
     experiments, free, settings = plan.experiments, plan.free, plan.settings
     searches = _Searches(plan, initial_sigmas(experiments), progress)
     start = np.array([f.start for f in free])
-    if wall_units := thermal_units(experiments, free):
+    if wall_units := typical_wall_conductances(experiments, free):
         _search_thermal_limits(searches, start, wall_units)
     searches.add("given", start)
     generator = np.random.default_rng(settings.seed)
@@ -162,11 +165,11 @@ def find_optima(plan: FitPlan, *, progress: Callable[[int, float], Any] | None =
 # Start points -----------------------------------------------------------------------------------------------------
 
 
-def thermal_units(experiments: Sequence[Experiment], free: Sequence[FreeParameter]) -> dict[int, float]:
+def typical_wall_conductances(experiments: Sequence[Experiment], free: Sequence[FreeParameter]) -> dict[int, float]:
     """Return a typical wall conductance for each tank whose temperature was not recorded [W/K].
 
     The keys are the indices of the free wall conductances. A typical value is the heat capacity of the gas, divided by
-    the duration of the pressure change (one transfer unit).
+    the duration of the pressure change.
     """
     units: dict[int, float] = {}
     for k, f in enumerate(free if not any(e.samples for e in experiments) else ()):
@@ -184,20 +187,21 @@ def thermal_units(experiments: Sequence[Experiment], free: Sequence[FreeParamete
                 index = max(1, int(np.argmax(change >= 0.63 * change.max())))
                 tau = float(channel.time[index] - channel.time[0])
                 content = float(channel.values.max()) * e.instance.parameters[f"{chamber}.volume"]
-                unit = content / ((kappa_of(e) - 1.0) * e.instance.surroundings.temperature * tau)
+                unit = content / ((isentropic_exponent_of(e) - 1.0) * e.instance.surroundings.temperature * tau)
                 units[k] = max(units.get(k, 0.0), unit)
     return {k: unit for k, unit in units.items() if unit > 0.0}
 
 
-def kappa_of(experiment: Experiment) -> float:
-    """Return the isentropic exponent of the gas that a recording belongs to."""
+def isentropic_exponent_of(experiment: Experiment) -> float:
+    """Return the isentropic exponent of the gas in the circuit of a recording."""
     return float(experiment.instance.parameters["gas.isentropic_exponent"])
 
 
 def _search_thermal_limits(searches: _Searches, start: FloatArray, walls: Mapping[int, float]) -> None:
-    """Search from the adiabatic and from the isothermal limit, and from points near them.
+    """Search from the adiabatic and the isothermal limit of the tanks, and from points near them.
 
-    `walls` maps the indices of wall conductances to their size, as `thermal_units` returns it.
+    `walls` maps the indices of the free wall conductances to typical values. `start` is the start point of the first
+    search.
     """
     free = searches.plan.free
     flows = [k for k, f in enumerate(free) if f.address.endswith(CONDUCTANCES)]
@@ -211,7 +215,7 @@ def _search_thermal_limits(searches: _Searches, start: FloatArray, walls: Mappin
     def fixed(x: FloatArray) -> dict[str, float]:
         return {free[k].name: float(x[k]) for k in walls}
 
-    kappa = kappa_of(searches.plan.experiments[0])
+    kappa = isentropic_exponent_of(searches.plan.experiments[0])
     # The start value of C is that of an isothermal tank.
     point = at(start, 0.0, 1.0 / kappa)
     adiabatic = searches.add("adiabatic", point, fixed(point))
@@ -224,10 +228,10 @@ def _search_thermal_limits(searches: _Searches, start: FloatArray, walls: Mappin
 def _points_along_valley(
     free: Sequence[FreeParameter], optimum: Optimum
 ) -> Iterator[tuple[FloatArray, dict[str, float]]]:
-    """Yield start points in the direction that the data determine least.
+    """Yield start points in the direction that the data determine least, each with one fixed parameter.
 
-    In this direction, the parameter with the largest change is set to twice and to half its value at the optimum. The
-    second item is this parameter, which is fixed in the search.
+    The fixed parameter is the one with the largest change in this direction. It is set to twice and to half its value
+    at the optimum. It is returned as a mapping from its name to this value.
     """
     indices = np.flatnonzero((optimum.active == 0) & (optimum.x != 0.0))
     slopes = optimum.jacobian[:, indices] * optimum.x[indices]
@@ -252,10 +256,10 @@ def _points_along_valley(
 
 
 def _add_equivalent_optima(searches: _Searches, best: Optimum, least: float) -> Optimum:
-    """Return the best optimum, with all equivalent optima.
+    """Return the best optimum, with all optima that fit equally well.
 
-    `least` is the lowest cost of the first searches, with the first noise estimates. Optima that agree within their
-    intervals are returned once.
+    All promising searches are repeated with the noise of the optimum `best`. `least` is the lowest cost of the first
+    searches, which used the first noise estimates. Optima that agree within their intervals are returned once.
     """
     plan, candidates = searches.plan, [best]
     # Use the weights of the best optimum; a single search has no others.
@@ -285,7 +289,10 @@ def _add_equivalent_optima(searches: _Searches, best: Optimum, least: float) -> 
 
 
 def _limit_of_increase(probability: float) -> float:
-    """Return the increase in cost that noise exceeds with a given probability."""
+    """Return the increase in cost above its minimum that noise exceeds with a given probability.
+
+    The cost is half a sum of squares; one parameter is tested.
+    """
     from scipy.special import chdtri
 
     # The cost is half a sum of squares, whose increase is chi-square.
@@ -293,17 +300,17 @@ def _limit_of_increase(probability: float) -> float:
 
 
 def near_limit(plan: FitPlan, best: Optimum) -> float:
-    """Return the evidence above which a nearby optimum is excluded.
+    """Return the excess of cost above which an optimum near `best` no longer counts as equivalent.
 
-    A nearby optimum has almost the same conductance as `best`. Evidence is a difference of costs.
+    Such an optimum has almost the same conductance as `best`.
     """
     return _limit_of_increase(1.0 - CONFIDENCE) * error_model_of(plan, best).variance_factor
 
 
 def distant_limit(plan: FitPlan, best: Optimum) -> float:
-    """Return the evidence above which a distant optimum is excluded.
+    """Return the excess of cost above which an optimum far from `best` no longer counts as equivalent.
 
-    A distant optimum has another conductance than `best`. Evidence is a difference of costs.
+    Such an optimum has a clearly different conductance.
     """
     return _limit_of_increase(WRONG_CHOICE) * error_model_of(plan, best).variance_factor * rounding_ratio(plan, best)
 
@@ -311,17 +318,17 @@ def distant_limit(plan: FitPlan, best: Optimum) -> float:
 def is_distant(free: Sequence[FreeParameter], x: FloatArray, other: FloatArray) -> bool:
     """Return True if two optima have clearly different conductances.
 
-    The difference must exceed the limit up to which a parameter counts as `determined`. `x` and `other` are the
-    parameter values.
+    `x` and `other` contain their parameter values. The difference must exceed the limit up to which the verdict on a
+    conductance is `determined`.
     """
     flows = [k for k, f in enumerate(free) if f.address.endswith(CONDUCTANCES)]
     return any(abs(other[k] - x[k]) > DETERMINED * abs(x[k]) for k in flows)
 
 
 def rounding_ratio(plan: FitPlan, optimum: Optimum) -> float:
-    """Return by which factor rounding increases the variance of the noise.
+    """Return the ratio of the noise variance with rounding of the readings to that without.
 
-    The largest factor of all channels is returned. The errors of rounding repeat along both optima. They are evidence
+    It is the largest ratio of all channels. The rounding errors are the same at all optima, so they are evidence
     neither for nor against one of them.
     """
     ratios = [1.0]
@@ -334,10 +341,10 @@ def rounding_ratio(plan: FitPlan, optimum: Optimum) -> float:
 
 
 def _evidence_against(plan: FitPlan, best: Optimum, rival: Optimum, offset_channels: Collection[int]) -> float:
-    """Return the evidence against another optimum, a difference of costs of at least 0.
+    """Return by how much the cost of the optimum `rival` exceeds that of `best`, at least 0.
 
-    `rival` is this optimum. `offset_channels` contains the indices of channels with a possible offset. The difference
-    excludes what such an offset explains, and differences of the models that are below the resolution of a sensor.
+    The difference excludes what an offset of the channels `offset_channels` explains. It also excludes samples at which
+    the models differ by less than the resolution of a coarse sensor.
     """
     channels = channels_of(plan.experiments)
     is_visible = np.ones(best.residual.size, dtype=bool)
@@ -368,23 +375,40 @@ def _evidence_against(plan: FitPlan, best: Optimum, rival: Optimum, offset_chann
 
 
 def local_estimates(plan: FitPlan, optimum: Optimum) -> list[dict[str, Estimate]]:
-    """Return the estimates at each equivalent optimum, as if there were no other.
+    """Return the estimates by name at each equivalent optimum, as if it were the only one.
 
-    An optimum whose cost exceeds the lowest cost has narrower intervals, because its values are less likely.
+    An optimum whose cost exceeds the lowest cost has narrower intervals, because its values are less likely. The limit
+    of nearby optima applies to a parameter that has the same value at the best optimum.
     """
     optima = (optimum, *optimum.others)
-    optimum_tables = [estimates(plan.free, o, error_model_of(plan, o)) for o in optima]
-    for table, o in zip(optimum_tables, optima, strict=True):
-        left = float(np.sqrt(1.0 - o.excess / o.limit))
+    best, *rivals = [estimates(plan.free, o, error_model_of(plan, o)) for o in optima]
+    for table, rival in zip(rivals, optimum.others, strict=True):
         for name, e in table.items():
-            table[name] = replace(e, low=e.value - left * (e.value - e.low), high=e.value + left * (e.high - e.value))
-    return optimum_tables
+            low, high = _likely_range(e, rival.excess, rival.limit)
+            first = best[name]
+            if first.low <= e.value <= first.high:
+                nearby = _likely_range(e, rival.excess, optimum.limit)
+                low, high = max(low, min(first.low, nearby[0])), min(high, max(first.high, nearby[1]))
+            table[name] = replace(e, low=low, high=high)
+    return [best, *rivals]
+
+
+def _likely_range(estimate: Estimate, excess: float, limit: float) -> tuple[float, float]:
+    """Return the interval of an estimate at an optimum with the evidence `excess` against it.
+
+    The width of the interval is zero if the evidence reaches `limit`.
+    """
+    value = estimate.value
+    if excess >= limit:
+        return value, value
+    left = float(np.sqrt(1.0 - excess / limit))
+    return value - left * (value - estimate.low), value + left * (estimate.high - value)
 
 
 def unite_estimates(plan: FitPlan, local: Local) -> dict[str, Estimate]:
-    """Return the estimates at the best optimum, with intervals that include all optima.
+    """Return the estimates at the best optimum, with intervals that include those of all equivalent optima.
 
-    `local` contains the estimates at each equivalent optimum.
+    `local` contains the estimates at each of these optima, the best first.
     """
     from scipy.special import ndtri
 
@@ -434,9 +458,9 @@ def optima_notes(plan: FitPlan, optimum: Optimum) -> Iterator[Note]:
 
 
 def optimum_tables(plan: FitPlan, optimum: Optimum, local: Local) -> tuple[dict[str, Any], ...]:
-    """Return one table for each equivalent optimum, the best first.
+    """Return one table for each equivalent optimum, the best first, for the result of a fit.
 
-    `local` contains the estimates at each of them.
+    `local` contains the estimates at each optimum.
     """
     tables = []
     for o, table in zip((optimum, *optimum.others), local, strict=True):
@@ -458,10 +482,7 @@ def optimum_tables(plan: FitPlan, optimum: Optimum, local: Local) -> tuple[dict[
 
 
 def search_tables(plan: FitPlan, optimum: Optimum) -> list[dict[str, Any]]:
-    """Return one table for each search.
-
-    It contains start point, name of the start point, end point and cost.
-    """
+    """Return one table for each search: its name, cost, start point and end point."""
     return [
         {"name": o.name, "cost": o.cost, "start": by_name(plan.free, o.start_point), "end": by_name(plan.free, o.x)}
         for o in optimum.searches

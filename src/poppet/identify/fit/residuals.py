@@ -20,7 +20,7 @@ FLAT = 1e-16
 
 
 def costs_of(residual: FloatArray, loss: str) -> FloatArray:
-    """Return the contribution of each residual to the cost.
+    """Return the contribution of each weighted residual to the cost.
 
     For the linear loss it is half the square. For a robust loss it is half of rho in SciPy's notation.
     """
@@ -35,9 +35,9 @@ def costs_of(residual: FloatArray, loss: str) -> FloatArray:
 
 
 def weights_of(residual: FloatArray, loss: str) -> FloatArray:
-    """Return the weight of each residual in the gradient of the cost.
+    """Return the factor by which a robust loss weights each residual in the gradient of the cost.
 
-    The weight is rho' in SciPy's notation.
+    The factor is rho' in SciPy's notation; it is 1 for the linear loss.
     """
     if loss == "soft_l1":
         return np.asarray(1.0 / np.sqrt(1.0 + residual**2))
@@ -47,9 +47,9 @@ def weights_of(residual: FloatArray, loss: str) -> FloatArray:
 
 
 def curvatures_of(residual: FloatArray, loss: str) -> FloatArray:
-    """Return the weight of each residual in the curvature of the cost.
+    """Return the factor by which a robust loss weights each residual in the curvature of the cost.
 
-    The weight is rho' + 2 r^2 rho'' in SciPy's notation, with a positive lower limit.
+    The factor is rho' + 2 r^2 rho'' in SciPy's notation, with a positive lower limit.
     """
     weights = weights_of(residual, loss)
     if loss == "soft_l1":
@@ -72,9 +72,9 @@ WHITE_SHORT, SHORT = 0.02, 100
 
 
 def runs_probability(residual: FloatArray) -> float:
-    """Return the two-sided probability of the number of sign runs (Wald & Wolfowitz).
+    """Return the two-sided p-value of the runs test (Wald & Wolfowitz).
 
-    A sign run is a sequence of residuals on the same side of the median. A small probability indicates a lack of fit.
+    A run is a sequence of residuals on the same side of the median. A small p-value indicates a lack of fit.
     """
     from scipy.special import erfc
 
@@ -90,7 +90,7 @@ def runs_probability(residual: FloatArray) -> float:
 
 
 def portmanteau_probability(residual: FloatArray) -> float:
-    """Return the probability of the autocorrelations at small lags (Ljung & Box 1978).
+    """Return the p-value of a test of the autocorrelations at small lags (Ljung & Box 1978).
 
     The test detects a slow lack of fit that is too small, compared with the noise, to change the signs of residuals.
     """
@@ -107,23 +107,22 @@ def portmanteau_probability(residual: FloatArray) -> float:
 
 
 def whiteness(residual: FloatArray) -> float:
-    """Return the smaller probability of two tests for white noise.
+    """Return the smaller p-value of two tests for white noise: runs test and portmanteau test.
 
-    The tests are the runs test and the portmanteau test. A small value is evidence that the residuals are not white
-    noise.
+    A small value is evidence that the residuals are not white noise.
     """
     return min(runs_probability(residual), portmanteau_probability(residual))
 
 
 def is_white(residual: FloatArray) -> bool:
-    """Return False if a test shows that the residuals are not white noise."""
+    """Return True unless a test shows that the residuals are not white noise."""
     return whiteness(residual) >= (WHITE if residual.size >= SHORT else WHITE_SHORT)
 
 
 def correlation_time(residual: FloatArray) -> float:
-    """Return the autocorrelation time of residuals in samples, which is at least 1.
+    """Return the autocorrelation time of residuals, in samples, which is at least 1.
 
-    One independent value corresponds to this number of samples.
+    It is the number of samples that corresponds to one independent value.
     """
     centred = residual - residual.mean()
     variance = float(centred @ centred)
@@ -147,7 +146,7 @@ QUIET = 1e-3
 
 
 class Staircase(NamedTuple):
-    r"""Rounding error of a sensor of coarse resolution that noise does not average out.
+    r"""Rounding error of a coarse sensor, if noise is too small to average it out.
 
     .. math:: e(x) = \sum_h a_h \sin\Big(\frac{2 \pi h x}{q} + \varphi_h\Big), \qquad
         a_h = \frac{q}{\pi h} \exp\Big(-\frac{2 \pi^2 h^2 \sigma^2}{q^2}\Big)
@@ -166,9 +165,9 @@ class Staircase(NamedTuple):
     square: float
 
     def excess(self, weights: FloatArray) -> float:
-        """Return the variance that correlated rounding errors add to a weighted sum.
+        """Return the variance of a weighted sum of rounding errors, minus the variance for independent errors.
 
-        `weights` are the factors on the samples. The reference is the variance for independent errors of the same size.
+        `weights` contains the factor on each sample. The independent errors have the same size.
         """
         return float(np.sum((self.waves @ weights) ** 2)) - self.square * float(weights @ weights)
 

@@ -14,7 +14,7 @@ from poppet.core.tables import Field
 from poppet.identify.fit.experiment import FAILED, SAMPLED_DIFFERENCE, Experiment, channels_of
 from poppet.identify.fit.residuals import LOSSES, costs_of, curvatures_of, weights_of, whiteness
 from poppet.identify.free_parameter import FreeParameter, by_name
-from poppet.identify.least_squares import LocalModel, condense, search
+from poppet.identify.least_squares import LocalModel, search, triangular_factor
 from poppet.timeseries.checks import FloatArray
 from poppet.timeseries.measurements import noise_of
 
@@ -55,8 +55,9 @@ class SearchSettings:
     seed : int
         Seed of the random start points.
     kicks : int or None
-        Maximum number of restart rounds if the residuals are not white. None selects 3 rounds, or 0 for sampled
-        circuits, because their residuals are seldom white and their simulations take long.
+        Maximum number of rounds of restarts near the optimum, if the residuals are not white. None selects 3 rounds, or
+        0 for circuits with sampled controllers, because their residuals are seldom white and their simulations take
+        long.
     """
 
     loss: str = "linear"
@@ -79,8 +80,8 @@ class KnownOptimum(NamedTuple):
     errors: FloatArray  # standard error of each parameter, infinite if the data are insensitive to it
     cost: float
 
-    def holds(self, x: FloatArray, cost: float) -> bool:
-        """Return True if a point with a given cost belongs to this optimum.
+    def contains(self, x: FloatArray, cost: float) -> bool:
+        """Return True if the point `x` with the cost `cost` belongs to this optimum.
 
         The point belongs to the optimum if each parameter differs by at most a tenth of a standard error, and the cost
         by at most 0.1.
@@ -90,14 +91,14 @@ class KnownOptimum(NamedTuple):
 
 
 class _JoinedError(Exception):
-    """Signal that a search has reached a known optimum, and can therefore end."""
+    """Exception that ends a search when it reaches a known optimum."""
 
 
 @dataclass
 class Optimum:
     """Result of a search: the best point with its residuals and their derivatives.
 
-    In `residual` and `jacobian`, the rows of the priors follow those of the samples.
+    `residual` and `jacobian` contain one row for each sample, followed by one row for each prior.
     """
 
     x: FloatArray  # values of the free parameters, (n_free,), SI
@@ -149,15 +150,15 @@ class FitObjective:
         return np.array([k for k, f in enumerate(self.free) if f.name not in self.fixed], dtype=np.int64)
 
     def cost(self, x: FloatArray, loss: str = "linear") -> float:
-        """Return the cost at a point.
-
-        The cost is half the sum of the squared residuals, or that of a robust loss.
-        """
+        """Return the cost at the point `x`: half the sum of squared residuals, or that of a robust loss."""
         residual = self.residual(x)
         return self._last_residual[2] if loss == "linear" else float(np.sum(costs_of(residual, loss)))
 
     def residual(self, x: FloatArray) -> FloatArray:
-        """Return the residuals at a point, divided by the noise."""
+        """Return the residuals at the point `x`, divided by the noise.
+
+        Those of the priors follow those of the samples.
+        """
         key = x.tobytes()
         if self._last_residual[0] != key:
             values = by_name(self.free, x)
@@ -178,34 +179,35 @@ class FitObjective:
         return self._last_residual[1]
 
     def residual_and_jacobian(self, x: FloatArray, width: float = SAMPLED_DIFFERENCE) -> tuple[FloatArray, FloatArray]:
-        """Return the residuals at a point, and their derivatives.
+        """Return the residuals at the point `x`, divided by the noise, and their derivatives.
 
-        The residuals are divided by the noise. `width` is the relative step of the finite differences. Only sampled
-        circuits use it.
+        `width` is the relative step of the finite differences, which are used only for circuits with sampled
+        controllers.
         """
         residual = self.residual(x)
         return residual, self._weighted_slopes(x, width)[:, :-1]
 
     def local_model(self, x: FloatArray, width: float, loss: str, indices: Places) -> LocalModel:
-        """Return a local model of the residuals at a point, for the search.
+        """Return a linear model of the residuals near the point `x`, from which a search computes its next step.
 
-        `indices` are the indices of the parameters that change, and `width` is the relative step of finite differences.
+        `indices` are the indices of the parameters that change, `loss` is the loss function, and `width` the relative
+        step of finite differences.
         """
         columns, residual = self._weighted_slopes(x, width), self.residual(x)
         columns[:, -1] = residual
         if loss == "linear":
-            triangle, force = condense(columns), residual
+            triangle, force = triangular_factor(columns), residual
         else:
             force, root = residual * weights_of(residual, loss), np.sqrt(curvatures_of(residual, loss))
             rows = columns * root[:, np.newaxis]
             rows[:, -1] = force / root
-            triangle = condense(rows)
+            triangle = triangular_factor(rows)
         return LocalModel(triangle[:, indices], triangle[:, -1], columns[:, indices], force)
 
     def _weighted_slopes(self, x: FloatArray, width: float) -> FloatArray:
-        """Return the derivatives of the residuals, with space for one more column.
+        """Return the derivatives of the weighted residuals at the point `x`, (n_residuals, n_free + 1).
 
-        The residuals are divided by the noise. `width` is the relative step of finite differences.
+        The last column is reserved for the residuals. `width` is the relative step of finite differences.
         """
         key = x.tobytes(), width
         if self._slopes[0] != key:
@@ -231,10 +233,10 @@ class FitObjective:
         return self._slopes[1]
 
 
-def kick_rounds(settings: SearchSettings, experiments: Sequence[Experiment]) -> int:
-    """Return how many times a search can restart near its optimum.
+def count_restart_rounds(settings: SearchSettings, experiments: Sequence[Experiment]) -> int:
+    """Return the maximum number of rounds of restarts near the optimum of a search.
 
-    The number is that in the settings, or depends on the kind of circuit.
+    If the settings do not state it, it is 0 for circuits with sampled controllers, and `KICKS` for all others.
     """
     if settings.kicks is not None:
         return settings.kicks
@@ -308,16 +310,16 @@ def random_point(free: tuple[FreeParameter, ...], generator: np.random.Generator
 
 
 def _leave_false_minimum(objective: FitObjective, x: FloatArray, settings: SearchSettings) -> FloatArray:
-    """Restart a search from other points while its residuals are not white noise.
+    """Restart a search from other points while its residuals are not white noise, and return the best point.
 
-    The result is the best point. Conductance and wall conductance compensate each other. A discharge therefore has a
-    false minimum near the isothermal or the adiabatic limit, where the residuals are not white.
+    The reason is a false minimum of a discharge near the isothermal or the adiabatic limit, where the residuals are not
+    white. Conductance and wall conductance compensate each other there.
     """
-    max_rounds = kick_rounds(settings, objective.experiments)
+    max_rounds = count_restart_rounds(settings, objective.experiments)
     if max_rounds == 0:
         return x
     start = np.array([objective.fixed.get(f.name, f.start) for f in objective.free])
-    cost, is_white = objective.cost(x), not _is_suspicious(objective, x)
+    cost, is_white = objective.cost(x), not _has_coloured_residuals(objective, x)
     for _ in range(max_rounds):
         previous_cost = cost
         # Each restart point differs in one parameter.
@@ -330,7 +332,7 @@ def _leave_false_minimum(objective: FitObjective, x: FloatArray, settings: Searc
         for point in [] if is_white else points:
             optimum, other_cost = _search_locally(objective, point, settings)
             if other_cost < cost * (1.0 - 1e-6):
-                x, cost, is_white = optimum, other_cost, not _is_suspicious(objective, optimum)
+                x, cost, is_white = optimum, other_cost, not _has_coloured_residuals(objective, optimum)
             if is_white:
                 break
         if cost > 0.999 * previous_cost:
@@ -338,8 +340,8 @@ def _leave_false_minimum(objective: FitObjective, x: FloatArray, settings: Searc
     return x
 
 
-def _is_suspicious(objective: FitObjective, x: FloatArray) -> bool:
-    """Return True if the residuals of any channel are not white noise."""
+def _has_coloured_residuals(objective: FitObjective, x: FloatArray) -> bool:
+    """Return True if the residuals of any channel at the point `x` are not white noise."""
     residual = objective.residual(x)
     return any(whiteness(residual[fitted.rows]) < SUSPICIOUS for fitted in objective.channels)
 
@@ -368,7 +370,7 @@ def _search_downhill(
 ) -> tuple[FloatArray, float]:
     """Return the end point of one local search from `x`, and its cost.
 
-    `width` is the relative step of finite differences.
+    `width` is the relative step of finite differences, which are used only for circuits with sampled controllers.
     """
     indices = objective.searched_indices()
     if indices.size == 0:
@@ -389,7 +391,7 @@ def _search_downhill(
     def look(searched_values: FloatArray) -> LocalModel:
         nonlocal joined
         full = whole(searched_values)
-        joined = next((optimum for optimum in objective.joinable if optimum.holds(full, objective.cost(full))), None)
+        joined = next((optimum for optimum in objective.joinable if optimum.contains(full, objective.cost(full))), None)
         if joined is not None:
             raise _JoinedError
         return objective.local_model(full, width, settings.loss, searched)
@@ -403,10 +405,10 @@ def _search_downhill(
 
 
 def initial_sigmas(experiments: Sequence[Experiment]) -> list[float]:
-    """Return the noise of each channel before the first search.
+    """Return the standard deviation of the noise of each channel, for the first search.
 
-    The noise is stated, or estimated from the samples of the channel. An estimate is at least the noise that the
-    resolution of the sensor causes.
+    It is stated, or estimated from the samples of the channel. An estimate is at least the noise that the resolution of
+    the sensor causes.
     """
     sigmas = []
     for _, channel, _ in channels_of(experiments):

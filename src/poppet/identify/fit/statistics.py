@@ -14,7 +14,7 @@ from poppet.identify.fit.residuals import Staircase, correlation_time, weights_o
 from poppet.identify.fit.search import Optimum
 from poppet.identify.free_parameter import FreeParameter
 from poppet.identify.gum import corrected_penalty, correlations, coverage_factor
-from poppet.identify.result import CONFIDENCE, Estimate, ResidualSummary, Verdict, judged
+from poppet.identify.result import CONFIDENCE, Estimate, ResidualSummary, Verdict, verdict_on_interval
 from poppet.timeseries.checks import FloatArray
 from poppet.timeseries.measurements import Channel
 
@@ -40,7 +40,7 @@ OF_RATIOS = 0.05, 0.15
 
 
 def influences(optimum: Optimum) -> FloatArray:
-    r"""Return the change of each parameter if one sample changes by one sigma.
+    """Return the change of each parameter if one sample changes by one standard deviation of its noise.
 
     The matrix K in the formula has one row for each parameter. J contains the derivatives of the weighted residuals by
     the parameters.
@@ -63,10 +63,10 @@ def _scale(optimum: Optimum) -> FloatArray:
 
 
 def _pseudo_inverse(jacobian: FloatArray) -> FloatArray:
-    """Return the pseudo-inverse (J^T J)^-1 J^T of the Jacobian of the residuals.
+    """Return the pseudo-inverse (J^T J)^-1 J^T of the Jacobian J of the residuals, (n_free, n_rows).
 
-    `jacobian` contains derivatives per relative change of the parameters. The rows of the result that belong to
-    parameters that are not identifiable are infinite.
+    `jacobian` is J per relative change of the parameters. The rows of parameters that are not identifiable are
+    infinite.
     """
     scale, felt, u, s, vt = _decompose_jacobian(jacobian)
     is_visible = s > RANK * np.max(s, initial=0.0)
@@ -80,10 +80,10 @@ def _pseudo_inverse(jacobian: FloatArray) -> FloatArray:
 def _decompose_jacobian(
     jacobian: FloatArray,
 ) -> tuple[FloatArray, NDArray[np.bool_], FloatArray, FloatArray, FloatArray]:
-    """Return the singular value decomposition of the Jacobian without zero columns.
+    """Return the singular value decomposition U, s, V^T of the non-zero columns of a Jacobian.
 
-    Each column is divided by its norm. The result contains the norms of these columns, the mask of the columns, and U,
-    s and V^T.
+    Each column is divided by its norm. The result contains the norms of these columns, a mask that selects them, U, s
+    and V^T.
     """
     norms = np.linalg.norm(jacobian, axis=0)
     felt = norms > UNFELT
@@ -93,18 +93,19 @@ def _decompose_jacobian(
 
 
 class SensorLimits(NamedTuple):
-    """Resolution of a sensor and its largest possible offset, in units of its noise."""
+    """Rounding error of a sensor and its largest possible offset, in units of its noise."""
 
     steps: Staircase | None = None  # rounding error; None for a sensor of fine resolution
     largest: float = np.inf  # largest possible offset
 
 
 class SensorOffset(NamedTuple):
-    """Constant difference between a channel and the model, in units of the noise.
+    """Detected offset of a sensor, in units of the noise of the channel.
 
     `bias` is the mean of model - measurement. `size` is the estimated offset if no other sensor has one, and `error` is
     the standard deviation of this estimate. Both are limited to the largest possible offset of the sensor.
-    `is_possible` is False if the estimate exceeds this limit. An offset then does not explain the difference.
+    `is_possible` is False if the estimate exceeds this limit. An offset then does not explain the difference between
+    channel and model.
     """
 
     channel: int
@@ -116,17 +117,19 @@ class SensorOffset(NamedTuple):
 
 
 class ErrorModel:
-    r"""Standard deviation of a linear combination of the samples, such as a parameter estimate.
+    r"""Error model of a fit: it gives the standard deviation of any weighted sum of the samples.
+
+    A parameter estimate is such a sum.
 
     .. math:: \sigma^2 = \max\Big(w \sum_i k_i^2,\; \sum_c \sum_{i,j \in c} \beta_{ij} m_i m_j,\;
         s^2 \sum_i k_i^2 + \sum_c e_c\Big)
         + \sum_c \Big(\sum_{i \in c} k_i\Big)^2 (o_c^2 + u_c^2), \quad m_i = k_i r_i / \sqrt{1 - h_i}
 
-    k is the influence of each sample, r its residual, h its leverage, w the mean variance factor. The first term is
-    for a lack of fit that is equal in all samples. The second term uses the lack of fit of each sample; its weights
-    decrease from 1 at i = j to 0 over the correlation length of the residuals. The third term treats a lack of fit of
-    mean square s^2 as independent, except for the rounding e of coarse sensors (`Staircase`). The last sum contains
-    the offsets o of the channels, with their own uncertainty u.
+    c are the channels, k is the weight of each sample, r its residual, h its leverage, and w the mean variance factor.
+    The first term is for a lack of fit that is equal in all samples. The second term uses the lack of fit of each
+    sample; its weights beta decrease from 1 at i = j to 0 over the correlation length of the residuals. The third term
+    treats a lack of fit of mean square s^2 as independent, except for the rounding e of coarse sensors (`Staircase`).
+    The last sum contains the offsets o of the channels, with their own uncertainty u.
 
     Notes
     -----
@@ -160,29 +163,32 @@ class ErrorModel:
         self._square = max(1.0, float(np.mean(residual**2)))
         offsets = [self._offset(k, residual) for k in range(len(self.rows))]
         self.offsets = [offset for offset in offsets if offset is not None]
-        self._misfit, self._reaches = self._by_leverage(residual)
+        self._misfit, self._reaches = self._correct_for_leverage(residual)
 
-    def deviation(self, pull: FloatArray, *, offsets: Sequence[SensorOffset] | None = None) -> float:
+    def deviation(self, weights: FloatArray, *, offsets: Sequence[SensorOffset] | None = None) -> float:
         """Return the standard deviation of a weighted sum of the samples.
 
-        `pull` contains the weights k, per sigma of the noise. By default, all detected offsets are included.
+        The samples are divided by their noise. `offsets` contains the sensor offsets that are included; by default, all
+        detected ones.
         """
-        if not np.all(np.isfinite(pull)):
+        if not np.all(np.isfinite(weights)):
             return float("inf")
         spread = max(
-            self.variance_factor * float(pull @ pull), self._local_variance(pull), self._rounding_variance(pull)
+            self.variance_factor * float(weights @ weights),
+            self._local_variance(weights),
+            self._rounding_variance(weights),
         )
         included = self.offsets if offsets is None else offsets
-        shifts = sum(float(np.sum(pull[o.rows])) ** 2 * (o.size**2 + o.error**2) for o in included)
+        shifts = sum(float(np.sum(weights[o.rows])) ** 2 * (o.size**2 + o.error**2) for o in included)
         return float(np.sqrt(spread + shifts))
 
-    def factor(self, pull: FloatArray) -> float:
-        """Return by which factor the lack of fit increases a variance.
+    def factor(self, weights: FloatArray) -> float:
+        """Return the ratio of the variance of a weighted sum of the samples to its value for white noise.
 
-        The variance is that of a weighted sum of the samples, compared with white noise. `pull` contains the weights.
+        The samples are divided by their noise.
         """
-        white_deviation = float(np.sqrt(pull @ pull)) if np.all(np.isfinite(pull)) else 0.0
-        return (self.deviation(pull) / white_deviation) ** 2 if white_deviation > 0.0 else self.variance_factor
+        white_deviation = float(np.sqrt(weights @ weights)) if np.all(np.isfinite(weights)) else 0.0
+        return (self.deviation(weights) / white_deviation) ** 2 if white_deviation > 0.0 else self.variance_factor
 
     def model_deviation(self) -> FloatArray:
         """Return the standard deviation of the model at each sample, in units of the noise.
@@ -206,35 +212,32 @@ class ErrorModel:
             variance += (basis @ basis[o.rows].sum(axis=0)) ** 2 * (o.size**2 + o.error**2)
         return np.asarray(np.sqrt(variance))
 
-    def is_local(self, pull: FloatArray, factor: float) -> bool:
-        """Return True if few samples with a lack of fit dominate a variance.
+    def is_local(self, weights: FloatArray, factor: float) -> bool:
+        """Return True if few samples with a large lack of fit dominate the variance of a weighted sum.
 
-        The variance is that of a weighted sum of the samples with the weights `pull`. The variance from the lack of fit
-        of each sample must exceed `factor` squared times that from the mean lack of fit.
+        `weights` are those of the samples in the sum. The variance from the lack of fit of each sample must exceed
+        `factor` squared times that from the mean lack of fit.
         """
-        if not np.all(np.isfinite(pull)):
+        if not np.all(np.isfinite(weights)):
             return False
-        return self._local_variance(pull) > factor**2 * self.variance_factor * float(pull @ pull)
+        return self._local_variance(weights) > factor**2 * self.variance_factor * float(weights @ weights)
 
-    def _local_variance(self, pull: FloatArray) -> float:
-        return _correlated_variance(pull * self._misfit, self.rows, self._reaches)
+    def _local_variance(self, weights: FloatArray) -> float:
+        return _correlated_variance(weights * self._misfit, self.rows, self._reaches)
 
-    def _rounding_variance(self, pull: FloatArray) -> float:
-        """Return the variance of a weighted sum with correlated rounding errors.
+    def _rounding_variance(self, weights: FloatArray) -> float:
+        """Return the variance of a weighted sum of the samples, with correlated rounding errors of coarse sensors.
 
-        `pull` contains the weights of the samples. Rounding errors are those of coarse sensors.
+        `weights` are those of the samples. The result is 0 if no sensor is coarse.
         """
         pairs = [(gauge.steps, rows) for gauge, rows in zip(self._gauges, self.rows, strict=True) if gauge.steps]
         if not pairs:
             return 0.0
-        excess = sum(steps.excess(pull[rows]) for steps, rows in pairs)
-        return self._square * float(pull @ pull) + excess
+        excess = sum(steps.excess(weights[rows]) for steps, rows in pairs)
+        return self._square * float(weights @ weights) + excess
 
-    def _by_leverage(self, residual: FloatArray) -> tuple[FloatArray, list[int]]:
-        """Return residuals that are corrected for their leverage.
-
-        They are divided by sqrt(1 - leverage). The second item is the correlation length of each channel.
-        """
+    def _correct_for_leverage(self, residual: FloatArray) -> tuple[FloatArray, list[int]]:
+        """Return residuals divided by sqrt(1 - leverage), and the correlation length of each channel in samples."""
         misfit = residual / np.sqrt(1.0 - self._leverage)
         misfit[self._priors] = 1.0
         reaches = []
@@ -247,9 +250,9 @@ class ErrorModel:
         return misfit, reaches
 
     def _offset(self, channel: int, residual: FloatArray) -> SensorOffset | None:
-        """Return the offset of the sensor of one channel.
+        """Return the detected offset of the sensor of one channel.
 
-        The result is None if noise explains the offset.
+        The result is None if noise explains the offset, or if the free parameters can compensate almost all of it.
         """
         from scipy.special import stdtrit
 
@@ -263,12 +266,16 @@ class ErrorModel:
             return None
         size = -float(constant @ residual) / remaining
         left = residual + size * constant
-        misfit, reaches = self._by_leverage(left)
-        pull, piece = constant / remaining, left[rows]
-        independent = max(1.0, float(np.mean(piece**2))) * float(pull @ pull)
+        misfit, reaches = self._correct_for_leverage(left)
+        weights, piece = constant / remaining, left[rows]
+        independent = max(1.0, float(np.mean(piece**2))) * float(weights @ weights)
         error = float(
             np.sqrt(
-                max(independent, _correlated_variance(pull * misfit, self.rows, reaches), self._rounding_variance(pull))
+                max(
+                    independent,
+                    _correlated_variance(weights * misfit, self.rows, reaches),
+                    self._rounding_variance(weights),
+                )
             )
         )
         freedom = max(1.0, piece.size / correlation_time(piece) - 1.0)
@@ -279,17 +286,18 @@ class ErrorModel:
         return SensorOffset(channel, rows, bias, bounded, min(error, largest), bounded == size)
 
 
-def _correlated_variance(moves: FloatArray, channels: Sequence[slice], reaches: Sequence[int]) -> float:
-    """Return the variance of a sum whose terms are correlated within each channel.
+def _correlated_variance(terms: FloatArray, channels: Sequence[slice], lengths: Sequence[int]) -> float:
+    """Return the variance of a sum of samples that are correlated within each channel.
 
-    `moves` contains the terms, and `reaches` the correlation length of each channel in samples.
+    `terms` contains the terms of the sum, `channels` the slice of each channel in them, and `lengths` the correlation
+    length of each channel in samples.
     """
-    independent = float(moves @ moves)
+    independent = float(terms @ terms)
     correlated = independent
-    for rows, reach in zip(channels, reaches, strict=True):
-        piece = moves[rows]
-        for lag in range(1, reach + 1):
-            correlated += 2.0 * (1.0 - lag / (reach + 1.0)) * float(piece[lag:] @ piece[:-lag])
+    for rows, length in zip(channels, lengths, strict=True):
+        piece = terms[rows]
+        for lag in range(1, length + 1):
+            correlated += 2.0 * (1.0 - lag / (length + 1.0)) * float(piece[lag:] @ piece[:-lag])
     # An alternating lack of fit would give a smaller variance than independent terms: do not use that.
     return max(independent, correlated)
 
@@ -298,13 +306,13 @@ def _correlated_variance(moves: FloatArray, channels: Sequence[slice], reaches: 
 
 
 def estimates(free: Sequence[FreeParameter], optimum: Optimum, spread: ErrorModel) -> dict[str, Estimate]:
-    """Return the estimate of each free parameter.
+    """Return the estimate of each free parameter by name.
 
-    An estimate contains the 95 % confidence interval and the verdict. `spread` is the error model.
+    An estimate contains the 95 % confidence interval and the verdict. `spread` is the error model of the fit.
     """
     quantile, result = _quantile(optimum), {}
-    for f, x, pull, active in zip(free, optimum.x, spread.influences, optimum.active, strict=True):
-        value, error = float(x), spread.deviation(pull)
+    for f, x, weights, active in zip(free, optimum.x, spread.influences, optimum.active, strict=True):
+        value, error = float(x), spread.deviation(weights)
         half = quantile * error
         low, high = max(f.low, value - half), min(f.high, value + half)
         level = "at bound" if active else verdict(f, value, half)
@@ -324,13 +332,14 @@ def verdict(f: FreeParameter, value: float, half: float) -> Verdict:
     """
     span = f.high - f.low
     is_ratio = (f.unit == "1" or f.role == "offset") and np.isfinite(span)
-    return judged(half, span, OF_RATIOS) if is_ratio else judged(half, abs(value))
+    return verdict_on_interval(half, span, OF_RATIOS) if is_ratio else verdict_on_interval(half, abs(value))
 
 
 def covariance(optimum: Optimum) -> FloatArray:
-    """Return the covariance matrix of the parameters, if the noise is white.
+    """Return the covariance matrix of the parameters for white noise, (n_free, n_free).
 
-    For a parameter at a bound, the covariances with all other parameters are zero.
+    For a parameter at a bound, the covariances with all other parameters are zero. The variance of a parameter that is
+    not identifiable is infinite.
     """
     rows = influences(optimum)
     is_unfelt = ~np.all(np.isfinite(rows), axis=1)
@@ -344,7 +353,7 @@ def covariance(optimum: Optimum) -> FloatArray:
 
 
 def correlation(free: Sequence[FreeParameter], optimum: Optimum) -> dict[str, dict[str, float]]:
-    """Return the correlation of each pair of estimates.
+    """Return the correlation of each pair of estimates, as nested mappings by name.
 
     Parameters at a bound are omitted.
     """
@@ -355,17 +364,14 @@ def correlation(free: Sequence[FreeParameter], optimum: Optimum) -> dict[str, di
 
 
 class ConfidenceBand(NamedTuple):
-    """Half widths of the 95 % bands of a channel.
-
-    One band is that of the model, the other that of single samples.
-    """
+    """Half widths of two 95 % bands of a channel: of the model, and of single samples."""
 
     model: FloatArray
     samples: FloatArray
 
 
 def confidence_bands(optimum: Optimum, spread: ErrorModel) -> list[ConfidenceBand]:
-    """Return the 95 % confidence bands of each fitted channel."""
+    """Return the half widths of the 95 % confidence bands of each fitted channel."""
     quantile, result = _quantile(optimum), []
     model = spread.model_deviation()
     for rows, sigma in zip(spread.rows, optimum.sigmas, strict=True):
@@ -388,7 +394,10 @@ class ChannelFit(NamedTuple):
 
 
 def channel_fits(experiments: Sequence[Experiment], values: Mapping[str, float]) -> list[ChannelFit]:
-    """Return the measured and simulated channels for given parameter values."""
+    """Return the recorded and simulated channels of all recordings for given parameter values.
+
+    `values` maps the names of the free parameters to their values.
+    """
     return [
         ChannelFit(f"{e.name}.{channel.address}", channel, model)
         for e in experiments

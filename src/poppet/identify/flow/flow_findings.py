@@ -49,8 +49,9 @@ def findings(
 ) -> Iterator[Note]:
     """Yield findings that limit the use of the result, the most important first.
 
-    `influence` contains the influence of each point. `choked` is True if all points may be choked. `alternative` is a
-    better law; outliers are then residuals of this law.
+    `tests` contains the statistical tests, and `influence` the influence of each point. `choked` is True if all points
+    may be choked. `alternative` is the name of a parameter and a fit of the law with this parameter free, if that law
+    is better. Outliers are then residuals of the better law.
     """
     points = fit.model.points
     yield from _choking_notes(fit, estimates, choked)
@@ -83,7 +84,15 @@ def findings(
     for size, effect in fit.model.common_errors(fit.x):
         if abs(size) > 2.0:
             yield Note("flow.error_needed", size=size, source=effect.source)
-    yield from _point_notes(*_fit_of_points(fit, influence, alternative))
+    tested, influence_on_tested = fit, influence
+    if alternative is not None:
+        # Test single points with the better law, unless an error of one point explains the residuals better. Both
+        # explanations have one more free parameter than the law.
+        better, left = alternative[1], 1.0 - np.einsum("ij,ji->i", fit.jacobian, fit.gain[0])
+        squares = fit.residuals**2 / np.where(left > 1e-9, left, np.inf)
+        if not fit.chi_square - float(np.max(squares[: len(points)])) < _chi_square(better, fit.sigma):
+            tested, influence_on_tested = better, influence_of(better)
+    yield from _point_notes(tested, influence_on_tested)
     lowest = float(np.min(points.pressure_2))
     is_suspicious = lowest < BELOW_ATMOSPHERE and not points.is_absolute
     shifted_fit = _fit_shifted(fit, ATMOSPHERE) if is_suspicious else None
@@ -100,10 +109,7 @@ def findings(
 
 
 def uncalibrated(points: FlowPoints, names: Iterable[str]) -> tuple[list[str], list[str]]:
-    """Return the channels for which no calibration error or offset is stated.
-
-    The second item contains the parameters that such errors would change.
-    """
+    """Return the channels without a stated calibration error or offset, and the parameters that such errors change."""
     missing = {channel for channel in CHANNELS if not points.instrument(channel).is_calibrated}
     if points.u_ambient_pressure:
         missing -= {"pressure_1", "pressure_2"}
@@ -112,11 +118,8 @@ def uncalibrated(points: FlowPoints, names: Iterable[str]) -> tuple[list[str], l
     return [channel for channel in CHANNELS if any(channel in by_name[name] for name in affected)], affected
 
 
-def weakened(estimates: Mapping[str, Estimate], remarks: Iterable[Note]) -> dict[str, Estimate]:
-    """Return estimates whose verdicts take account of the findings.
-
-    Some findings limit a verdict to `weak`.
-    """
+def limit_verdicts(estimates: Mapping[str, Estimate], remarks: Iterable[Note]) -> dict[str, Estimate]:
+    """Return estimates whose verdict `determined` is reduced to `weak` if a finding requires it."""
     limited: set[str] = set()
     for note in remarks:
         limited |= set(note.facts["names"] if note.code == "flow.scatter_only" else ())
@@ -134,7 +137,7 @@ LIMITING = ("flow.residuals_too_large", "flow.below_atmosphere", "flow.unusual_t
 def suspicions(
     fit: FlowFit, estimates: Mapping[str, Estimate], tests: Mapping[str, Any], alternative: tuple[str, FlowFit] | None
 ) -> Iterator[Note]:
-    """Yield findings that cast doubt on all estimates.
+    """Yield findings that cast doubt on all estimates of a flow bench.
 
     They concern wrong units, or an unsuitable flow law.
     """
@@ -175,6 +178,8 @@ def suspicions(
 def most_informative_ratio(critical_ratio: float, u_pressure_ratio: float = 1e-3, u_flow_ratio: float = 5e-3) -> float:
     """Return the p2/p1 at which one more point reduces the uncertainty of b most.
 
+    The last two arguments are the standard uncertainties of p2/p1 and of the flow relative to choked flow.
+
     Examples
     --------
     >>> round(most_informative_ratio(0.3), 2)
@@ -209,9 +214,9 @@ def _choking_notes(fit: FlowFit, estimates: Mapping[str, Estimate], choked: bool
 
 
 def _fit_shifted(fit: FlowFit, shift: float) -> FlowFit | None:
-    """Return the fit to the same points with other pressures.
+    """Return a fit to the same points with all pressures increased by `shift` [Pa].
 
-    All pressures are increased by `shift`. The result is None if the shifted pressures are invalid.
+    The result is None if the shifted pressures are invalid, or if the readings are certainly absolute.
     """
     points = fit.model.points
     if min(float(np.min(points.pressure_1)), float(np.min(points.pressure_2))) + shift < 0.0:
@@ -228,32 +233,15 @@ def _fit_shifted(fit: FlowFit, shift: float) -> FlowFit | None:
 
 
 def _chi_square(fit: FlowFit, sigma: FloatArray) -> float:
-    """Return chi-square of a fit with other standard deviations, `sigma`."""
+    """Return chi-square of a fit if the points have the standard deviations `sigma` [kg/s]."""
     residuals = fit.model.residuals(fit.x, sigma)
     return float(residuals @ residuals)
 
 
-def _fit_of_points(
-    fit: FlowFit, influence: Mapping[str, list[float]], alternative: tuple[str, FlowFit] | None
-) -> tuple[FlowFit, Mapping[str, list[float]]]:
-    """Return the fit for tests of single points, and the influence of each point.
-
-    It is the fit of the better law, unless an error of one single point explains the residuals better than this law.
-    """
-    if alternative is None:
-        return fit, influence
-    better, left = alternative[1], 1.0 - np.einsum("ij,ji->i", fit.jacobian, fit.gain[0])
-    squares = fit.residuals**2 / np.where(left > 1e-9, left, np.inf)
-    # Both explanations have one more free parameter than the law.
-    if fit.chi_square - float(np.max(squares[: len(fit.model.points)])) < _chi_square(better, fit.sigma):
-        return fit, influence
-    return better, influence_of(better)
-
-
 def influence_of(fit: FlowFit) -> dict[str, list[float]]:
-    """Return the change of each parameter if one point is omitted.
+    """Return the change of each parameter if one point is omitted, in standard errors.
 
-    The change is given for each point, in standard errors.
+    The result maps the name of each parameter to a list with one change for each point.
     """
     shifts = leave_one_out(fit.jacobian, fit.residuals, fit.gain[0])[:, : len(fit.model.points)]
     shifts /= np.maximum(np.linalg.norm(fit.gain[0], axis=1), 1e-300)[:, None]
@@ -262,7 +250,7 @@ def influence_of(fit: FlowFit) -> dict[str, list[float]]:
 
 
 def _point_notes(fit: FlowFit, influence: Mapping[str, list[float]]) -> Iterator[Note]:
-    """Yield findings on an outlier, and on single points that determine a parameter."""
+    """Yield findings on an outlier, and on parameters that depend on one single point."""
     from scipy.special import stdtr
 
     points, freedom = fit.model.points, fit.degrees_of_freedom
@@ -295,7 +283,7 @@ def _point_notes(fit: FlowFit, influence: Mapping[str, list[float]]) -> Iterator
 
 
 def _point_facts(indices: Any, points: FlowPoints) -> dict[str, Any]:
-    """Return the facts of a message that names some points.
+    """Return the facts of a message that lists some points of a flow bench.
 
     They contain the numbers of the first points, counted from 1, with their p2/p1, and the count of further points.
     """

@@ -14,6 +14,7 @@ from functools import cached_property
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from poppet.core.errors import InputError
 from poppet.identify.flow.points import CHANNELS, Effect, FlowPoints
@@ -24,7 +25,7 @@ from poppet.identify.gum import (
     effective_degrees_of_freedom,
     gain,
 )
-from poppet.identify.result import VERDICTS, Estimate, Verdict, judged
+from poppet.identify.result import VERDICTS, Estimate, Verdict, verdict_on_interval
 from poppet.laws.iso6358 import mass_flow_rate
 from poppet.timeseries.checks import FloatArray
 
@@ -67,22 +68,22 @@ class FlowModel:
 
     @cached_property
     def free(self) -> tuple[str, ...]:
-        """Names of the free parameters of the flow law, in the order of `UNITS`."""
+        """Names of the free parameters of the flow law, in the order of the constant `UNITS`."""
         return tuple(name for name in UNITS if name not in self.fixed)
 
     @cached_property
     def effects(self) -> tuple[Effect, ...]:
-        """Changes of the readings by each error that all points share.
+        """Errors that all points share, each with its change of the readings.
 
-        Each error has the size of one standard deviation.
+        A change is that of an error of one standard deviation.
         """
         return tuple(self.points.effects())
 
     @cached_property
     def scales(self) -> FloatArray:
-        """Typical size of each free parameter and of each common error.
+        """Unit of each element of `x`, the vector of scaled free parameters and common errors.
 
-        The argument `x` of the methods is in these units.
+        It is a typical size of a free parameter, and 1 for a common error.
         """
         sizes = {
             "sonic_conductance": float(np.max(self.points.effective_conductance)),
@@ -115,14 +116,14 @@ class FlowModel:
         return dict(self.fixed) | dict(zip(self.free, values, strict=True))
 
     def common_errors(self, x: FloatArray) -> list[tuple[Any, Effect]]:
-        """Return the fitted common errors, each with its effect on the readings.
+        """Return pairs of the size of each common error, in standard deviations, and its effect on the readings.
 
-        The size of an error is in standard deviations. `x` contains the scaled parameters.
+        `x` contains the scaled free parameters, then these sizes.
         """
         return list(zip(_elements_or_columns(x[..., len(self.free) :]), self.effects, strict=True))
 
     def readings(self, x: FloatArray) -> dict[str, FloatArray]:
-        """Return pressures and temperatures, corrected for the common errors in `x`."""
+        """Return the readings of pressures and temperature by channel, corrected for the common errors in `x`."""
         shifted = {name: getattr(self.points, name) for name in CHANNELS if name != "mass_flow_rate"}
         for size, effect in self.common_errors(x):
             for channel in shifted.keys() & effect.channels:
@@ -133,7 +134,8 @@ class FlowModel:
     def flow(self, x: FloatArray, **shifts: FloatArray) -> FloatArray:
         """Return the flow that the flow meter should read according to the model [kg/s].
 
-        `x` contains the scaled parameters. `shifts` adds a value to the readings of a channel.
+        `x` contains the scaled free parameters and common errors. `shifts` maps channels to values that are added to
+        their readings.
         """
         readings = self.readings(x)
         for channel, shift in shifts.items():
@@ -152,7 +154,7 @@ class FlowModel:
         return np.asarray(reading)
 
     def variances(self, x: FloatArray, extra: float = 0.0, inflation: float = 1.0) -> dict[str, FloatArray]:
-        """Return the variance of the flow at each point that each instrument causes [kg^2/s^2].
+        """Return the variance of the flow at each point that each instrument causes, by source [kg^2/s^2].
 
         `extra` is a variance that is added to each point, and `inflation` a factor on the stated standard deviations.
         """
@@ -214,7 +216,7 @@ class FlowFit:
 
     @cached_property
     def values(self) -> dict[str, float]:
-        """All parameters of the law by name, with those that are fixed."""
+        """All parameters of the flow law by name, both fitted and fixed."""
         return self.model.numbers(self.x)
 
     @cached_property
@@ -249,8 +251,11 @@ class FlowFit:
         return len(self.model.points) - len(self.model.free)
 
     @property
-    def stated(self) -> float:
-        """Probability of a larger chi-square with the stated uncertainties; NaN if they are not stated."""
+    def stated_probability(self) -> float:
+        """Probability of a larger chi-square, if the stated uncertainties are correct.
+
+        It is NaN if no uncertainties are stated.
+        """
         return chi_square_probability(self.stated_chi_square, self.degrees_of_freedom)
 
     @property
@@ -287,12 +292,12 @@ class FlowFit:
 
     @cached_property
     def jacobian(self) -> FloatArray:
-        """Derivatives of the weighted residuals by the scaled parameters and common errors."""
+        """Derivatives of the weighted residuals by the scaled free parameters and common errors."""
         return self.model.jacobian(self.x, self.sigma)
 
     @cached_property
-    def gain(self) -> tuple[FloatArray, Any]:
-        """Derivatives of the estimates with respect to the residuals, and a mask: True for determined parameters."""
+    def gain(self) -> tuple[FloatArray, NDArray[np.bool_]]:
+        """Derivatives of the estimates by the weighted residuals, and a mask of the determined parameters."""
         return gain(self.jacobian)
 
     @cached_property
@@ -329,9 +334,9 @@ class FlowFit:
 
 
 def fit_flow(model: FlowModel) -> FlowFit:
-    """Fit the flow law to the points.
+    """Fit the flow law to the points of a flow bench by weighted least squares.
 
-    The weights of the points are adapted to the fit.
+    The weights depend on the fitted law, so weights and parameters are updated in turn.
 
     Notes
     -----
@@ -345,7 +350,7 @@ def fit_flow(model: FlowModel) -> FlowFit:
         return _iterate_weights(model, x, adapt="extra", extra=float(np.mean(misfit**2)))
     fit = _iterate_weights(model, x)
     fit = replace(fit, stated_chi_square=fit.chi_square)
-    if not fit.stated < DOUBT:  # NaN: there are no degrees of freedom
+    if not fit.stated_probability < DOUBT:  # NaN: there are no degrees of freedom
         return fit
     birge = math.sqrt(fit.chi_square / fit.degrees_of_freedom)
     wider = _iterate_weights(model, fit.x, adapt="inflation", inflation=birge)
@@ -431,7 +436,7 @@ def start_point(model: FlowModel) -> FloatArray:
 def _unit_flow(points: FlowPoints, **law: Any) -> FloatArray:
     """Return the flow at all points for a sonic conductance C of 1.
 
-    If the parameters of the law are columns, the result has one row for each set of parameters.
+    `law` contains the other parameters of the flow law. If they are columns, the result has one row for each set.
     """
     readings = (getattr(points, channel) for channel in CHANNELS if channel != "mass_flow_rate")
     return np.asarray(mass_flow_rate(*readings, sonic_conductance=1.0, **law))
@@ -454,7 +459,7 @@ def fit_all_choked(fit: FlowFit) -> FlowFit | None:
 
 
 def law_estimates(fit: FlowFit) -> dict[str, Estimate]:
-    """Return the estimates of the free parameters, with 95 % confidence intervals."""
+    """Return the estimates of the free parameters of the flow law by name, with 95 % confidence intervals."""
     low, high = fit.model.bounds
     start_values = start_point(fit.model) * fit.model.scales
     estimates = {}
@@ -472,28 +477,28 @@ def law_estimates(fit: FlowFit) -> dict[str, Estimate]:
             error,
             max(value - half, bounds[0]),
             min(value + half, bounds[1] if name != "critical_ratio" else 1.0),
-            _verdict_on_interval(name, value, half, at_bound, scale),
+            _law_verdict(name, value, half, at_bound, scale),
             float(start_values[k]),
         )
     return estimates
 
 
-def _verdict_on_interval(name: str, value: float, half: float, at_bound: bool, scale: float) -> Verdict:
-    """Return the verdict on an estimate, such as `determined`.
+def _law_verdict(name: str, value: float, half: float, at_bound: bool, scale: float) -> Verdict:
+    """Return the verdict on an estimate of the flow law, such as `determined`.
 
-    `half` is half the width of the interval. It is compared with C itself, with 1 for b and m, and with at least p1/10
-    for the cracking pressure.
+    `half` is half the width of the interval. It is compared with C itself, with 1 for b and m, and with at least a
+    tenth of `scale`, the upstream pressure, for the cracking pressure.
     """
     if at_bound:
         return "at bound"
     size = {"sonic_conductance": value, "cracking_pressure": max(value, 0.1 * scale)}.get(name, 1.0)
-    return judged(half, size)
+    return verdict_on_interval(half, size)
 
 
 def choked_estimates(fit: FlowFit, choked: FlowFit) -> dict[str, Estimate]:
-    """Return the estimates if the flow may be choked at all points.
+    """Return the estimates of a flow law if all points may be choked.
 
-    C then has a range, and b only a lower limit.
+    `choked` is the fit under this assumption. C then has a range, and b only a lower limit.
     """
     points = choked.model.points
     ratios = np.linspace(0.0, 0.99, 199)
@@ -508,7 +513,7 @@ def choked_estimates(fit: FlowFit, choked: FlowFit) -> dict[str, Estimate]:
     low = min(float(np.min(conductance[possible])), narrow.value) - half
     high = max(float(np.max(conductance[possible])), narrow.value) + half
     widest = max(high - narrow.value, narrow.value - low)
-    verdict = _verdict_on_interval("sonic_conductance", narrow.value, widest, False, 1.0)
+    verdict = _law_verdict("sonic_conductance", narrow.value, widest, False, 1.0)
     estimates = {"sonic_conductance": replace(narrow, low=low, high=high, verdict=verdict)}
     lowest = {"critical_ratio": float(np.min(ratios[possible]))}
     highest = {"critical_ratio": 1.0, "subsonic_index": 3.0, "cracking_pressure": float(np.max(points.pressure_1))}
@@ -520,10 +525,9 @@ def choked_estimates(fit: FlowFit, choked: FlowFit) -> dict[str, Estimate]:
 
 
 def find_other_law(fit: FlowFit) -> tuple[str, FlowFit] | None:
-    """Return a fixed parameter that should be free, and the better fit.
+    """Return the name of a fixed parameter that should be free, and the fit in which it is free.
 
-    In this fit, the parameter is free. The result is None if no fixed parameter improves the fit clearly when it is
-    free.
+    The result is None if no fixed parameter improves the fit clearly when it is free.
     """
     alternatives = []
     for name in ("subsonic_index", "cracking_pressure"):
@@ -552,6 +556,6 @@ def widen_estimates(estimates: Mapping[str, Estimate], other_estimates: Mapping[
     widened = {}
     for name, e in estimates.items():
         low, high = min(e.low, other_estimates[name].low), max(e.high, other_estimates[name].high)
-        verdict = _verdict_on_interval(name, e.value, max(high - e.value, e.value - low), e.verdict == "at bound", 1.0)
+        verdict = _law_verdict(name, e.value, max(high - e.value, e.value - low), e.verdict == "at bound", 1.0)
         widened[name] = replace(e, low=low, high=high, verdict=max(verdict, e.verdict, key=VERDICTS.index))
     return widened

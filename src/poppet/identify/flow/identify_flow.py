@@ -14,7 +14,7 @@ from poppet.core.codes import notes_of
 from poppet.core.errors import ErrorCollector, InputError
 from poppet.identify.data_file import or_file
 from poppet.identify.flow.flow_file import read_flow_file
-from poppet.identify.flow.flow_findings import findings, influence_of, suspicions, weakened
+from poppet.identify.flow.flow_findings import findings, influence_of, limit_verdicts, suspicions
 from poppet.identify.flow.flow_fit import (
     UNITS,
     FlowFit,
@@ -142,7 +142,7 @@ def identify_flow(
     if doubts:  # independent of the width of the intervals
         weaker: dict[Verdict, Verdict] = {"determined": "weak"}
         estimates = {name: replace(e, verdict=weaker.get(e.verdict, e.verdict)) for name, e in estimates.items()}
-    estimates = weakened(estimates, remarks)
+    estimates = limit_verdicts(estimates, remarks)
     evaluation = evaluate_by_standard(points, subsonic_index, cracking_pressure)
     errors_by_standard = standard_uncertainties(points, evaluation, subsonic_index, cracking_pressure)
     is_bound = fit.values["critical_ratio"] < float(np.min(points.pressure_ratio))
@@ -151,6 +151,8 @@ def identify_flow(
         standard |= {name: getattr(evaluation, name), f"u_{name}": error}
     standard |= {"saturated_points": [*evaluation.saturated], "subsonic_points": [*evaluation.subsonic]}
     prefix, rows = f"{part}." if part else "", accepted.gain[0][: len(accepted.model.free)]
+    order = np.argsort(points.pressure_ratio, kind="stable")
+    modelled = conductance_of(accepted.modelled, points.pressure_1, points.temperature_1)
     return Result(
         method="flow",
         title=title,
@@ -166,12 +168,21 @@ def identify_flow(
         },
         remarks=remarks + notes_of(notes),
         conditions=_conditions(accepted, fixed),
-        series=_conductance_series(accepted),
+        series={
+            "points.effective_conductance": {
+                "x": points.pressure_ratio[order],
+                "measured": points.effective_conductance[order],
+                "model": modelled[order],
+                "unit": "m^3/(s Pa)",
+                "x_unit": "1",
+                "x_name": "p2/p1",
+            }
+        },
     )
 
 
 def _statistical_tests(fit: FlowFit) -> dict[str, Any]:
-    """Return the results of statistical tests of a fit.
+    """Return the results of statistical tests of a fit by name.
 
     They are chi-square, the runs test and the information criterion AICc.
     """
@@ -180,7 +191,7 @@ def _statistical_tests(fit: FlowFit) -> dict[str, Any]:
     return {
         "chi_square": fit.chi_square if math.isnan(fit.stated_chi_square) else fit.stated_chi_square,
         "degrees_of_freedom": fit.degrees_of_freedom,
-        "chi_square_probability": fit.stated,
+        "chi_square_probability": fit.stated_probability,
         "scatter_factor": fit.inflation * fit.scatter_factor,
         "scatter_from_residuals": not fit.scatter_is_known,
         "runs_probability": few_runs_probability(fit.residuals[:n][order]),
@@ -199,21 +210,4 @@ def _conditions(fit: FlowFit, fixed: Mapping[str, float]) -> dict[str, Any]:
             for name in ("pressure_ratio", "pressure_1", "temperature_1")
         },
         "standard_uncertainties": {channel: row for channel, row in stated.items() if row},
-    }
-
-
-def _conductance_series(fit: FlowFit) -> dict[str, Any]:
-    """Return measured and fitted effective conductance over the pressure ratio p2/p1."""
-    points = fit.model.points
-    order = np.argsort(points.pressure_ratio, kind="stable")
-    modelled = conductance_of(fit.modelled, points.pressure_1, points.temperature_1)
-    return {
-        "points.effective_conductance": {
-            "x": points.pressure_ratio[order],
-            "measured": points.effective_conductance[order],
-            "model": modelled[order],
-            "unit": "m^3/(s Pa)",
-            "x_unit": "1",
-            "x_name": "p2/p1",
-        }
     }

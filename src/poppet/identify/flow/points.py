@@ -75,7 +75,7 @@ class Instrument:
         return self.offset > 0.0 or self.calibration > 0.0
 
     def of_one_reading(self) -> Instrument:
-        """Return the instrument for one reading that is used for all points.
+        """Return the uncertainties of an instrument whose single reading is used for all points.
 
         All its errors are then common to the points.
         """
@@ -86,7 +86,7 @@ class Instrument:
 
 @dataclass(frozen=True)
 class Effect:
-    """Change in the readings of all points by one shared (systematic) error.
+    """Change in the readings of all points that an error common to them causes.
 
     The error has the size of one standard deviation.
     """
@@ -97,10 +97,7 @@ class Effect:
     calibration: float  # shift as a fraction of the reading
 
     def shift(self, reading: FloatArray) -> FloatArray:
-        """Return by how much the error changes the readings of a channel.
-
-        `reading` contains these readings.
-        """
+        """Return the changes of the readings `reading` of one channel."""
         return self.offset + self.calibration * reading
 
 
@@ -296,9 +293,9 @@ class FlowPoints:
 
 
 def conductance_of(flow: FloatArray, pressure_1: FloatArray, temperature_1: FloatArray) -> FloatArray:
-    """Return the sonic conductance at which measured flows would be choked.
+    """Return the sonic conductance at which measured flows would be choked, (n,) [m^3/(s Pa)].
 
-    A flow slightly below zero is permitted.
+    The flows may be slightly below zero.
     """
     choked = mass_flow_rate(pressure_1, 0.0, temperature_1, sonic_conductance=1.0, critical_ratio=0.0)
     return np.asarray(flow / choked)

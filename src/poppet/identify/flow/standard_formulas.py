@@ -6,7 +6,7 @@ import math
 from collections.abc import Mapping
 from dataclasses import dataclass
 from itertools import chain
-from typing import Any, Literal
+from typing import Literal, TypeVar
 
 import numpy as np
 
@@ -17,12 +17,13 @@ PLATEAU = 0.005
 """Largest relative deviation below the mean of the saturated points at which a point is saturated."""
 
 Free = Literal["free"]
+Values = TypeVar("Values", float, FloatArray)
 
 
-def conductance_uncertainty(u_flow: Any, u_pressure: Any, u_temperature: Any) -> Any:
+def conductance_uncertainty(u_flow: Values, u_pressure: Values | float, u_temperature: Values | float) -> Values:
     r"""Return the relative standard uncertainty of C from the readings of one choked point.
 
-    The arguments u_q, u_p and u_T are relative standard uncertainties of flow, pressure and temperature.
+    The arguments are the relative standard uncertainties of flow, pressure and temperature: u_q, u_p and u_T.
 
     .. math:: \frac{u(C)}{C} = \sqrt{u_q^2 + u_p^2 + (u_T/2)^2}
 
@@ -35,15 +36,21 @@ def conductance_uncertainty(u_flow: Any, u_pressure: Any, u_temperature: Any) ->
     >>> print(round(conductance_uncertainty(0.01, 0.002, 0.004), 5))
     0.01039
     """
-    return np.sqrt(u_flow**2 + u_pressure**2 + (0.5 * u_temperature) ** 2)
+    uncertainty: Values = np.sqrt(u_flow**2 + u_pressure**2 + (0.5 * u_temperature) ** 2)
+    return uncertainty
 
 
 def critical_ratio_uncertainty(
-    pressure_ratio: Any, flow_ratio: Any, u_pressure_ratio: Any, u_flow_ratio: Any, subsonic_index: Any = 0.5
-) -> Any:
+    pressure_ratio: Values,
+    flow_ratio: Values,
+    u_pressure_ratio: Values | float,
+    u_flow_ratio: Values | float,
+    subsonic_index: float = 0.5,
+) -> Values:
     r"""Return the standard uncertainty of b from the readings of one subsonic point.
 
-    r is the pressure ratio p2/p1, phi is the flow ratio, and u_r and u_phi are their standard uncertainties.
+    r is the pressure ratio p2/p1, phi is the flow relative to choked flow, and u_r and u_phi are their standard
+    uncertainties. m is the subsonic index.
 
     .. math::
 
@@ -53,8 +60,8 @@ def critical_ratio_uncertainty(
 
     Notes
     -----
-    The formula is of first order, without a cracking pressure, for independent errors of r and the flow ratio. The
-    uncertainty is largest near r = 1 and near a flow ratio of 1; the formula is also least accurate there.
+    The formula is of first order, without a cracking pressure, for independent errors of r and phi. The uncertainty is
+    largest near r = 1 and near phi = 1; the formula is also least accurate there.
 
     Examples
     --------
@@ -64,12 +71,13 @@ def critical_ratio_uncertainty(
     s = np.sqrt(1.0 - flow_ratio ** (1.0 / subsonic_index))
     by_flow = flow_ratio ** (1.0 / subsonic_index - 1.0) / (2.0 * subsonic_index * s)
     from_flow = (1.0 - pressure_ratio) / (1.0 - s) ** 2 * by_flow * u_flow_ratio
-    return np.hypot(u_pressure_ratio / (1.0 - s), from_flow)
+    uncertainty: Values = np.hypot(u_pressure_ratio / (1.0 - s), from_flow)
+    return uncertainty
 
 
 @dataclass(frozen=True)
 class StandardEvaluation:
-    """Parameters of a flow path from the formulas of ISO 6358-1."""
+    """Parameters of a flow path according to the formulas of ISO 6358-1."""
 
     sonic_conductance: float  # mean over the saturated points [m^3/(s Pa)]
     critical_ratio: float  # weighted mean over the subsonic points; NaN without these
@@ -180,8 +188,9 @@ def _evaluate_readings(
 ) -> StandardEvaluation:
     """Return the results of the standard formulas for slightly changed readings.
 
-    `shifts` contains the changes. The readings are not checked, because a change can make them slightly invalid.
-    `saturated` and `subsonic` are masks of the choked and subsonic points.
+    `shifts` maps channels to the changes of their readings. The readings are not checked, because a change can make
+    them slightly invalid. `saturated` and `subsonic` are the indices of the choked and the subsonic points. `warm`
+    contains start values of b, m and cracking pressure.
     """
     flow, p_1, p_2, temperature = (getattr(points, channel) + shifts.get(channel, 0.0) for channel in CHANNELS)
     effective, indices = conductance_of(flow, p_1, temperature), list(subsonic)
@@ -213,9 +222,10 @@ def _fit_ratio(
     warm: tuple[float, float, float],
     is_free: list[bool],
 ) -> tuple[float, float, float]:
-    """Fit b and other parameters to the flow ratios of the subsonic points.
+    """Fit b, and m or the cracking pressure or both, to the flow ratios of the subsonic points.
 
-    The others are m or the cracking pressure, or both. `is_free` states which of them are free.
+    The arrays have one element for each point: p2/p1, flow relative to choked flow, and p1. `warm` contains start
+    values of b, m and cracking pressure, and `is_free` states which of them are free. The result contains all three.
     """
     from scipy.optimize import least_squares
 

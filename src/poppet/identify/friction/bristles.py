@@ -38,7 +38,7 @@ SMEARED = 0.5
 
 @dataclass(frozen=True)
 class Bristles:
-    """Estimates of stiffness and damping of the bristles in the LuGre friction model."""
+    """Estimated stiffness and damping of the bristles, the elastic contact in the LuGre friction model."""
 
     stiffness: float  # [N/m]
     low: float
@@ -64,15 +64,12 @@ class Bristles:
 
     @property
     def is_coarse(self) -> bool:
-        """True if the sampling is too coarse for an estimate of the damping.
-
-        The sample time or the velocity window is then too large.
-        """
+        """True if the sample time or the velocity window is too large for an estimate of the damping."""
         return self.window > SMEARED * self.bending or self.late > WEAK * abs(self.damping_high)
 
     @property
     def is_late(self) -> bool:
-        """True if the force signal is delayed, which damping cannot explain."""
+        """True if the force signal is delayed: the estimated damping is then negative."""
         return self.damping_high < 0.0
 
     @property
@@ -84,11 +81,11 @@ class Bristles:
 def fit_bristles(
     motions: Sequence[RecordedMotion], values: Mapping[str, float], offsets: Mapping[int, float], distance: float
 ) -> Bristles | None:
-    """Fit stiffness and damping of the bristles to the friction after reversals.
+    """Fit stiffness and damping of the bristles in the LuGre friction model to the friction after reversals.
 
-    The fit uses the samples up to the distance `distance` after a reversal; beyond it the body slides. `values` and
-    `offsets` are the parameters of steady sliding and the force offsets of the recordings. The result is None if there
-    are too few reversals.
+    `motions` contains the recordings. The fit uses the samples up to `distance` after a reversal; beyond it the body
+    slides. `values` contains the parameters of steady sliding by name. `offsets` contains the force offset of each
+    recording. The result is None if there are too few reversals.
     """
     turns = usable_reversals(motions, values, offsets, distance)
     if len(turns) < FEWEST or distance <= 0.0:
@@ -146,10 +143,10 @@ def fit_bristles(
 def usable_reversals(
     motions: Sequence[RecordedMotion], values: Mapping[str, float], offsets: Mapping[int, float], distance: float
 ) -> list[ReversalData]:
-    """Return the reversals after which the deflection of the bristles is known.
+    """Return the reversals at which the deflection of the bristles of the LuGre model is known, with their samples.
 
-    The deflection is known after a long stroke. It is also known after a short stroke that follows a usable reversal.
-    Its change must be resolved by the samples.
+    It is known after a long stroke, and after a short stroke that follows a usable reversal. The samples must resolve
+    its change.
     """
     decay = distance / (WAYS * -math.log(0.5 * (1.0 - BENT)))
     turns: list[ReversalData] = []
@@ -167,7 +164,7 @@ def usable_reversals(
 
 @dataclass(frozen=True, eq=False)
 class ReversalData:
-    """Samples after one reversal of the motion, for the fit of bristles.
+    """Samples after one reversal of the motion, for the fit of bristles in the LuGre friction model.
 
     The arrays have the shape (n,).
     """
@@ -192,10 +189,11 @@ class ReversalData:
         *,
         is_chained: bool,
     ) -> ReversalData:
-        """Return the samples up to a distance after a reversal.
+        """Return the samples up to `distance` after a reversal.
 
-        `turn` is the reversal. `values` and `offsets` describe sliding friction and force offsets. `is_chained` is True
-        if the bristles start at the deflection at which the previous stroke ended.
+        `turn` is the stroke that begins with the reversal. `values` contains the parameters of sliding friction, and
+        `offsets` the force offset of each recording. `is_chained` is True if the bristles start at the deflection at
+        which the previous stroke ended.
         """
         is_within, last = turn.distance <= distance, turn.last
         assert last is not None
@@ -220,8 +218,8 @@ class ReversalData:
         """Return sums for the least-squares fit of the damping, (3, n_shifts, n_stiffnesses).
 
         The sums are those of the squared error, of error times rate, and of the squared rate of deflection. The error
-        is measured minus modelled bristle force. `force` is the bristle force at the end of the previous reversal. The
-        force at the end of this reversal is also returned.
+        is measured minus modelled bristle force. `shifts` contains shifts of the start of the stroke [m]. `force` is
+        the bristle force at the end of the previous stroke. The second item is the force at the end of this stroke.
         """
         if not self.is_chained:
             force = np.full(force.shape, (self.lead_level if self.lead_level.size else self.level)[0])
@@ -238,9 +236,9 @@ class ReversalData:
 
 
 def _dry_friction(turn: Reversal, selected: Any, values: Mapping[str, float]) -> FloatArray:
-    """Return the dry friction at the speeds of some samples after a reversal [N].
+    """Return the dry friction at some samples after a reversal, at their speeds [N].
 
-    `selected` is the mask of these samples.
+    `selected` is the mask of these samples. `values` contains the parameters of the friction law.
     """
     pressure, static = turn.pressure[selected], values.get(STATIC, values[COULOMB])
     coulomb = values[COULOMB] + values.get(SEAL, 0.0) * pressure
@@ -250,10 +248,10 @@ def _dry_friction(turn: Reversal, selected: Any, values: Mapping[str, float]) ->
 
 
 def _find_minimum(grid: FloatArray, sums: FloatArray) -> tuple[float, float, float]:
-    """Return the stiffness and the damping with the least cost, and this cost.
+    """Return the logarithm of the stiffness, the damping, and the cost at the minimum of the cost.
 
-    The stiffness is returned as its logarithm. `grid` contains logarithms of stiffnesses. The minimum is taken over
-    these and over the shifts of the distance.
+    `grid` contains logarithms of stiffnesses, and `sums` the sums of `ReversalData.squares` for each of them. The
+    minimum is taken over the stiffnesses and over shifts of the distance.
     """
     square, product, rates = sums.sum(axis=2)
     damping = product / np.maximum(rates, 1e-300)  # negative if the force is delayed

@@ -148,7 +148,10 @@ def read_friction_file(path: str | Path) -> tuple[list[FrictionRecord], dict[str
 def _read_channel(
     errors: ErrorCollector, channel: str, file_fields: Mapping[str, Any], coordinate: Coordinate
 ) -> dict[str, Any]:
-    """Return the table of one channel with values in SI units."""
+    """Read and check the table of one channel; its pressures become gauge pressures in SI units.
+
+    `file_fields` contains the tables of all channels. `coordinate` is the kind of motion.
+    """
     raw, n_files = file_fields[channel], len(file_fields["file"])
     declared = {"column": Field(is_required=True, example=f'{channel} = {{ column = "..." }}'), "unit": Field()}
     if channel in PRESSURES:
@@ -172,13 +175,13 @@ def _read_channel(
 
 
 def _has_valid_unit(errors: ErrorCollector, channel: str, unit: str, coordinate: Coordinate) -> bool:
-    """Return True if a unit fits the kind of body.
+    """Return True if the unit of a channel fits the kind of motion; otherwise add an error.
 
-    Otherwise an error is added. The units of a rotation are those of torque and angle.
+    A rotation has the units of torque and angle.
     """
     opposite = coordinate.opposite
     with suppress(InputError):  # `read_column` reports an unknown unit
-        if channel in ("position", "velocity", coordinate.effort) and opposite.is_of(
+        if channel in ("position", "velocity", coordinate.effort) and opposite.accepts_unit(
             unit, opposite.effort if channel == coordinate.effort else channel
         ):
             errors.add("friction.mixture", channel, unit=unit, effort=coordinate.effort)
@@ -189,9 +192,10 @@ def _has_valid_unit(errors: ErrorCollector, channel: str, unit: str, coordinate:
 def _read_record(
     table: Table, index: int, fields: Mapping[str, Any], coordinate: Coordinate, name: str
 ) -> FrictionRecord:
-    """Read one table or recording of friction in SI units.
+    """Read one table of sliding friction or one recording of a moved body, in SI units.
 
-    Samples before `skip` and after `until` are omitted. `index` is the index of the file.
+    Samples before `skip` and after `until` are omitted. `index` is the index of the file, and `coordinate` the kind of
+    motion.
     """
     units = {"time": "s", "position": coordinate.length, "velocity": coordinate.speed}
     units |= {coordinate.effort: coordinate.effort_unit} | dict.fromkeys(PRESSURES, "Pa")

@@ -13,8 +13,8 @@ from poppet.core.message_format import facts_of
 from poppet.identify.friction.friction_fit import GROWING_LAWS, LAWS, FrictionFits, levels_of
 from poppet.identify.friction.motion import FEWEST, HALF_POWER, SHORTEST, stack_rows
 from poppet.identify.friction.records import SEAL, SEAL_EXCESS, STATIC, STRIBECK, VISCOUS
-from poppet.identify.gum import clustered, coverage_factor
-from poppet.identify.result import judged
+from poppet.identify.gum import cluster_covariance, coverage_factor
+from poppet.identify.result import verdict_on_interval
 
 SMEARED = 1.5
 """Residual of lines through the windows, in standard deviations, above which the window is too long."""
@@ -23,10 +23,7 @@ ZONES, UNEVEN = 8, 0.05
 
 
 def findings(analysis: FrictionFits) -> Iterator[Note]:
-    """Yield all findings on friction, the most important first.
-
-    Each contains the units that its message needs.
-    """
+    """Yield all findings on friction, the most important first."""
     units = {name: getattr(analysis.coordinate, name) for name in ("effort", "effort_unit", "length", "speed")}
     checks = _law_notes, _seal_and_bristle_notes, _motion_notes, _recording_notes
     for note in itertools.chain.from_iterable(check(analysis) for check in checks):
@@ -35,7 +32,7 @@ def findings(analysis: FrictionFits) -> Iterator[Note]:
 
 
 def _law_notes(analysis: FrictionFits) -> Iterator[Note]:
-    """Yield notes on the law that the data support, and on parameters that the selected law does not contain.
+    """Yield notes on the friction law that the data support, and on parameters that the selected law does not contain.
 
     The notes state upper bounds on these parameters.
     """
@@ -54,7 +51,7 @@ def _law_notes(analysis: FrictionFits) -> Iterator[Note]:
         yield Note("friction.not_supported", chosen=analysis.selected, law=analysis.supported)
     if left_out := [name for name in LAWS if name not in fits]:
         yield Note("friction.not_told", laws=left_out)
-    limit = max(solution.cost for solution in [*fit.allowed, fit.solution])
+    limit = max(solution.cost for solution in [*fit.equivalent_solutions, fit.solution])
     if equivalent_minima := [minimum for minimum in fit.other_minima if minimum.cost <= limit]:
         best_values, other_values = (
             {coordinate.name(name).partition(".")[2]: value for name, value in solution.values.items()}
@@ -73,12 +70,12 @@ def _law_notes(analysis: FrictionFits) -> Iterator[Note]:
             value, (_, bottom, top) = fits[law].values[name], fits[law].interval(name)
             adds = top * high if name == VISCOUS else None
             bounds = {"low": bottom, "high": top, "unit": coordinate.unit(name), "adds": adds}
-            verdict = judged(max(top - value, value - bottom), value)
+            verdict = verdict_on_interval(max(top - value, value - bottom), value)
             yield Note("friction.bounded", coordinate.name(name), **bounds, law=law, verdict=verdict)
 
 
 def _seal_and_bristle_notes(analysis: FrictionFits) -> Iterator[Note]:
-    """Yield findings on the bristles and on the effect of the pressure."""
+    """Yield findings on the bristles (elastic contact) and on the dependence of the friction on the pressure."""
     bristles, levels = analysis.bristles, levels_of(analysis)
     if bristles is None:
         yield Note("friction.no_reversals", count=analysis.reversals)
@@ -111,7 +108,7 @@ def _seal_and_bristle_notes(analysis: FrictionFits) -> Iterator[Note]:
         yield Note("friction.seal_excess", **bounds, law=analysis.selected)
     elif analysis.grows:
         yield Note("friction.pressure_speed", law=analysis.selected, other=analysis.supported)
-    if analysis.misses_pressure_speed:
+    if analysis.lacks_viscous_pressure_term:
         yield Note("friction.pressure_viscous", law=analysis.selected)
     bidirectional = [row for row in levels if "moves" in row and analysis.records[0].pressure_force is not None]
     crude, level = ([row[name] for row in bidirectional] for name in ("half_of_force", "level"))
@@ -131,13 +128,13 @@ def _motion_notes(analysis: FrictionFits) -> Iterator[Note]:
         root = np.sqrt(rows.weight)
         matrix = np.column_stack([np.ones(len(rows)), solution.design(rows)]) * root[:, None]
         linear, *_ = np.linalg.lstsq(matrix, rows.friction * root, rcond=None)
-        spread = clustered(matrix, matrix @ linear - rows.friction * root, data.group, 1)
+        spread = cluster_covariance(matrix, matrix @ linear - rows.friction * root, data.group, 1)
         half = coverage_factor(float(spread.freedom[0])) * math.sqrt(float(spread.covariance[0, 0]))
         facts = {"value": float(linear[0]), "half": half, "part": 100.0 * float(linear[0]) / analysis.mean_friction}
         yield Note("friction.lopsided" if abs(linear[0]) > half else "friction.even", **facts)
     # All rows, including rows with deflecting bristles after a reversal.
     rows, excess, levels = stack_rows([motion.rows for motion in analysis.motions]), [], []
-    friction_along_motion = rows.sign * (rows.friction - solution.zero(rows))
+    friction_along_motion = rows.sign * (rows.friction - solution.force_offset(rows))
     for k in np.unique(rows.stroke[rows.stroke >= 0]):
         is_stroke, is_start = rows.stroke == k, rows.distance <= 3.0 * analysis.distance
         start, steady = friction_along_motion[is_stroke & is_start], friction_along_motion[is_stroke & ~is_start]
@@ -165,7 +162,7 @@ def _motion_notes(analysis: FrictionFits) -> Iterator[Note]:
 def _recording_notes(analysis: FrictionFits) -> Iterator[Note]:
     """Yield findings on the quality of the recordings.
 
-    They concern noise, the smoothing of velocities, and parameters that were set to zero.
+    They concern noise, the smoothing of velocities, omitted strokes, and parameters that the fit has set to zero.
     """
     stated = [record.uncertainty for record in analysis.records if record.uncertainty is not None]
     if stated:

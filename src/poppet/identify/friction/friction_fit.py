@@ -31,7 +31,7 @@ from poppet.identify.friction.motion import (
     rows_of_table,
     stack_rows,
 )
-from poppet.identify.friction.pressure_terms import term_statistic
+from poppet.identify.friction.pressure_terms import pressure_significance
 from poppet.identify.friction.records import (
     COULOMB,
     SEAL,
@@ -42,7 +42,7 @@ from poppet.identify.friction.records import (
     Coordinate,
     FrictionRecord,
 )
-from poppet.identify.gum import ClusterCovariance, clustered, coverage_factor
+from poppet.identify.gum import ClusterCovariance, cluster_covariance, coverage_factor
 from poppet.timeseries.checks import FloatArray
 
 _SEARCHED = 40
@@ -76,7 +76,7 @@ class FrictionLaw:
 
     @property
     def names(self) -> list[str]:
-        """Names of the parameters, the Stribeck velocity last."""
+        """Names of the parameters of the friction law, the Stribeck velocity last."""
         flags = (True, self.is_falling, self.is_viscous, self.has_pressure, self.grows, self.is_falling)
         names = COULOMB, STATIC, VISCOUS, SEAL, SEAL_EXCESS, STRIBECK
         return [name for name, is_in in zip(names, flags, strict=True) if is_in]
@@ -104,9 +104,10 @@ GROWING_LAWS = {
 
 @dataclass(frozen=True, eq=False)
 class FrictionData:
-    """Samples of steady sliding for a fit.
+    """Samples of steady sliding for the fit of a friction law.
 
-    The data also state which force offsets are fitted, and which samples are left out together in cross-validation.
+    The data also state for which recordings a force offset is fitted, and which groups of samples are withheld for
+    validation.
     """
 
     rows: SlidingRows
@@ -116,10 +117,10 @@ class FrictionData:
 
     @classmethod
     def of(cls, rows: SlidingRows, free_offsets: Sequence[int]) -> FrictionData:
-        """Return the data for a fit, with groups for validation.
+        """Return samples of steady sliding with groups for validation.
 
-        `free_offsets` are the recordings with a free force offset. The groups are recordings if there are at least
-        three. Otherwise they are points of a table, strokes of a recording, or blocks in time.
+        `free_offsets` contains the indices of recordings with a free force offset. The groups are recordings if there
+        are at least three. Otherwise they are points of a table, strokes of a recording, or blocks in time.
         """
         strokes, stroke = np.unique(rows.stroke, return_inverse=True)
         if np.unique(rows.record).size >= FEWEST_RECORDS:
@@ -138,15 +139,14 @@ class FrictionData:
 
     @property
     def groups(self) -> NDArray[np.int_]:
-        """Indices of the groups into which samples are divided for validation."""
+        """Indices of the groups into which the samples are divided for validation."""
         return np.unique(self.group)
 
 
 def _design_matrix(rows: SlidingRows, law: FrictionLaw, velocity: float, offsets: Sequence[int]) -> FloatArray:
-    """Return the matrix that gives the friction from the linear parameters of a law.
+    """Return the matrix by which linear parameters of a law are multiplied to give the friction, (n, n_parameters).
 
-    The matrix has the shape (n_rows, n_parameters). `velocity` is the Stribeck velocity. The columns of the force
-    offsets are last.
+    `velocity` is the Stribeck velocity. The last columns are those of the force offsets of the recordings `offsets`.
     """
     sign = rows.sign
     columns = [sign]
@@ -163,7 +163,7 @@ def _design_matrix(rows: SlidingRows, law: FrictionLaw, velocity: float, offsets
 
 @dataclass(frozen=True, eq=False)
 class LawSolution:
-    """Parameters of a friction law that fit a set of samples best."""
+    """Parameters of a friction law that fit a set of samples best, with the cost."""
 
     law: FrictionLaw
     values: Mapping[str, float]
@@ -171,9 +171,10 @@ class LawSolution:
     cost: float
 
     def design(self, rows: SlidingRows, offsets: Sequence[int] = ()) -> FloatArray:
-        """Return the matrix that gives the friction from the linear parameters.
+        """Return the matrix that gives the friction from the linear parameters, (n, n_parameters).
 
-        The matrix is that for the fitted Stribeck velocity.
+        The matrix is that for the fitted Stribeck velocity. Its last columns are those of the force offsets of the
+        recordings `offsets`.
         """
         return _design_matrix(rows, self.law, self.values.get(STRIBECK, 1.0), offsets)
 
@@ -187,17 +188,17 @@ class LawSolution:
             linear[1] -= linear[0]  # excess of the static force
         return np.asarray(self.design(rows) @ linear)
 
-    def zero(self, rows: SlidingRows) -> FloatArray:
-        """Return the offset of the force sensor at each sample [N]."""
+    def force_offset(self, rows: SlidingRows) -> FloatArray:
+        """Return the fitted offset of the force sensor at each sample, (n,) [N]."""
         return np.array([self.offsets.get(int(k), 0.0) for k in rows.record])
 
     def residuals_for(self, rows: SlidingRows, unknown: Sequence[int] = ()) -> FloatArray:
-        """Return the differences between modelled and measured friction [N].
+        """Return modelled minus measured friction at each sample, (n,) [N].
 
         `unknown` contains the indices of recordings with free offsets. If the solution has no offset for such a
         recording, its mean residual is subtracted.
         """
-        errors = self.friction(rows) + self.zero(rows) - rows.friction
+        errors = self.friction(rows) + self.force_offset(rows) - rows.friction
         for k in unknown:
             is_record = rows.record == k
             if k not in self.offsets and is_record.any():
@@ -206,10 +207,10 @@ class LawSolution:
 
 
 def _solve_linear(rows: SlidingRows, law: FrictionLaw, velocity: float, offsets: Sequence[int]) -> LawSolution | None:
-    """Fit the linear parameters of a law for a given Stribeck velocity.
+    """Fit the linear parameters of a friction law for the Stribeck velocity `velocity`.
 
-    No parameter is negative, except the dependence of the Stribeck excess on the pressure. The result is None if the
-    samples do not determine the parameters.
+    No parameter is negative, except the dependence of the Stribeck excess (static minus Coulomb friction) on the
+    pressure. The result is None if the samples do not determine the parameters.
     """
     matrix = _design_matrix(rows, law, velocity, offsets)
     weighted = matrix * rows.weight[:, None]
@@ -239,9 +240,10 @@ def _solve_linear(rows: SlidingRows, law: FrictionLaw, velocity: float, offsets:
 
 
 def find_minima(rows: SlidingRows, law: FrictionLaw, free_offsets: Sequence[int]) -> list[LawSolution]:
-    """Return the fits with locally minimal cost, the best first.
+    """Return the fits of a law at all local minima of the cost, the best first.
 
-    The cost is a function of the Stribeck velocity.
+    The cost is a function of the Stribeck velocity. `free_offsets` contains the indices of recordings with a free force
+    offset.
     """
     from scipy.optimize import minimize_scalar
 
@@ -270,7 +272,7 @@ def find_minima(rows: SlidingRows, law: FrictionLaw, free_offsets: Sequence[int]
 
 
 def search_grid(rows: SlidingRows) -> FloatArray:
-    """Return the Stribeck velocities at which the search evaluates the cost, as logarithms."""
+    """Return the logarithms of the Stribeck velocities at which the search evaluates the cost."""
     speed = np.abs(rows.velocity[rows.velocity != 0.0])
     low, high = float(np.quantile(speed, 0.02)) / BEYOND, float(speed.max()) * BEYOND
     return np.linspace(math.log(low), math.log(high), _SEARCHED)
@@ -278,10 +280,7 @@ def search_grid(rows: SlidingRows) -> FloatArray:
 
 @dataclass(frozen=True, eq=False)
 class FrictionLawFit:
-    """Fit of a friction law to all samples, with validation errors.
-
-    For validation, the fit is repeated without one group of samples, for each group.
-    """
+    """Fit of a friction law to all samples, and again without each group of samples for validation."""
 
     data: FrictionData
     solution: LawSolution
@@ -291,7 +290,7 @@ class FrictionLawFit:
 
     @property
     def values(self) -> Mapping[str, float]:
-        """Mapping from the name of each parameter to its fitted value."""
+        """Mapping from the name of each parameter of the friction law to its fitted value."""
         return self.solution.values
 
     @cached_property
@@ -301,10 +300,7 @@ class FrictionLawFit:
 
     @cached_property
     def spread(self) -> ClusterCovariance:
-        """Covariance and degrees of freedom of the parameters.
-
-        They follow from the scatter between groups.
-        """
+        """Covariance and degrees of freedom of the parameters, from the scatter between groups of samples."""
         rows, values, law = self.data.rows, self.values, self.solution.law
         if law.name == "coulomb" and self.data.axis == "recording":
             # One mean level per recording; a line versus the pressure fits the levels.
@@ -316,14 +312,11 @@ class FrictionLawFit:
             covariance = float(errors @ errors) / freedom * np.linalg.inv(table.T @ table)
             return ClusterCovariance(covariance, np.full(len(values), float(freedom)))
         root = np.sqrt(rows.weight)
-        return clustered(self.jacobian * root[:, None], self.errors * root, self.data.group, len(values))
+        return cluster_covariance(self.jacobian * root[:, None], self.errors * root, self.data.group, len(values))
 
     @cached_property
     def jacobian(self) -> FloatArray:
-        """Derivatives of the modelled force of each sample by all parameters.
-
-        The parameters are those of the law, and the force offsets.
-        """
+        """Derivatives of the modelled force at each sample by the parameters of the law, then by the force offsets."""
         rows, values = self.data.rows, self.values
         columns = self.solution.design(rows, [*self.solution.offsets])
         if self.solution.law.is_falling:
@@ -336,21 +329,21 @@ class FrictionLawFit:
         return columns
 
     @property
-    def growth(self) -> float:
+    def excess_significance(self) -> float:
         """Significance of a dependence of the Stribeck excess on the pressure.
 
-        Beyond 1 it is significant at 99 %. A viscous coefficient that depends on the pressure is a nuisance parameter
-        of this test.
+        The Stribeck excess is static minus Coulomb friction. The value is the dependence divided by the half width of
+        its 99 % interval. A viscous coefficient that depends on the pressure is a nuisance parameter of this test.
         """
         if not self.solution.law.is_falling or not self.solution.law.has_pressure:
             return 0.0
         return self._pressure_statistic(self._falling, self.data.rows.velocity)
 
     @property
-    def pressure_speed(self) -> float:
+    def viscous_significance(self) -> float:
         """Significance of a viscous coefficient that depends on the pressure.
 
-        Beyond 1 it is significant at 99 %.
+        The value is the dependence divided by the half width of its 99 % interval.
         """
         nuisances = [self._falling] if self.solution.law.is_falling else []
         return self._pressure_statistic(self.data.rows.velocity, *nuisances)
@@ -361,24 +354,23 @@ class FrictionLawFit:
         return np.asarray(rows.sign * np.exp(-((rows.velocity / self.values[STRIBECK]) ** 2)))
 
     def _pressure_statistic(self, column: FloatArray, *nuisances: FloatArray) -> float:
-        return term_statistic(self.data.rows, self.jacobian, column, nuisances, self.data.group)
+        return pressure_significance(self.data.rows, self.jacobian, column, nuisances, self.data.group)
 
     @cached_property
-    def together(self) -> float:
-        """Correlation time of the residuals in samples, which is 1 for a table."""
+    def residual_correlation_time(self) -> float:
+        """Correlation time of the residuals, in samples; 1 for a table."""
         return correlation_time(self.errors) if self.data.axis != "point" else 1.0
 
     @cached_property
-    def allowed(self) -> list[LawSolution]:
+    def equivalent_solutions(self) -> list[LawSolution]:
         """Fits at other Stribeck velocities that are not significantly worse.
 
-        The test of significance uses the effective number of samples: their number divided by the correlation time of
-        the residuals in samples.
+        The effective number of samples in this test is their number divided by the correlation time of the residuals.
         """
         rows, law = self.data.rows, self.solution.law
         if not law.is_falling:
             return []
-        freedom = max(len(rows) / self.together - len(self.values), 1.0)
+        freedom = max(len(rows) / self.residual_correlation_time - len(self.values), 1.0)
         limit = self.solution.cost * (1.0 + coverage_factor(freedom) ** 2 / freedom)
         offsets = [*self.solution.offsets]
         solutions = [_solve_linear(rows, law, math.exp(x), offsets) for x in search_grid(rows)]
@@ -391,8 +383,8 @@ class FrictionLawFit:
         half = coverage_factor(float(self.spread.freedom[index])) * error if math.isfinite(error) else math.inf
         value = self.values[name]
         low, high = value - half, value + half
-        if self.allowed and name in (STRIBECK, STATIC, COULOMB):
-            ends = [solution.values[name] for solution in self.allowed]
+        if self.equivalent_solutions and name in (STRIBECK, STATIC, COULOMB):
+            ends = [solution.values[name] for solution in self.equivalent_solutions]
             low, high = min(low, *ends), max(high, *ends)
             if name in (STRIBECK, STATIC) and self._is_open(0):
                 low, high = (0.0, high) if name == STRIBECK else (low, math.inf)
@@ -401,20 +393,19 @@ class FrictionLawFit:
         return error, low if name == SEAL_EXCESS else max(low, 0.0), high
 
     def _is_open(self, end: int) -> bool:
-        """Return True if the Stribeck velocity has no limit at one end.
+        """Return True if the data give no limit on the Stribeck velocity at one end of the search range.
 
-        The ends are those of the search range. The fit at this end is then not significantly worse than the best fit.
-        `end` is 0 for the lower end and -1 for the upper end.
+        The fit at this end is then not significantly worse than the best fit. `end` is 0 for the lower end and -1 for
+        the upper end.
         """
         last = float(search_grid(self.data.rows)[end])
-        return any(abs(math.log(solution.values[STRIBECK]) - last) < 1e-9 for solution in self.allowed)
+        return any(abs(math.log(solution.values[STRIBECK]) - last) < 1e-9 for solution in self.equivalent_solutions)
 
 
 def count_speeds(rows: SlidingRows) -> int:
-    """Return the number of different speeds in the samples.
+    """Return the number of clearly different speeds in the samples.
 
-    Speeds that are almost equal count as one. Speeds with few samples do not count. A law needs at least one distinct
-    speed for each parameter that depends on speed.
+    Speeds with few samples do not count. A law needs at least one speed for each parameter that depends on speed.
     """
     speed, count = np.sort(np.abs(rows.velocity)), 0
     while speed.size:
@@ -425,9 +416,9 @@ def count_speeds(rows: SlidingRows) -> int:
 
 
 def fit_friction_law(data: FrictionData, law: FrictionLaw) -> FrictionLawFit | None:
-    """Fit a law to all samples, and again without each group of samples.
+    """Fit a friction law to all samples, and again without each group of samples.
 
-    The result is None if the samples, or those without one group, do not determine its parameters.
+    The result is None if the samples, or those without one group, do not determine the parameters of the law.
     """
     rows = data.rows
     if count_speeds(rows) < 1 + law.is_viscous + 2 * law.is_falling:
@@ -466,7 +457,7 @@ def is_better(fit: FrictionLawFit, reference: FrictionLawFit) -> bool:
     from scipy.special import fdtrc
 
     numbers = len(fit.values) + len(fit.solution.offsets)
-    freedom = max(len(rows) / fit.together - numbers, 1.0)
+    freedom = max(len(rows) / fit.residual_correlation_time - numbers, 1.0)
     n_additional = max(len(fit.values) - len(reference.values), 1)
     gain = (reference.solution.cost - fit.solution.cost) / n_additional
     return gain > negligible and bool(
@@ -476,7 +467,7 @@ def is_better(fit: FrictionLawFit, reference: FrictionLawFit) -> bool:
 
 @dataclass(frozen=True, eq=False)
 class FrictionFits:
-    """Fits of all friction laws, with the data that findings, figures and result need."""
+    """Fits of all friction laws, with the samples and recordings that findings and report need."""
 
     records: tuple[FrictionRecord, ...]
     motions: tuple[RecordedMotion, ...]
@@ -494,48 +485,45 @@ class FrictionFits:
 
     @property
     def is_one_way(self) -> bool:
-        """True if all rows have the same direction of sliding."""
+        """True if all samples have the same direction of sliding."""
         return bool(np.ptp(self.data.rows.sign) == 0.0)
 
     @cached_property
     def ranked(self) -> list[str]:
-        """Names of the laws in the order of their validation errors, the best first."""
+        """Names of the friction laws in the order of their validation errors, the best first."""
         return sorted(self.fits, key=lambda name: self.fits[name].held_out_rms)
 
     @cached_property
     def equivalent(self) -> list[str]:
-        """Names of the laws that are not significantly worse than the best law.
-
-        The simplest law comes first.
-        """
+        """Names of the friction laws that are not significantly worse than the best law, the simplest first."""
         candidates = [name for name in self.ranked if (name in GROWING_LAWS) == self.grows]
         best = self.fits[candidates[0]]
         return [n for n, fit in self.fits.items() if n in candidates and (fit is best or not is_better(best, fit))]
 
     @property
     def supported(self) -> str:
-        """Name of the simplest law to which no other law is significantly superior."""
+        """Name of the simplest friction law that is not significantly worse than the best law."""
         return self.equivalent[0]
 
     @property
     def selected(self) -> str:
-        """Name of the law that the result uses."""
+        """Name of the friction law that the result uses."""
         return self.supported if self.requested in ("best", LUGRE) else self.requested
 
     @property
     def fit(self) -> FrictionLawFit:
-        """Fit of the selected law."""
+        """Fit of the selected friction law."""
         return self.fits[self.selected]
 
     @cached_property
     def speeds(self) -> tuple[float, float]:
-        """Speeds below which 2 % and 98 % of the samples are [m/s]."""
+        """2 % and 98 % quantiles of the speeds of all samples [m/s] or [rad/s]."""
         low, high = np.quantile(np.abs(self.data.rows.velocity), [0.02, 0.98]).tolist()
         return low, high
 
     @cached_property
     def mean_friction(self) -> float:
-        """Mean magnitude of the modelled friction, above 0 [N]."""
+        """Mean magnitude of the modelled friction over all samples, which is positive [N]."""
         return max(float(np.mean(np.abs(self.fit.solution.friction(self.data.rows)))), 1e-300)
 
     @property
@@ -552,13 +540,13 @@ class FrictionFits:
         return fit_bristles(self.motions, self.fit.values, self.fit.solution.offsets, self.distance)
 
     @cached_property
-    def misses_pressure_speed(self) -> bool:
-        """True if the residuals depend significantly on pressure times speed."""
-        return SEAL in self.fit.values and abs(self.fit.pressure_speed) > 1.0
+    def lacks_viscous_pressure_term(self) -> bool:
+        """True if the residuals depend significantly on the product of pressure and speed."""
+        return SEAL in self.fit.values and abs(self.fit.viscous_significance) > 1.0
 
     @property
     def reversals(self) -> int:
-        """Number of reversals in all recordings."""
+        """Number of reversals of the motion in all recordings."""
         return sum(len(motion.reversals) for motion in self.motions)
 
 
@@ -572,8 +560,8 @@ def fit_records(
 ) -> FrictionFits:
     """Fit all friction laws to the samples of steady sliding in records.
 
-    `offset` is the known force offset, `smoothing` the window of the velocities, and `within` the range of positions.
-    `mass` is the mass of the body.
+    `law` is the requested law. `offset` is the known force offset, or `free`. `smoothing` is the window of the
+    velocities [s], and `within` the range of positions. `mass` is the mass of the body, or its moment of inertia.
     """
     records = tuple(records)
     if isinstance(offset, float | int) and offset != 0.0:
@@ -625,28 +613,19 @@ def fit_records(
         raise InputError("friction.no_law", records[0].coordinate.effort, count=len(rows))
     is_offset_known = offset is not None or any(record.is_motion for record in records)
     analysis = FrictionFits(records, tuple(motions), data, distance, fits, law, is_offset_known)
-    analysis = _with_growing_laws(analysis, has_pressure)
+    # Laws whose Stribeck excess depends on the pressure: if the residuals show it, or if such a law is requested.
+    falling = [fit for fit in fits.values() if fit.solution.law.is_falling]
+    grows = bool(falling) and abs(falling[-1].excess_significance) > 1.0
+    if has_pressure and (grows or law in GROWING_LAWS):
+        growing = {name: fit for name, candidate in GROWING_LAWS.items() if (fit := fit_friction_law(data, candidate))}
+        analysis = replace(analysis, fits={**fits, **growing}, grows=grows and bool(growing))
     if law not in ("best", LUGRE, *analysis.fits):
         raise InputError("friction.law_not_told", "law", value=law)
     return analysis
 
 
-def _with_growing_laws(analysis: FrictionFits, has_pressure: bool) -> FrictionFits:
-    """Add fits of laws whose Stribeck excess depends on the pressure.
-
-    They are added if the residuals show this dependence, according to the richest fitted law, or if the caller requests
-    such a law.
-    """
-    falling = [fit for fit in analysis.fits.values() if fit.solution.law.is_falling]
-    grows = bool(falling) and abs(falling[-1].growth) > 1.0
-    if not has_pressure or not (grows or analysis.requested in GROWING_LAWS):
-        return analysis
-    fits = {name: fit for name, law in GROWING_LAWS.items() if (fit := fit_friction_law(analysis.data, law))}
-    return replace(analysis, fits={**analysis.fits, **fits}, grows=grows and bool(fits))
-
-
 def levels_of(analysis: FrictionFits) -> list[dict[str, Any]]:
-    """Return measured and modelled mean friction for each record, as one table each."""
+    """Return one table for each record, with its pressure and the measured and modelled mean friction."""
     solution, levels = analysis.fit.solution, []
     for k, record in enumerate(analysis.records):
         rows = analysis.data.rows.of(analysis.data.rows.record == k)

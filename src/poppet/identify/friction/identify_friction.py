@@ -31,9 +31,8 @@ from poppet.identify.friction.records import (
     FrictionRecord,
 )
 from poppet.identify.gum import correlations, coverage_factor
-from poppet.identify.result import VERDICTS, Estimate, ResidualSummary, Result, judged
+from poppet.identify.result import VERDICTS, Estimate, ResidualSummary, Result, verdict_on_interval
 from poppet.laws.physics.friction import sliding_level
-from poppet.timeseries.checks import FloatArray
 
 MOST = 1500
 """Maximum number of points of a curve."""
@@ -63,8 +62,9 @@ def identify_friction(
         Tables or recordings, possibly at several pressures, or a file for `read_friction_file`.
     law : str, optional
         `best` (default) is the simplest law that no other law improves significantly. Alternatives are `coulomb`,
-        `coulomb_viscous`, `stribeck`, `stribeck_viscous`, `stribeck_seal` and `stribeck_seal_viscous`, whose static
-        friction has a dependence on pressure of its own, and `lugre` for the best of these with bristles.
+        `coulomb_viscous`, `stribeck`, `stribeck_viscous`, `stribeck_seal` and `stribeck_seal_viscous`. In the last
+        two, static and Coulomb friction depend on the pressure by different coefficients. `lugre` adds bristles
+        (elastic contact) to the best of these laws.
     offset : float or str, optional
         Offset of the force [N] or torque [N m]; `free` estimates it for each recording. The default is `free` for
         recordings and 0 for tables.
@@ -140,7 +140,7 @@ def identify_friction(
     is_finite = np.isfinite(np.diag(covariance)) & np.array([name != addressed(SEAL_EXCESS) for name in order])
     finite_names = [name for name, is_in in zip(order, is_finite, strict=True) if is_in]
     rows, solution = analysis.data.rows, analysis.fit.solution
-    modelled = solution.friction(rows) + solution.zero(rows)
+    modelled = solution.friction(rows) + solution.force_offset(rows)
     residuals = {}
     for k, record in enumerate(record_list):
         pair = modelled[rows.record == k], rows.friction[rows.record == k]
@@ -173,10 +173,12 @@ def _estimates(analysis: FrictionFits, radius: float) -> dict[str, Estimate]:
             viscous = analysis.fits.get("coulomb_viscous")
             is_told = viscous is not None and any(fit.solution.law.is_falling for fit in analysis.fits.values())
             low = min(low, viscous.interval(name)[1]) if viscous is not None and is_told else 0.0
-        verdict = judged(max(high - value, value - low), value) if value > 0.0 else "at bound"
+        verdict = verdict_on_interval(max(high - value, value - low), value) if value > 0.0 else "at bound"
         if name in (COULOMB, STATIC) and analysis.is_one_way and not analysis.is_offset_known:
             verdict = max(verdict, "weak", key=VERDICTS.index)  # an offset of the force counts as friction
-        misses_pressure = (analysis.grows and SEAL_EXCESS not in analysis.fit.values) or analysis.misses_pressure_speed
+        misses_pressure = (
+            analysis.grows and SEAL_EXCESS not in analysis.fit.values
+        ) or analysis.lacks_viscous_pressure_term
         if misses_pressure and name != SEAL_EXCESS:
             verdict = max(verdict, "weak", key=VERDICTS.index)  # the law lacks an effect of the pressure
         lever = radius if name in (SEAL, SEAL_EXCESS) else 1.0  # seals act at the radius of the pulley
@@ -185,12 +187,12 @@ def _estimates(analysis: FrictionFits, radius: float) -> dict[str, Estimate]:
     bristles = analysis.bristles
     if bristles is not None and bristles.is_resolved:
         # The interval is logarithmic.
-        verdict = judged((bristles.high / bristles.low) ** 0.5 - 1.0, 1.0)
+        verdict = verdict_on_interval((bristles.high / bristles.low) ** 0.5 - 1.0, 1.0)
         unit, ends = analysis.coordinate.unit(BRISTLES), (bristles.low, bristles.high)
         estimates[BRISTLES] = Estimate(bristles.stiffness, unit, bristles.error, *ends, verdict)
     if bristles is not None and bristles.is_damped:
         unit, ends = analysis.coordinate.unit(DAMPING), (bristles.damping_low, bristles.damping_high)
-        verdict = judged(0.5 * (ends[1] - ends[0]), bristles.damping)
+        verdict = verdict_on_interval(0.5 * (ends[1] - ends[0]), bristles.damping)
         estimates[DAMPING] = Estimate(bristles.damping, unit, bristles.damping_error, *ends, verdict)
     return estimates
 
@@ -250,10 +252,10 @@ def _conditions(analysis: FrictionFits, inertia: float) -> dict[str, Any]:
 
 
 def _report_curves(analysis: FrictionFits) -> dict[str, Any]:
-    """Return the curves for the report by name."""
+    """Return measured and modelled friction for the figures of the report, by name of the figure."""
     rows, solution, parameters = analysis.data.rows, analysis.fit.solution, analysis.fit.values
     bristles, unit = analysis.bristles, analysis.coordinate.effort_unit
-    measured, model, curves = rows.friction - solution.zero(rows), solution.friction(rows), {}
+    measured, model, curves = rows.friction - solution.force_offset(rows), solution.friction(rows), {}
     for k, record in enumerate(analysis.records):
         if record.is_motion:
             columns = {"time": rows.time, "measured": measured, "model": model}
@@ -272,7 +274,24 @@ def _report_curves(analysis: FrictionFits) -> dict[str, Any]:
         "x_name": "speed",
     }
     if SEAL in parameters:
-        curves["pressure.friction"] = _pressure_curve(analysis, rows.sign * (measured - model))
+        # One point for each recording, or all samples of a single recording.
+        groups = [np.flatnonzero(rows.record == k) for k in np.unique(rows.record)]
+        groups = groups if len(groups) > 1 else [np.array([k]) for k in selected]
+        x, spread = np.linspace(0.0, 1.05 * float(rows.pressure.max()), 80), analysis.fit.spread
+        pair = [list(parameters).index(name) for name in (COULOMB, SEAL)]
+        base, line = np.stack([np.ones_like(x), x], axis=1), parameters[COULOMB] + parameters[SEAL] * x
+        variance = np.einsum("ij,jk,ik->i", base, spread.covariance[np.ix_(pair, pair)], base)
+        half = coverage_factor(float(min(spread.freedom[pair]))) * np.sqrt(variance)
+        friction = rows.sign * (measured - model) + parameters[COULOMB] + parameters[SEAL] * rows.pressure
+        curves["pressure.friction"] = {
+            "x": x,
+            "y": line,
+            **({"low": line - half, "high": line + half} if np.isfinite(half).all() else {}),
+            "points_x": np.array([float(np.mean(rows.pressure[indices])) for indices in groups]),
+            "points_y": np.array([float(np.mean(friction[indices])) for indices in groups]),
+            "x_unit": "Pa",
+            "x_name": "pressure difference",
+        }
     if bristles is not None:
         turns = usable_reversals(analysis.motions, parameters, solution.offsets, analysis.distance)
         turns = [turn for turn in turns if not turn.is_chained]
@@ -289,33 +308,6 @@ def _report_curves(analysis: FrictionFits) -> dict[str, Any]:
             "x_name": "way behind a reversal",
         }
     return {name: curve | {"unit": unit} for name, curve in curves.items()}
-
-
-def _pressure_curve(analysis: FrictionFits, residual: FloatArray) -> dict[str, Any]:
-    """Return friction over pressure for the report.
-
-    The curve has one point for each recording, or all samples if there is only one recording. `residual` is measured
-    minus modelled friction along the motion.
-    """
-    rows, parameters, spread = analysis.data.rows, analysis.fit.values, analysis.fit.spread
-    groups = [np.flatnonzero(rows.record == k) for k in np.unique(rows.record)]
-    if len(groups) < 2:
-        groups = [np.array([k]) for k in _select_points(len(rows))]
-    x = np.linspace(0.0, 1.05 * float(rows.pressure.max()), 80)
-    pair = [list(parameters).index(name) for name in (COULOMB, SEAL)]
-    base, line = np.stack([np.ones_like(x), x], axis=1), parameters[COULOMB] + parameters[SEAL] * x
-    variance = np.einsum("ij,jk,ik->i", base, spread.covariance[np.ix_(pair, pair)], base)
-    half = coverage_factor(float(min(spread.freedom[pair]))) * np.sqrt(variance)
-    friction = residual + parameters[COULOMB] + parameters[SEAL] * rows.pressure
-    return {
-        "x": x,
-        "y": line,
-        **({"low": line - half, "high": line + half} if np.isfinite(half).all() else {}),
-        "points_x": np.array([float(np.mean(rows.pressure[indices])) for indices in groups]),
-        "points_y": np.array([float(np.mean(friction[indices])) for indices in groups]),
-        "x_unit": "Pa",
-        "x_name": "pressure difference",
-    }
 
 
 def _select_points(count: int) -> NDArray[np.int_]:

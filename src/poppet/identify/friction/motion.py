@@ -48,9 +48,9 @@ ROUNDED = 12.0 / 35.0
 
 @dataclass(frozen=True, eq=False)
 class SlidingRows:
-    """Samples for the fit of a friction law.
+    """Samples of velocity and friction for the fit of a friction law.
 
-    They are points of a table, or blocks of a recording. All arrays have the shape (n,).
+    A sample is a point of a table, or the mean of a block of a recording. All arrays have the shape (n,).
     """
 
     velocity: FloatArray  # [m/s]
@@ -68,7 +68,7 @@ class SlidingRows:
         return int(self.velocity.size)
 
     def of(self, selected: NDArray[np.bool_]) -> SlidingRows:
-        """Return the samples that a mask selects."""
+        """Return the samples that the mask or index array `selected` selects."""
         return SlidingRows(*(getattr(self, field.name)[selected] for field in fields(self)))
 
     @property
@@ -82,9 +82,10 @@ class SlidingRows:
 
 @dataclass(frozen=True, eq=False)
 class Reversal:
-    """Samples of one stroke after a reversal of the motion.
+    """Stroke of a recording that begins with a reversal of the motion.
 
-    After a reversal, the bristles of the friction model deflect. Arrays have the shape (n,).
+    Its samples contain the deflection of the bristles, the elastic contact in the friction model. Arrays have the shape
+    (n,).
     """
 
     distance: FloatArray  # from the start of the stroke [m]
@@ -101,7 +102,7 @@ class Reversal:
     last: Reversal | None  # previous stroke, in the opposite direction
 
     def blocks(self, time: FloatArray, position: FloatArray, force: FloatArray, sigma: float) -> SlidingRows:
-        """Return one row for each block of a self.
+        """Divide the stroke into blocks of equal duration, and return one sample for each block.
 
         The velocity is the slope of a line through the positions of the block. The other channels are mean values.
         `sigma` is the standard deviation of a velocity.
@@ -130,7 +131,7 @@ class Reversal:
 
 @dataclass(frozen=True, eq=False)
 class RecordedMotion:
-    """Smoothed recording of a moving body, divided into strokes."""
+    """Smoothed recording of a moving body, divided into strokes; or the points of a table."""
 
     rows: SlidingRows
     reversals: tuple[Reversal, ...]
@@ -158,10 +159,11 @@ def rows_of_table(record: FrictionRecord, index: int) -> RecordedMotion:
 def rows_of_recording(
     record: FrictionRecord, index: int, first_stroke: int, window: float | None, mass: float
 ) -> RecordedMotion:
-    """Divide a recording into strokes, and each stroke into blocks.
+    """Divide the recording of a moving body into strokes, and each stroke into blocks.
 
-    The result contains samples of steady motion and reversals. If `window` is None, the window of each stroke depends
-    on the speed of the stroke. `first_stroke` is the index of the first stroke.
+    The result contains samples of steady motion and reversals. `index` is the index of the recording, and
+    `first_stroke` that of its first stroke. If `window`, the duration of a block, is None, it depends on the speed of
+    each stroke. `mass` is the mass of the body.
     """
     time, position = record.time, record.position
     assert time is not None
@@ -217,7 +219,7 @@ def rows_of_recording(
 
 
 def stack_rows(rows: Sequence[SlidingRows]) -> SlidingRows:
-    """Join the samples of several recordings."""
+    """Join the samples of several recordings into one object."""
     return SlidingRows(
         *(
             np.concatenate([getattr(part, field.name) for part in rows] or [np.zeros(0)])
@@ -235,9 +237,9 @@ def _pressure(record: FrictionRecord) -> FloatArray:
 
 
 def _fit_lines(time: FloatArray, position: FloatArray, half: float) -> tuple[FloatArray, FloatArray, float]:
-    """Return values and slopes of straight lines that are fitted near each time.
+    """Fit a straight line near each time, and return its value and slope there, (n,) each.
 
-    A line is fitted to the samples within `half` of the time. The third item is the rms residual.
+    A line is fitted to the samples within `half` of the time. The third item is the rms residual of all lines.
     """
     first = np.searchsorted(time, time - half * (1.0 + 1e-9))
     end = np.searchsorted(time, time + half * (1.0 + 1e-9), side="right")
@@ -259,10 +261,10 @@ def _fit_lines(time: FloatArray, position: FloatArray, half: float) -> tuple[Flo
 
 
 def _split_strokes(smooth: FloatArray, back: float) -> tuple[list[tuple[slice, float, float]], int]:
-    """Divide a recording into strokes between reversals.
+    """Divide smoothed positions into strokes between reversals, and count the omitted short strokes.
 
-    A reversal counts if the travel after it exceeds `back`. A stroke is its samples, its direction, and the length of
-    the previous stroke, which is 0 if there is none [m]. The second item is the number of strokes that are too short.
+    A reversal counts if the travel after it exceeds `back`. A stroke consists of a slice of samples, a direction, and
+    the length of the previous stroke, which is 0 if there is none [m].
     """
     turns, sign = [0], 0.0
     lowest = highest = 0
@@ -289,10 +291,10 @@ def _split_strokes(smooth: FloatArray, back: float) -> tuple[list[tuple[slice, f
 
 
 def bending_distances(motions: Sequence[RecordedMotion]) -> dict[int, float]:
-    """Return the distance after each reversal from which the body slides [m].
+    """Return, by index of the stroke, the distance after its reversal from which the body slides [m].
 
-    Keys are indices of strokes. The distance of a stroke is at least the median over all strokes for which it can be
-    measured.
+    Before it, the bristles deflect. The distance of a stroke is at least the median over all strokes for which it can
+    be measured.
     """
     distances = {}
     # On strokes that are much shorter than the others, bristles deflect without sliding.
@@ -319,10 +321,10 @@ def bending_distances(motions: Sequence[RecordedMotion]) -> dict[int, float]:
 
 
 def is_steady(rows: SlidingRows, distance_of_row: FloatArray) -> NDArray[np.bool_]:
-    """Return a mask of the samples with steady sliding.
+    """Return a mask of the samples at which the body slides at a steady speed.
 
-    `distance_of_row` is the distance that the bristles need to deflect. In other samples, the speed changed too much
-    within this distance.
+    `distance_of_row` contains the distance that the bristles need to deflect, for each sample. The speed must be almost
+    constant within this distance before the sample.
     """
     result, speed = np.ones(len(rows), dtype=bool), np.abs(rows.velocity)
     for k in np.unique(rows.stroke[rows.stroke >= 0]):

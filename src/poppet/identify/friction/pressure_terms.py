@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from poppet.identify.friction.motion import SlidingRows
-from poppet.identify.gum import clustered, coverage_factor
+from poppet.identify.gum import cluster_covariance, coverage_factor
 from poppet.timeseries.checks import FloatArray
 
 CONFIDENCE = 0.99
@@ -22,22 +22,23 @@ FEWEST_CLUSTERS, FEWEST_RECORDS = 6, 3
 """Minimum numbers of strokes and of recordings for a test."""
 
 
-def term_statistic(
+def pressure_significance(
     rows: SlidingRows,
     law_columns: FloatArray,
     column: FloatArray,
     nuisances: Sequence[FloatArray],
     group: NDArray[np.int_],
 ) -> float:
-    """Return how significant a dependence on the pressure is.
+    """Return how significant the dependence of a friction term on the pressure is.
 
-    The term is one column of the law times the pressure. `law_columns` contains the derivatives of the friction by the
-    parameters of the law, (n, n_parameters). The coefficients of the `nuisances` can also depend on the pressure. The
-    result is the coefficient of the term divided by the half width of its interval; it is 0 for a negligible term.
+    The value is the coefficient of the dependence, divided by the half width of its interval. It is 0 for a negligible
+    dependence. `column` contains the values of the term, (n,). `law_columns` contains the derivatives of the friction
+    by the parameters of the law, (n, n_parameters). The coefficients of the terms `nuisances` can also depend on the
+    pressure. `group` is the group of each sample.
 
-    The friction of each recording has a free level. Therefore only the differences within recordings test the term.
+    The friction of each recording has a free level. Therefore only differences within recordings test the dependence.
     Residuals are independent between strokes, and between the points of a table. With at least three recordings, the
-    coefficient of the column in each recording must also follow the pressure beyond its scatter.
+    coefficient of the term in each recording must also depend on the pressure more than it scatters.
     """
     records = [np.where(rows.record == k, 1.0, 0.0) for k in np.unique(rows.record)]
     root = np.sqrt(rows.weight)
@@ -64,7 +65,7 @@ def term_statistic(
     else:
         cluster = rows.stroke if np.unique(rows.stroke).size >= FEWEST_CLUSTERS else group
         size = float(np.linalg.norm(rest))
-        spread = clustered(np.column_stack([rest / size, basis]), errors, cluster, 1)
+        spread = cluster_covariance(np.column_stack([rest / size, basis]), errors, cluster, 1)
         half = coverage_factor(float(spread.freedom[0]), CONFIDENCE) * math.sqrt(float(spread.covariance[0, 0])) / size
     statistic = coefficient / half if half > 0.0 else math.copysign(math.inf, coefficient)
     if len(records) < FEWEST_RECORDS:
@@ -79,10 +80,10 @@ def term_statistic(
 def _statistic_between_recordings(
     rows: SlidingRows, candidates: Sequence[FloatArray], column: FloatArray, records: Sequence[FloatArray]
 ) -> float:
-    """Return the significance of a pressure dependence between recordings.
+    """Return how significantly the coefficient of a friction term depends on the pressure of the recordings.
 
-    A coefficient is fitted in each recording. The result is the slope of the coefficient over pressure, divided by its
-    half width.
+    `column` contains the values of the term. Its coefficient is fitted in each recording. The result is the slope of
+    the coefficient versus pressure, divided by the half width of its interval.
     """
     root = np.sqrt(rows.weight)
     matrix = np.column_stack([*(column * record for record in records), *candidates]) * root[:, None]

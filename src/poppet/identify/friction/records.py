@@ -20,9 +20,9 @@ BRISTLES, DAMPING = "friction.bristle_stiffness", "friction.bristle_damping"
 
 @dataclass(frozen=True)
 class Coordinate:
-    """Kind of motion of a body, translation or rotation, with units and names.
+    """Kind of motion of a body, translation or rotation, with its units and names.
 
-    A rotation has torques and angles.
+    A rotation has torques and angles instead of forces and positions.
     """
 
     body: str  # kind of the part
@@ -34,7 +34,7 @@ class Coordinate:
 
     @property
     def speed(self) -> str:
-        """SI unit of a velocity."""
+        """SI unit of a velocity of this kind of motion."""
         return f"{self.length}/s"
 
     @property
@@ -45,7 +45,7 @@ class Coordinate:
     def name(self, number: str) -> str:
         """Return the name of a friction parameter for this kind of motion.
 
-        `number` is its name for a translation.
+        `number` is its name for a translation. A rotation has `torque` instead of `force`.
         """
         return number.replace("_force", f"_{self.effort}")
 
@@ -59,7 +59,7 @@ class Coordinate:
         units |= dict.fromkeys((VISCOUS, DAMPING), f"{effort} s/{length}")
         return units.get(number, effort)
 
-    def is_of(self, unit: str, quantity: str) -> bool:
+    def accepts_unit(self, unit: str, quantity: str) -> bool:
         """Return True if a unit is valid for a quantity of this kind of motion.
 
         The quantity is `position`, `velocity`, or the name of the force or torque.
@@ -157,7 +157,7 @@ class FrictionRecord:
 
     @property
     def coordinate(self) -> Coordinate:
-        """Kind of motion of the body."""
+        """Kind of motion of the body: translation or rotation."""
         return COORDINATES[self.body]
 
     def __len__(self) -> int:

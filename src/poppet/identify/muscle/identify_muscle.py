@@ -15,7 +15,7 @@ from poppet.identify.data_file import or_file
 from poppet.identify.gum import correlations, coverage_factor
 from poppet.identify.muscle.muscle_file import MusclePoints, levels, read_muscle_file
 from poppet.identify.muscle.muscle_fit import CANDIDATES, HYSTERESIS, ForceLawFit, error_at, fit_force_law, rms
-from poppet.identify.result import Estimate, ResidualSummary, Result, judged
+from poppet.identify.result import Estimate, ResidualSummary, Result, verdict_on_interval
 
 ALIKE = 1.2
 """Ratio of validation errors below which two laws are not distinguishable."""
@@ -93,7 +93,7 @@ def identify_muscle(
     assert isinstance(points, MusclePoints)  # `or_file` has read a file
     if law not in ("best", *CANDIDATES):
         near = NameSuggestion(law, ["best", *CANDIDATES])
-        raise InputError("fields.not_an_option", "law", value=law, meaning="law", near=near)
+        raise InputError("fields.not_an_option", "law", value=law, meaning="law", suggestion=near)
     fits = {name: fit for name in CANDIDATES if (fit := fit_force_law(points, name)) is not None}
     if law not in ("best", *fits) or not fits:
         raise InputError("force_map.too_few", "force", count=int(points.taut.sum()), least=len(points.groups[0]))
@@ -117,7 +117,7 @@ def identify_muscle(
 
 
 def _doubts(points: MusclePoints, fit: ForceLawFit) -> Iterator[Note]:
-    """Yield findings that cast doubt on all estimates, for example wrong units."""
+    """Yield findings that cast doubt on all estimates of a muscle, for example wrong units."""
     taut = points.taut
     pressure, force = points.pressure[taut], points.force[taut]
     maximum = float(np.max(force))
@@ -143,7 +143,7 @@ def _estimates(fit: ForceLawFit, *, is_doubted: bool) -> dict[str, Estimate]:
     estimates = {}
     for (name, value), error in zip(fit.values.items(), np.sqrt(np.diag(fit.covariance)), strict=True):
         half = factor * float(error)
-        verdict = "at bound" if fit.is_at_bound(name) else judged(half, abs(value))
+        verdict = "at bound" if fit.is_at_bound(name) else verdict_on_interval(half, abs(value))
         if is_doubted and verdict == "determined":
             verdict = "weak"
         estimates[name] = Estimate(value, units[name], float(error), value - half, value + half, verdict)
@@ -171,9 +171,9 @@ def _table(fits: Mapping[str, ForceLawFit], ranked: Sequence[str], points: Muscl
 def _findings(
     points: MusclePoints, fits: Mapping[str, ForceLawFit], ranked: Sequence[str], selected: str
 ) -> Iterator[Note]:
-    """Yield findings on the comparison of the laws, and on the points.
+    """Yield findings on the comparison of the force laws, and on the measured points.
 
-    `ranked` contains the names of the laws, the best first.
+    `ranked` contains the names of the laws, the best first. `selected` is the name of the law that the result uses.
     """
     largest, best = float(np.max(points.force)), fits[ranked[0]]
     errors = {name: fits[name].score for name in ranked}
@@ -229,9 +229,10 @@ def _conditions(points: MusclePoints, fit: ForceLawFit) -> dict[str, Any]:
 
 
 def _report_curves(points: MusclePoints, fit: ForceLawFit) -> dict[str, Any]:
-    """Return the curves for the report, with measured points at some levels.
+    """Return the curves of the report: force versus contraction or pressure, with measured points.
 
-    A level is a nearly constant pressure or contraction. Without levels, the result contains all points.
+    There is one curve for each of several levels, which are nearly constant pressures or contractions. If the points
+    have no levels, the result contains all points.
     """
     axis, taut = points.groups[0], points.taut
     if axis not in ("pressure", "contraction"):

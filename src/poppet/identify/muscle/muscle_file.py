@@ -105,7 +105,7 @@ class MusclePoints:
 
     @cached_property
     def slack_force(self) -> float:
-        """Force up to which the muscle counts as slack at a point [N]."""
+        """Force up to which the muscle counts as slack [N]."""
         return SLACK * float(np.max(self.force)) if self.slack_below is None else self.slack_below
 
     @cached_property
@@ -115,9 +115,9 @@ class MusclePoints:
 
     @cached_property
     def direction(self) -> FloatArray | None:
-        """Direction of the motion at each point.
+        """Direction of the motion at each point, (n,).
 
-        It is 1 for contraction, -1 for extension, and 0 at rest. The result is None if the points have no time, or if
+        It is 1 for contraction, -1 for extension, and 0 at rest. The value is None if the points have no time, or if
         the muscle does not move while it pulls.
         """
         if self.time is None:
@@ -137,10 +137,10 @@ class MusclePoints:
 
     @cached_property
     def groups(self) -> tuple[str, NDArray[np.int_]]:
-        """Groups of points for validation: their kind, and the group index of each point.
+        """Groups of points for validation: their kind, and the group index of each point, (n,).
 
-        The index has the shape (n,). The groups are recordings if there are enough of them. Otherwise they are levels
-        of pressure or contraction, or blocks in time.
+        The groups are recordings if there are enough of them. Otherwise they are levels of pressure or contraction, or
+        blocks in time.
         """
         if self._is_sufficient(self._recordings):
             return "recording", self._recordings
@@ -155,13 +155,13 @@ class MusclePoints:
         return "block", block
 
     @cached_property
-    def crossed(self) -> tuple[str, NDArray[np.int_]] | None:
-        """Second kind of groups for validation of a force map, or None.
+    def second_groups(self) -> tuple[str, NDArray[np.int_]] | None:
+        """Second kind of groups for validation: levels of the other axis of a force map.
 
-        The result contains the name of the second axis, and the group index of each point, shape (n,). Inner levels
-        along this axis are also withheld once, because a law interpolates between levels. Points at the outer levels
-        have the group -1. They are never withheld along this axis, because a law would have to extrapolate to them. The
-        result is None if there is no second axis with enough levels.
+        If `groups` are levels of pressure, these are levels of contraction, and vice versa. The value contains the name
+        of the axis, and the group index of each point, (n,). Points at the outer levels have the index -1. They are
+        never withheld along this axis, because a law would have to extrapolate to them. The value is None if the points
+        are no force map, or if the axis has too few levels.
         """
         name = {"pressure": "contraction", "contraction": "pressure"}.get(self.groups[0])
         if name is None:
@@ -177,7 +177,7 @@ class MusclePoints:
 
 
 def levels(values: FloatArray) -> NDArray[np.int_]:
-    """Return the index of the level to which each value belongs.
+    """Return the index of the level to which each value belongs, (n,).
 
     A level is a group of values that are almost equal. The levels are in ascending order.
     """
@@ -189,7 +189,7 @@ def levels(values: FloatArray) -> NDArray[np.int_]:
 
 
 def join_tables(tables: Sequence[MusclePoints]) -> MusclePoints:
-    """Join the points of several recordings of one muscle."""
+    """Join the points of several recordings of one muscle into one object."""
     with ErrorCollector() as errors:
         for (k, first_table), (n, second_table) in itertools.combinations(enumerate(tables), 2):
             if all(np.array_equal(getattr(first_table, name), getattr(second_table, name)) for name in CHANNELS):

@@ -12,7 +12,7 @@ from abc import ABC, abstractmethod
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import Any, ClassVar
+from typing import ClassVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -21,6 +21,8 @@ from poppet.identify.muscle.muscle_file import MusclePoints, levels
 from poppet.laws.physics.muscle import ChouHannaford, ForceLaw, ForceTable, Sarosi, TonduLopez
 from poppet.timeseries.checks import FloatArray
 
+Terms = tuple[float | FloatArray, list[FloatArray]]
+"""Fixed term of the force, and factors of the linear parameters."""
 HYSTERESIS = {"hysteresis.force": "N", "hysteresis.force_per_pressure": "N/Pa"}
 MOST_ROWS, ROWS = 12, 6
 """Maximum number of levels of contraction that become rows of a table, and number of rows for more levels."""
@@ -28,7 +30,7 @@ _SEARCHED = 24
 
 
 class ForceLawCandidate(ABC):
-    """Base class of force laws of a muscle whose parameters can be fitted."""
+    """Base class of the muscle force laws whose parameters can be fitted."""
 
     name: ClassVar[str]
     shapes: ClassVar[tuple[float, float] | None] = None
@@ -38,19 +40,19 @@ class ForceLawCandidate(ABC):
         self.diameter, self.length = points.nominal_diameter, points.nominal_length
 
     @abstractmethod
-    def columns(self, pressure: FloatArray, contraction: FloatArray, shape: float) -> tuple[Any, list[FloatArray]]:
-        """Return the terms of the force at each point.
+    def columns(self, pressure: FloatArray, contraction: FloatArray, shape: float) -> Terms:
+        """Return the terms of the force at each point: a fixed term, and the factors of the linear parameters.
 
-        They are a fixed term, and the factors of the linear parameters. The force is the fixed term plus the sum of
-        factor times parameter. `shape` is the nonlinear parameter.
+        The force is the fixed term plus the sum of factor times parameter. `shape` is the nonlinear parameter of the
+        law.
         """
 
     @abstractmethod
     def units(self) -> dict[str, str]:
-        """Return a mapping from the address of each parameter to its unit."""
+        """Return the unit of each parameter of the force law, by address."""
 
     def numbers(self, linear: FloatArray, shape: float) -> list[float]:
-        """Return the parameters of a muscle part, in the order of `units`.
+        """Return the parameters of the force law in the order of `units`.
 
         `linear` contains the linear parameters of the fit, and `shape` the nonlinear one.
         """
@@ -65,12 +67,12 @@ class ForceLawCandidate(ABC):
 
 
 class SarosiCandidate(ForceLawCandidate):
-    """Force law of Sarosi, as one of the laws that are fitted."""
+    """Force law of Sarosi, for a fit."""
 
     name = "sarosi"
     shapes = (-300.0, -5.0)
 
-    def columns(self, pressure: FloatArray, contraction: FloatArray, shape: float) -> tuple[Any, list[FloatArray]]:
+    def columns(self, pressure: FloatArray, contraction: FloatArray, shape: float) -> Terms:
         fading = np.exp(shape * contraction)
         return 0.0, [pressure * fading, fading, pressure * contraction, pressure, np.ones_like(pressure)]
 
@@ -85,14 +87,14 @@ class SarosiCandidate(ForceLawCandidate):
 
 
 class BraidCandidate(ForceLawCandidate):
-    """Candidate force law of Chou and Hannaford.
+    """Force law of Chou and Hannaford, for a fit.
 
     The force is linear in the parameter b = 1/sin(alpha)^2, where alpha is the braid angle at rest.
     """
 
     name = "chou_hannaford"
 
-    def columns(self, pressure: FloatArray, contraction: FloatArray, shape: float) -> tuple[Any, list[FloatArray]]:
+    def columns(self, pressure: FloatArray, contraction: FloatArray, shape: float) -> Terms:
         drive = 0.25 * math.pi * self.diameter**2 * pressure
         factor = 3.0 * (1.0 - (shape if self.shapes else 1.0) * contraction) ** 2
         return -drive * factor, [drive * (factor - 1.0)]
@@ -110,9 +112,9 @@ class BraidCandidate(ForceLawCandidate):
 
 
 class TonduCandidate(BraidCandidate):
-    """Force law of Tondu and Lopez.
+    """Force law of Tondu and Lopez, for a fit.
 
-    It adds the end factor k to the braid law.
+    It extends the law of Chou and Hannaford by the end factor k.
     """
 
     name = "tondu_lopez"
@@ -126,7 +128,7 @@ class TonduCandidate(BraidCandidate):
 
 
 class TableCandidate(ForceLawCandidate):
-    """Force law as a table with linear interpolation between levels of contraction.
+    """Table of forces with linear interpolation between levels of contraction, for a fit.
 
     At each level, the force is a linear function of the pressure.
     """
@@ -143,7 +145,7 @@ class TableCandidate(ForceLawCandidate):
         else:
             self.rows = np.linspace(float(taut.min()), float(taut.max()), ROWS).tolist()
 
-    def columns(self, pressure: FloatArray, contraction: FloatArray, shape: float) -> tuple[Any, list[FloatArray]]:
+    def columns(self, pressure: FloatArray, contraction: FloatArray, shape: float) -> Terms:
         hats = [np.interp(contraction, self.rows, unit) for unit in np.eye(len(self.rows))]
         return 0.0, [pressure * hat for hat in hats] + hats
 
@@ -167,9 +169,9 @@ CANDIDATES: dict[str, type[ForceLawCandidate]] = {
 
 @dataclass(frozen=True, eq=False)
 class ForceLawFit:
-    """Fit of a force law to all points at which the muscle pulls.
+    """Fit of a muscle force law to all points at which the muscle pulls, with refits for validation.
 
-    It includes refits, each without one group of points.
+    Each refit omits one group of points.
     """
 
     candidate: ForceLawCandidate
@@ -185,9 +187,9 @@ class ForceLawFit:
         return self.candidate.law(self.values)
 
     def is_at_bound(self, name: str) -> bool:
-        """Return True if the value of a nonlinear parameter is a bound.
+        """Return True if the fitted value of the parameter `name` is a bound.
 
-        The result is also True if no braid angle fits.
+        The result is also True for the braid angle if no angle fits.
         """
         value, shapes = self.values[name], self.candidate.shapes or ()
         at_end = name in ("sarosi.a3", "end_factor") and any(abs(value - end) < 1e-3 * abs(end) for end in shapes)
@@ -195,43 +197,40 @@ class ForceLawFit:
 
     @cached_property
     def modelled(self) -> FloatArray:
-        """Modelled force at each point, including hysteresis [N]."""
+        """Modelled force at each point, including hysteresis, (n,) [N]."""
         return _force(self.candidate, self.points, self.values)
 
     @cached_property
     def covariance(self) -> FloatArray:
-        """Covariance of the parameters, from refits without each group (jackknife)."""
+        """Covariance of the parameters, from refits without each group of points (jackknife)."""
         count = len(self.without)
         centred = self.without - self.without.mean(axis=0)
         return np.asarray((count - 1) / count * centred.T @ centred)
 
     @cached_property
     def errors(self) -> FloatArray:
-        """Residuals of the points at which the muscle pulls [N].
-
-        A residual is modelled minus measured force.
-        """
+        """Modelled minus measured force of the points at which the muscle pulls [N]."""
         return np.asarray((self.modelled - self.points.force)[self.points.taut])
 
     @cached_property
     def score(self) -> float:
         """Root mean square of all validation errors [N].
 
-        The law with the smallest value is the best.
+        The force law with the smallest value is the best.
         """
         return rms(np.concatenate([*self.held_out.values()]))
 
 
 def rms(errors: FloatArray) -> float:
-    """Return the root mean square of errors."""
+    """Return the root mean square of an array of errors."""
     return float(np.sqrt(np.mean(errors**2)))
 
 
 def fit_force_law(points: MusclePoints, name: str) -> ForceLawFit | None:
-    """Fit a law to the points at which the muscle pulls.
+    """Fit a muscle force law to the points at which the muscle pulls.
 
     The fit is repeated without each group of points. The result is None if the points, or the points without one group,
-    do not determine its parameters.
+    do not determine the parameters of the law.
     """
     candidate, taut = CANDIDATES[name](points), points.taut
     values = _fit_parameters(candidate, points, taut)
@@ -239,7 +238,7 @@ def fit_force_law(points: MusclePoints, name: str) -> ForceLawFit | None:
         return None
     held_out: dict[str, FloatArray] = {}
     without: list[list[float]] = []
-    for axis, group in filter(None, (points.groups, points.crossed)):
+    for axis, group in filter(None, (points.groups, points.second_groups)):
         errors = []
         for k in np.unique(group[taut & (group >= 0)]):
             withheld = taut & (group == k)
@@ -256,9 +255,9 @@ def fit_force_law(points: MusclePoints, name: str) -> ForceLawFit | None:
 
 
 def error_at(fit: ForceLawFit, shift: float) -> float:
-    """Return the rms error of a fit to other pressures [N].
+    """Return the rms error of a refit with all pressures increased by `shift` [N].
 
-    All pressures are increased by `shift`. The law is that of `fit`.
+    The refit uses the points and the force law of `fit`.
     """
     shifted = replace(fit.points, pressure=fit.points.pressure + shift)
     values = _fit_parameters(fit.candidate, shifted, shifted.taut)
@@ -277,9 +276,10 @@ def _force(candidate: ForceLawCandidate, points: MusclePoints, values: Mapping[s
 def _fit_parameters(
     candidate: ForceLawCandidate, points: MusclePoints, selected: NDArray[np.bool_]
 ) -> dict[str, float] | None:
-    """Return the parameters that fit some points.
+    """Return the parameters of a muscle force law, by address, that fit selected points best.
 
-    `selected` is the mask of these points. The result is None if the points do not determine the parameters.
+    `candidate` is the law, and `selected` the mask of the points. The result is None if they do not determine the
+    parameters.
     """
     pressure, contraction, force = (array[selected] for array in (points.pressure, points.contraction, points.force))
     hysteresis: list[FloatArray] = []

@@ -18,8 +18,17 @@ from poppet.identify.fit.search import FitObjective, Optimum, SearchSettings, op
 from poppet.identify.fit.statistics import aicc, estimates
 from poppet.identify.free_parameter import FreeParameter, with_starts
 from poppet.identify.result import Estimate, Result, mark_interrupted
-from poppet.identify.tank.tank_plan import TankRun, is_free, plan_tank_fit, plausible_wall
+from poppet.identify.tank.tank_plan import (
+    LEAK,
+    LEAK_ADDRESS,
+    NEARLY_TIGHT,
+    TankRun,
+    is_free,
+    plan_tank_fit,
+    plausible_wall,
+)
 from poppet.identify.tank.test import TankTest
+from poppet.parts.fields import NumberLike
 from poppet.timeseries.checks import FloatArray
 
 HELD = (
@@ -45,10 +54,7 @@ WARMS = 0.05
 
 @dataclass(frozen=True)
 class Alternative:
-    """Fit of a tank test in which one more parameter is free.
-
-    In the original fit, this parameter is fixed.
-    """
+    """Fit of a tank test with one more free parameter than the original fit."""
 
     name: str  # name of the field that is free in this model only
     estimates: Mapping[str, Estimate]
@@ -57,12 +63,15 @@ class Alternative:
 
     @property
     def gain(self) -> float:
-        """Decrease of AICc compared with the original fit, per independent sample."""
+        """Decrease of AICc compared with the original fit, corrected for correlated samples.
+
+        The decrease is divided by the number of samples that correspond to one independent sample.
+        """
         return -self.difference / self.samples
 
 
 def misfit_channels(plan: FitPlan, result: Result) -> set[str]:
-    """Return the channels that the model does not describe.
+    """Return the names of the channels that the model does not describe.
 
     Their residuals are neither white noise nor rounding errors.
     """
@@ -76,9 +85,9 @@ def misfit_channels(plan: FitPlan, result: Result) -> set[str]:
 
 
 def fit_alternatives(test: TankTest, runs: Sequence[TankRun], plan: FitPlan, result: Result) -> list[Alternative]:
-    """Return the fits of all alternative models, the best first.
+    """Fit a tank test with one more free parameter, for each of several parameters, and return the best fit first.
 
-    In each of them, one more parameter is free. The list is empty if the recordings give no reason for another model.
+    The list is empty if the recordings give no reason for another model.
     """
     plans = {
         name: alternative_plan
@@ -115,9 +124,9 @@ def fit_alternatives(test: TankTest, runs: Sequence[TankRun], plan: FitPlan, res
 def wall_temperature_notes(
     test: TankTest, runs: Sequence[TankRun], plan: FitPlan, result: Result, number: str
 ) -> list[Note]:
-    """Return a note if a warmer wall would change the main parameter.
+    """Return a note if a wall that warms up would change the sonic conductance clearly.
 
-    The model assumes a constant wall temperature. `number` is the address of the main parameter.
+    The fit assumes a constant wall temperature. `number` is the address of the sonic conductance.
     """
     if test.thermal != "energy" or test.wall_heat_capacity is not None:
         return []
@@ -150,9 +159,10 @@ def wall_temperature_notes(
 
 
 def alternatives_table(alternatives: Sequence[Alternative], number: str) -> dict[str, Any]:
-    """Return the alternative models as tables for a result file.
+    """Return the alternative models as tables for a result file, by name.
 
-    Each table contains the difference of AICc, the main parameter `number` and all free parameters.
+    Each table contains the difference of AICc, the sonic conductance and all free parameters. `number` is the address
+    of the sonic conductance.
     """
     return {
         alternative.name: {
@@ -169,7 +179,7 @@ def _row(estimate: Estimate) -> dict[str, Any]:
 
 
 def _alternative_plan(test: TankTest, runs: Sequence[TankRun], name: str) -> FitPlan | None:
-    """Return the plan in which one more parameter is free.
+    """Return the plan of a fit in which one more parameter is free.
 
     `name` is the name of this parameter. The result is None if this model does not apply to the test.
     """
@@ -193,7 +203,7 @@ def _alternative_plan(test: TankTest, runs: Sequence[TankRun], name: str) -> Fit
     return plan_tank_fit(replace(test, **changed), runs)
 
 
-def _free_table(argument: Any) -> Any:
+def _free_table(argument: Any) -> NumberLike:
     return argument if argument is None or is_free(argument) else {"start": argument}
 
 
@@ -202,13 +212,18 @@ def _added_parameters(plan: FitPlan, result: Result) -> list[FreeParameter]:
 
 
 def _largest_step(plan: FitPlan, result: Result) -> float:
-    """Return by how much a fixed parameter would change if it were free.
+    """Return the largest change of an additional parameter that is predicted if it becomes free, in standard errors.
 
-    It is the largest predicted change of all fixed parameters, in sigmas. The prediction uses the gradient of the cost.
+    The additional parameters are free in `plan` but fixed in the fit `result`. The prediction uses the gradient of the
+    cost.
     """
     added, names = _added_parameters(plan, result), [f.name for f in plan.free]
     x = np.array([result.parameters[f.name].value if f not in added else _fixed_value(f) for f in plan.free])
-    residual, jacobian = FitObjective(plan.experiments, plan.free, _sigmas(plan, result)).residual_and_jacobian(x)
+    objective = FitObjective(plan.experiments, plan.free, _sigmas(plan, result))
+    residual = objective.residual(x)
+    # Without a leak, the derivatives by it are inaccurate.
+    leaks = [NEARLY_TIGHT / LEAK * f.start if f in added and f.address == LEAK_ADDRESS else 0.0 for f in plan.free]
+    jacobian = objective.residual_and_jacobian(x + leaks)[1]
     norms = np.linalg.norm(jacobian, axis=0)
     jacobian = jacobian / np.where(norms > 0.0, norms, 1.0)
     indices = [k for k, f in enumerate(plan.free) if f not in added and result.parameters[f.name].verdict != "at bound"]
@@ -229,8 +244,8 @@ def _largest_step(plan: FitPlan, result: Result) -> float:
 
 
 def _fixed_value(f: FreeParameter) -> float:
-    """Return the value in the original fit of a parameter that an alternative adds."""
-    if f.role in ("lag", "offset") or f.address == "leak.sonic_conductance":
+    """Return the value that an additional free parameter has in the original fit, in which it is fixed."""
+    if f.role in ("lag", "offset") or f.address == LEAK_ADDRESS:
         return 0.0
     return CONSTANT * f.start if f.address == "tank.wall_heat_capacity" else f.start
 
@@ -242,10 +257,11 @@ def _sigmas(plan: FitPlan, result: Result) -> list[float]:
 def _fit_plan(
     plan: FitPlan, result: Result, times: float = 1.0, conducts: float = 1.0, kicks: int | None = 0
 ) -> Optimum:
-    """Return the optimum of an alternative model.
+    """Return the optimum of an alternative model of a tank test.
 
-    The search starts from the fitted values. Parameters that the fit does not contain start from `times` their usual
-    start value. `conducts` is the least start value of the wall conductance, as a multiple of its usual start value.
+    The search starts from the values of the original fit, `result`. Additional parameters start from their usual start
+    value times the factor `times`. The wall conductance starts from at least its usual start value times the factor
+    `conducts`.
     """
     is_walled = any(f.address == "tank.wall_heat_capacity" for f in plan.free)
 
@@ -263,10 +279,7 @@ def _fit_plan(
 
 
 def _evaluate_optimum(plan: FitPlan, optimum: Optimum) -> tuple[dict[str, Estimate], dict[str, FloatArray], float]:
-    """Return the estimates at an optimum, the residuals and the AICc.
-
-    The residuals are in SI units, by channel.
-    """
+    """Return the estimates at an optimum, the residuals by channel in SI units, and the AICc."""
     channels = zip(channels_of(plan.experiments), optimum.sigmas, strict=True)
     residuals = {fitted.name: sigma * optimum.residual[fitted.rows] for fitted, sigma in channels}
     parameters = estimates(plan.free, optimum, error_model_of(plan, optimum))
@@ -284,9 +297,9 @@ def _to_alternative(name: str, plan: FitPlan, optimum: Optimum, result: Result) 
 
 
 def compare_laws(test: TankTest, runs: Sequence[TankRun], plan: FitPlan, result: Result) -> Result:
-    """Add a comparison of thermal laws to a result.
+    """Add a comparison of thermal laws, such as isothermal and polytropic, to the result of a tank test.
 
-    The comparison contains the estimates and the AICc for the law of the test and for each law in `compare`.
+    The comparison contains the estimates and the AICc for the law of the test and for each law in its field `compare`.
     """
     names = [fitted.name for fitted in channels_of(plan.experiments)]
     first_row = _law_row(result.comparison["aicc"], result.parameters, {k: result.residuals[k].rms for k in names})

@@ -13,19 +13,29 @@ from poppet.core.codes import Note
 from poppet.core.errors import ErrorCollector, UnitError
 from poppet.core.tables import Field, read_fields
 from poppet.core.units import Kind
-from poppet.identify.fit.experiment import Experiment, channels_of
+from poppet.identify.fit.experiment import Experiment, FittedChannel, channels_of
 from poppet.identify.fit.fit_findings import parameter_notes, widening_of
 from poppet.identify.fit.fit_plan import FitPlan
 from poppet.identify.fit.search import FitObjective, Optimum
 from poppet.identify.fit.statistics import influences, verdict
 from poppet.identify.free_parameter import by_name
 from poppet.identify.gum import coverage_factor
-from poppet.identify.result import VERDICTS, Estimate, Result
-from poppet.identify.tank.tank_plan import COMMON_RATIO, PRESSURE, SUPPLY, TankRun, has_leak, is_free, plan_tank_fit
+from poppet.identify.result import VERDICTS, Result
+from poppet.identify.tank.tank_plan import (
+    COMMON_RATIO,
+    LEAK_ADDRESS,
+    NEARLY_TIGHT,
+    PRESSURE,
+    SUPPLY,
+    TankRun,
+    has_leak,
+    is_free,
+    plan_tank_fit,
+)
 from poppet.identify.tank.test import TankTest
 from poppet.timeseries.checks import FloatArray
 
-VOLUME, LEAK, LEAK_RATIO = "tank.volume", "leak.sonic_conductance", "leak.critical_ratio"
+VOLUME, LEAK_RATIO = "tank.volume", "leak.critical_ratio"
 FIELDS = dict.fromkeys(("volume", "supply_pressure", "leak", "gauge_scale", "gauge_zero"), Field())
 """Keys of the table `uncertainties` of a tank test."""
 DEFAULTS = {"volume": 0.005, "supply_pressure": 0.003, "leak": 0.015, "gauge_scale": 0.003}
@@ -66,7 +76,7 @@ SOURCES = {
 
 @dataclass(frozen=True)
 class Uncertainties:
-    """Standard uncertainties of the quantities that a tank test states.
+    """Standard uncertainties of quantities that a tank test states, such as the volume.
 
     The uncertainty of an exact quantity is 0.
     """
@@ -80,9 +90,9 @@ class Uncertainties:
 
 
 def read_uncertainties(test: TankTest, plan: FitPlan) -> Uncertainties:
-    """Return the standard uncertainties of the quantities that a tank test states.
+    """Return the standard uncertainties of the quantities that a tank test states, such as the volume.
 
-    Uncertainties that are not stated have defaults. Those of volume and supply pressure can be fractions or absolute
+    If an uncertainty is not stated, it has a default. Those of volume and supply pressure can be fractions or absolute
     values.
     """
     if isinstance(test.uncertainties, int | float) and test.uncertainties == 0:
@@ -115,9 +125,10 @@ def read_uncertainties(test: TankTest, plan: FitPlan) -> Uncertainties:
 
 
 def _relative_uncertainty(argument: Any, name: str, unit: str, reference: float) -> float:
-    """Return a standard uncertainty as a fraction of a reference value.
+    """Return a standard uncertainty as a fraction of the value `reference`.
 
-    `argument` is the fraction, or an absolute value with the unit `unit`. `name` is the name for messages.
+    `argument` is the fraction, or an absolute uncertainty in units such as `unit`. `name` is the name of the quantity
+    for messages.
     """
     location, meaning = f"uncertainties.{name}", "standard uncertainty"
     fraction = Field(unit="1", low=0.0, high=LARGEST, meaning=meaning)
@@ -139,10 +150,10 @@ def add_budget(
     result: Result,
     ambient: Result,
 ) -> Result:
-    """Add the uncertainties of stated quantities to a result.
+    """Add the uncertainties of stated quantities to the standard errors and intervals of a tank test.
 
-    They increase the standard errors and intervals. `result` has the intervals of the fit, and `ambient` those that
-    include the ambient temperature. The Jacobian of the fit propagates the errors linearly.
+    `result` has the intervals of the fit, and `ambient` those that include the uncertainty of the ambient temperature.
+    The Jacobian of the fit propagates the errors linearly.
     """
     number = f"{test.part}.sonic_conductance"
     changes = _residual_changes(test, runs, plan, result, uncertainties)
@@ -160,7 +171,12 @@ def add_budget(
         # The offset is the correction of the readings, whatever its cause.
         if not is_finite or fitted.verdict == "at bound" or f.role == "offset":
             continue
-        sizes = _contributions(row @ errors, moments)
+        # Errors that are correlated given the data: a negative contribution reduces the others.
+        sensitivities = row @ errors
+        products = sensitivities * (moments @ sensitivities)
+        variances = np.maximum(products, 0.0)
+        total = float(np.sum(variances))
+        sizes = np.sqrt(variances * (max(0.0, float(np.sum(products))) / total)) if total > 0.0 else variances
         shares = dict.fromkeys((SOURCES[name] for name in changes), 0.0)
         for name, size in zip(changes, sizes, strict=True):
             shares[SOURCES[name]] = math.hypot(shares[SOURCES[name]], size)
@@ -168,10 +184,13 @@ def add_budget(
         if estimate.standard_error > fitted.standard_error:
             sources[AMBIENT] = math.sqrt(estimate.standard_error**2 - fitted.standard_error**2)
         budget[f.name] = {"sources": sources | shares}
-        wider = _widened_estimate(estimate, math.hypot(*shares.values()), f.low, f.high)
-        half = max(wider.high - wider.value, wider.value - wider.low)
-        joint = max(verdict(f, wider.value, half), estimate.verdict, key=VERDICTS.index)
-        parameters[f.name] = replace(wider, verdict=joint)
+        value, error = estimate.value, math.hypot(*shares.values())
+        half = coverage_factor(math.inf) * error
+        low = max(f.low, value - math.hypot(value - estimate.low, half))
+        high = min(f.high, value + math.hypot(estimate.high - value, half))
+        joint = max(verdict(f, value, max(high - value, value - low)), estimate.verdict, key=VERDICTS.index)
+        total_error = math.hypot(estimate.standard_error, error)
+        parameters[f.name] = replace(estimate, standard_error=total_error, low=low, high=high, verdict=joint)
     comparison = {**ambient.comparison, "uncertainty": budget}
     result = replace(ambient, parameters=parameters, comparison=comparison)
     if number not in budget:
@@ -192,7 +211,7 @@ def add_budget(
 
 
 def _stated_quantities(test: TankTest, runs: Sequence[TankRun]) -> set[str]:
-    """Return the names of the quantities with an uncertainty that the fit uses as they are stated."""
+    """Return the names of the quantities with an uncertainty that the fit treats as known, such as the volume."""
     fitted_runs = [run for run in runs if run.use == "fit"]
     is_stated = {
         "volume": not any(is_free(run.volume) for run in fitted_runs),
@@ -204,9 +223,9 @@ def _stated_quantities(test: TankTest, runs: Sequence[TankRun]) -> set[str]:
 
 
 def update_parameter_notes(plan: FitPlan, result: Result) -> Result:
-    """Return a result whose notes agree with its final intervals and verdicts.
+    """Return a result whose notes on single parameters agree with its final intervals and verdicts.
 
-    The notes are those on single parameters. Limited verdicts have a finding of their own.
+    Parameters with a verdict that was limited to `weak` have a separate finding.
     """
     capped = result.conditions.get("capped", {})
     free = [f for f in plan.free if f.name not in capped]
@@ -216,21 +235,7 @@ def update_parameter_notes(plan: FitPlan, result: Result) -> Result:
     return replace(result, remarks=tuple(remarks))
 
 
-def _widened_estimate(estimate: Estimate, error: float, low: float, high: float) -> Estimate:
-    """Return an estimate with an additional standard uncertainty, `error`.
-
-    The interval stays within the bounds `low` and `high`.
-    """
-    value, half = estimate.value, coverage_factor(math.inf) * error
-    return replace(
-        estimate,
-        standard_error=math.hypot(estimate.standard_error, error),
-        low=max(low, value - math.hypot(value - estimate.low, half)),
-        high=min(high, value + math.hypot(estimate.high - value, half)),
-    )
-
-
-def _gauges(plan: FitPlan) -> list[Any]:
+def _gauges(plan: FitPlan) -> list[FittedChannel]:
     return [fitted for fitted in channels_of(plan.experiments) if fitted.channel.address == PRESSURE]
 
 
@@ -239,16 +244,16 @@ def _sigmas(plan: FitPlan, result: Result) -> list[float]:
 
 
 def _local_model(plan: FitPlan, result: Result, errors: FloatArray) -> tuple[FloatArray, FloatArray]:
-    r"""Return the influence of the residuals on the estimates, and the second moments of the errors given the data.
+    r"""Return the derivatives of the estimates by the residuals, and the second moments of the errors given the data.
 
-    `errors` contains the changes of the residuals by the errors e, (n_rows, n_errors), in their standard uncertainties.
-    A large error of a stated quantity would be visible in the residuals r. Its moments therefore are those of the
-    posterior distribution with a standard normal prior, where C contains the changes without the part that the free
-    parameters can imitate, and w is the variance factor:
+    `errors` contains the changes of the residuals by the errors e of stated quantities, (n_rows, n_errors). Each error
+    has the size of its standard uncertainty. A large error would be visible in the residuals r. Its moments therefore
+    are those of the posterior distribution with a standard normal prior:
 
     .. math:: \Sigma = (1 + C^T C / w)^{-1}, \quad m = -\Sigma C^T r / w, \quad E[e e^T] = \Sigma + m m^T
 
-    Each element of m is limited to -1 to 1: a larger mean indicates a lack of fit instead of an error.
+    C is `errors` without the fraction that the free parameters can compensate, and w is the variance factor. Each
+    element of m is limited to -1 to 1: a larger mean indicates a lack of fit instead of an error.
     """
     x = np.array([result.parameters[f.name].value for f in plan.free])
     sigmas = _sigmas(plan, result)
@@ -266,22 +271,10 @@ def _local_model(plan: FitPlan, result: Result, errors: FloatArray) -> tuple[Flo
     return rows, covariance + np.outer(mean, mean)
 
 
-def _contributions(sensitivities: FloatArray, moments: FloatArray) -> FloatArray:
-    """Return the contribution of each error to the standard uncertainty.
-
-    `sensitivities` contains the change of an estimate by each error, and `moments` the second moments of the errors.
-    The errors can be correlated: a negative contribution reduces the others.
-    """
-    products = sensitivities * (moments @ sensitivities)
-    variances = np.maximum(products, 0.0)
-    total = float(np.sum(variances))
-    return np.sqrt(variances * (max(0.0, float(np.sum(products))) / total)) if total > 0.0 else variances
-
-
 def _residual_changes(
     test: TankTest, runs: Sequence[TankRun], plan: FitPlan, result: Result, uncertainties: Uncertainties
 ) -> dict[str, FloatArray]:
-    """Return how the residuals change with each stated quantity.
+    """Return the change of all residuals with each stated quantity, by name of the quantity.
 
     A quantity changes by one standard uncertainty. Quantities that are exact, free or without effect are omitted.
     """
@@ -319,9 +312,11 @@ def _residual_changes(
     if uncertainties.leak > 0.0 and "leak" in stated:
         leaky = plan_tank_fit(replace(test, leak_conductance="free"), runs)
         parameters, number = plan.experiments[0].instance.parameters, f"{test.part}.sonic_conductance"
-        size = uncertainties.leak * values.get(number, parameters[number])
-        x = np.array([values.get(f.name, parameters.get(LEAK, 0.0)) for f in leaky.free])
-        index = [f.address for f in leaky.free].index(LEAK)
+        conductance = values.get(number, parameters[number])
+        size = uncertainties.leak * conductance
+        leak = max(parameters.get(LEAK_ADDRESS, 0.0), NEARLY_TIGHT * conductance)
+        x = np.array([values.get(f.name, leak) for f in leaky.free])
+        index = [f.address for f in leaky.free].index(LEAK_ADDRESS)
         for name, ratio in (("leak", COMMON_RATIO), ("leak_ratio", COMMON_RATIO + RATIO)):
             experiments = [
                 Experiment(e.instance.with_values({LEAK_RATIO: ratio}), e.measurement, leaky.free)
@@ -334,9 +329,9 @@ def _residual_changes(
 
 
 def _scaled_experiment(experiment: Experiment, plan: FitPlan, name: str, factor: float) -> Experiment:
-    """Return an experiment in which a volume or a supply pressure is scaled.
+    """Return a recording with its model in which the tank volume or the supply pressure is multiplied by `factor`.
 
-    `name` is the quantity, and `factor` the factor. A recorded supply pressure is scaled as well.
+    `name` is `volume` or `supply_pressure`. A recorded supply pressure is scaled as well.
     """
     address = VOLUME if name == "volume" else SUPPLY
     parameters, measurement = experiment.instance.parameters, experiment.measurement

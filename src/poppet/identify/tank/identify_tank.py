@@ -20,7 +20,7 @@ from poppet.identify.fit.identify_fit import CLEAR, STRONG, Progress, identify_f
 from poppet.identify.fit.intervals import Stages
 from poppet.identify.fit.optima import unite_estimates
 from poppet.identify.flow.flow_findings import USUAL_CONDUCTANCE
-from poppet.identify.gum import SPREAD, widened
+from poppet.identify.gum import SPREAD, add_relative_uncertainty
 from poppet.identify.result import DETERMINED, Result
 from poppet.identify.tank.alternatives import (
     Alternative,
@@ -149,7 +149,10 @@ def identify_tank(
 
 
 def widen_for_ambient(test: TankTest, runs: Sequence[TankRun], result: Result) -> Result:
-    """Widen the intervals of a result if the ambient temperature is not known."""
+    """Widen the intervals of a tank test if the temperature of the flowing gas is not known.
+
+    This is the case if the ambient temperature is not stated, and no stated or recorded temperature replaces it.
+    """
 
     # The temperature of the flowing gas is that of the supply or that in the tank.
     is_known = all(
@@ -161,7 +164,7 @@ def widen_for_ambient(test: TankTest, runs: Sequence[TankRun], result: Result) -
     if test.ambient_temperature is not None or is_known:
         return result
     wider = {
-        name: widened(estimate, POWERS[field] * SPREAD / ROOM)
+        name: add_relative_uncertainty(estimate, POWERS[field] * SPREAD / ROOM)
         for name, estimate in result.parameters.items()
         if (field := name.rpartition(".")[2]) in POWERS and estimate.verdict in ("determined", "weak")
     }
@@ -176,7 +179,10 @@ def widen_for_ambient(test: TankTest, runs: Sequence[TankRun], result: Result) -
 def apply_caps(
     test: TankTest, uncertainties: Uncertainties, runs: Sequence[TankRun], plan: FitPlan, result: Result
 ) -> Result:
-    """Add alternative models and notes to a result, and limit its verdicts."""
+    """Compare a tank test with alternative models, and reduce verdicts if there is evidence against its model.
+
+    The result contains the alternative models and the notes on them.
+    """
     number = f"{test.part}.sonic_conductance"
     if result.conditions["interrupted"] or number not in result.parameters:
         return result
@@ -231,9 +237,10 @@ def apply_caps(
 
 
 def _is_equivalent_model(alternative: Alternative, result: Result, number: str) -> bool:
-    """Return True if an alternative model explains the recordings equally well.
+    """Return True if an alternative model of a tank test explains the recordings equally well.
 
-    If C of the other model is close to that of the fit, the other model must not have more free parameters.
+    `number` is the address of the sonic conductance C. An alternative with nearly the same C counts only if it has no
+    more free parameters.
     """
     simple, value = result.parameters[number], alternative.estimates[number].value
     is_swap = len(alternative.estimates) <= len(result.parameters) and alternative.difference < CLEAR
@@ -242,9 +249,9 @@ def _is_equivalent_model(alternative: Alternative, result: Result, number: str) 
 
 
 def _alternative_notes(alternatives: Sequence[Alternative], result: Result, number: str) -> list[Note]:
-    """Return notes on the best alternative model, and on C in each of them.
+    """Return notes on the best alternative model of a tank test, and on C in each alternative.
 
-    `number` is the address of C.
+    `number` is the address of the sonic conductance C.
     """
     if not alternatives:
         return []
@@ -300,10 +307,10 @@ def time_unit_notes(runs: Sequence[TankRun]) -> list[Note]:
 
 
 def _cap_verdicts(result: Result, missed: Collection[str]) -> Result:
-    """Change the verdict `determined` to `weak` if there is evidence against the model.
+    """Reduce the verdict `determined` to `weak` for parameters with evidence against the model.
 
-    The item `capped` of the conditions of the result contains the reasons. `missed` contains the channels that the
-    model does not describe.
+    The item `capped` of the conditions of the result contains the reasons. `missed` contains the names of the channels
+    that the model does not describe.
     """
     reasons: dict[str, list[str]] = {}
     for note in result.remarks:

@@ -25,11 +25,11 @@ LEAST_REST = 0.01
 
 
 def rest_before_opening(time: FloatArray, values: FloatArray, noise: float) -> float:
-    """Return how long the pressure is constant before it changes [s].
+    """Return how long the pressure is constant before it begins to change [s].
 
     The result is 0 if a constant start is not evident. `time` starts at 0, and `noise` is the standard deviation of the
-    samples. A polynomial of degree 2 describes the pressure after the rest. A lag of the sensor, which also starts with
-    a zero slope, must describe the samples worse.
+    samples. Two models of the samples are compared: a rest that is followed by a polynomial of degree 2, and a sensor
+    lag, which also starts with a zero slope. The rest must fit better.
     """
     begin = float(np.median(values[: min(3, 1 + time.size // 50)]))
     change = np.abs(values - begin)
@@ -58,7 +58,7 @@ def rest_before_opening(time: FloatArray, values: FloatArray, noise: float) -> f
 
 
 def _after_rest(t: FloatArray, rest: float) -> tuple[FloatArray, FloatArray]:
-    """Return the time since the end of a rest, and its square.
+    """Return the time since the end of an initial rest and its square, (n,) each; both are 0 during the rest.
 
     `t` contains the times, and `rest` is the duration of the rest.
     """
@@ -67,7 +67,7 @@ def _after_rest(t: FloatArray, rest: float) -> tuple[FloatArray, FloatArray]:
 
 
 def _with_lag(t: FloatArray, lag: float) -> tuple[FloatArray, FloatArray]:
-    """Return how a first-order lag responds to the time and to its square.
+    """Return the responses of a first-order lag to the time and to its square, (n,) each.
 
     `t` contains the times, and `lag` is the time constant.
     """
@@ -76,17 +76,17 @@ def _with_lag(t: FloatArray, lag: float) -> tuple[FloatArray, FloatArray]:
 
 
 def _best_trial(t: FloatArray, y: FloatArray, trials: FloatArray, basis: Basis) -> tuple[float, float]:
-    """Return the least chi-square of several trial values, and the best value.
+    """Return the least chi-square of several trial values, and the trial value to which it belongs.
 
-    `basis` is a function that returns two functions of time for a trial value.
+    `basis` is a function that returns two functions of time for a trial value. They are fitted to `y`.
     """
     return min((_chi_square(*basis(t, trial), y), trial) for trial in trials.tolist())
 
 
 def _chi_square(first: FloatArray, second: FloatArray, y: FloatArray) -> float:
-    """Return the sum of squares that remains after a linear fit.
+    """Return the sum of squares that remains after a linear fit to `y`.
 
-    The fit uses a constant and the functions `first` and `second`.
+    The fit uses a constant and the functions `first` and `second`, which are given as values.
     """
     columns = np.linalg.qr(np.column_stack((np.ones_like(y), first, second)))[0]
     left = y - columns @ (columns.T @ y)

@@ -24,7 +24,7 @@ from poppet.identify.tank.test import DIRECTIONS, TankTest
 from poppet.laws.iso6358.law import REFERENCE_DENSITY, REFERENCE_TEMPERATURE
 from poppet.laws.physics.gas import AIR_GAS_CONSTANT, AIR_ISENTROPIC_EXPONENT
 from poppet.parts.chamber import Chamber
-from poppet.parts.fields import NumberSpec, read_number, specs
+from poppet.parts.fields import NumberLike, NumberSpec, read_number, specs
 from poppet.parts.flow_path import Orifice
 from poppet.parts.part import Part
 from poppet.parts.sources import Reservoir
@@ -62,8 +62,12 @@ COMMON_EXPONENT, EXPONENTS = 1.2, {"min": 1.0, "max": AIR_ISENTROPIC_EXPONENT}
 """Start value of n, and its default bounds: isothermal and adiabatic."""
 AREA_FACTOR, COMMON_COEFFICIENT = 6.0, 8.0
 """Start value of h A: the surface of a cube of the volume, and 8 W/(m^2 K) for free convection in air."""
+LEAK_ADDRESS = "leak.sonic_conductance"
 LEAK = 0.01
 """Start value of the leak, as a fraction of the conductance of the valve."""
+NEARLY_TIGHT = 1e-3
+"""Leak of a tight tank for derivatives by the leak, as a fraction of the conductance of the valve. The steps of a run
+without a leak are too long for the start of the flow if the valve closes at ambient pressure."""
 PLAUSIBLE_WALL = 5e3
 """Heat capacity per surface of a light vessel, 2 mm of aluminium [J/(m^2 K)]; it is 7.4e3 for 2 mm of steel."""
 ONSET, COURSE = 0.02, 0.4
@@ -84,7 +88,7 @@ USUAL_ZERO = 0.01
 
 @dataclass(frozen=True)
 class TankRun:
-    """Recording of a tank test, with the conditions of this recording."""
+    """Recording of a tank test with its conditions, such as volume and supply pressure."""
 
     measurement: Measurement
     direction: str
@@ -101,10 +105,10 @@ class TankRun:
         return next(channel for channel in self.measurement.channels if channel.address == PRESSURE)
 
     @property
-    def supply(self) -> Any:
-        """Supply pressure of the recording.
+    def supply(self) -> NumberLike:
+        """Supply pressure of the recording, as stated.
 
-        If it is free, its start value is the highest recorded tank pressure.
+        If it is free, this is its start value, by default the highest recorded tank pressure.
         """
         return _start_value(self.supply_pressure, float(np.max(self.pressure.values)))
 
@@ -115,7 +119,7 @@ class TankRun:
 
     @property
     def place(self) -> str:
-        """Address of the recording in the input file, for messages."""
+        """Address of the recording in the input file, which messages state."""
         return f"recordings.{self.measurement.name}"
 
 
@@ -135,10 +139,7 @@ def read_runs(test: TankTest) -> list[TankRun]:
 
 
 def plan_tank_fit(test: TankTest, runs: Sequence[TankRun]) -> FitPlan:
-    """Return the plan of the fit to a tank test.
-
-    The plan contains circuits, recordings and free parameters.
-    """
+    """Return the plan of the fit to a tank test: circuits, recordings and free parameters."""
     ambient, complete_runs = _ambient(test), list[TankRun]()
     circuits = [_circuit(test, run, ambient) for run in runs]
     for run in runs:
@@ -169,7 +170,7 @@ def plan_tank_fit(test: TankTest, runs: Sequence[TankRun]) -> FitPlan:
 
 def _ambient(test: TankTest) -> Ambient:
     try:
-        return Ambient(pressure=test.ambient_pressure, temperature=test.room)
+        return Ambient(pressure=test.ambient_pressure, temperature=test.effective_ambient_temperature)
     except InputError as error:
         raise relocated(error, "ambient_{}".format) from None
 
@@ -216,7 +217,7 @@ def _read_run(test: TankTest, name: str, recording: Any, ambient_pressure: float
 def _read_channel(address: str, table: Mapping[str, Any], location: str) -> tuple[Channel, list[Note]]:
     """Return a channel from arrays, with notes on omitted or merged samples.
 
-    `table` contains the arrays, and `location` is their address in messages.
+    `table` contains the arrays by address, and `location` is the location of the channel in messages.
     """
     with ErrorCollector() as errors:
         argument = table[address]
@@ -245,7 +246,7 @@ def _read_channel(address: str, table: Mapping[str, Any], location: str) -> tupl
 
 
 def _check_run(test: TankTest, run: TankRun, ambient_pressure: float) -> None:
-    """Raise an error if the recorded pressure does not fit the test.
+    """Raise an error if the recorded pressure contradicts the test.
 
     For example, it is constant at first although the valve is open.
     """
@@ -296,15 +297,15 @@ def _circuit(test: TankTest, run: TankRun, ambient: Ambient) -> BaseCircuit:
     common = {
         "energy": {
             "wall_conductance": COMMON_COEFFICIENT * AREA_FACTOR * cubic_metres ** (2.0 / 3.0),
-            "wall_temperature": test.room,
+            "wall_temperature": test.effective_ambient_temperature,
             "wall_heat_capacity": plausible_wall(cubic_metres),
         },
         "polytropic": {"polytropic_exponent": COMMON_EXPONENT},
     }.get(test.thermal, {})
-    numbers = {field: _start_value(getattr(test, field), value) for field, value in common.items()}
+    numbers: dict[str, Any] = {field: _start_value(getattr(test, field), value) for field, value in common.items()}
     if test.initial_temperature is not None or not run.has_temperature:
-        argument = _start_value(test.initial_temperature, test.room)
-        numbers["initial_temperature"] = test.room if argument is None else argument
+        argument = _start_value(test.initial_temperature, test.effective_ambient_temperature)
+        numbers["initial_temperature"] = test.effective_ambient_temperature if argument is None else argument
     start_pressure = float(run.pressure.values[0])
     tank = Chamber(volume=volume, thermal=test.thermal, initial_pressure=start_pressure, **numbers)
     ports = ("tank", "ambient") if run.direction == "discharge" else ("supply", "tank")
@@ -318,8 +319,8 @@ def _circuit(test: TankTest, run: TankRun, ambient: Ambient) -> BaseCircuit:
     )
     parts: dict[str, Part] = {"tank": tank, test.part: valve}
     if run.direction == "charge":
-        argument = _start_value(run.supply_temperature, test.room)
-        temperature = test.room if argument is None else argument
+        argument = _start_value(run.supply_temperature, test.effective_ambient_temperature)
+        temperature = test.effective_ambient_temperature if argument is None else argument
         parts = {"supply": Reservoir(pressure=run.supply, temperature=temperature)} | parts
     if has_leak(test):
         start = _start_value(test.leak_conductance, LEAK * float(valve.sonic_conductance))  # type: ignore[arg-type]
@@ -328,18 +329,17 @@ def _circuit(test: TankTest, run: TankRun, ambient: Ambient) -> BaseCircuit:
 
 
 def plausible_wall(volume: float) -> float:
-    """Return an estimate of the heat capacity of the wall of a light vessel [J/K]."""
+    """Return the estimated heat capacity of the wall of a light vessel with a given volume [J/K]."""
     return PLAUSIBLE_WALL * AREA_FACTOR * float(volume ** (2.0 / 3.0))
 
 
-def _start_value(argument: Any, common: Any) -> Any:
-    """Return the value of a parameter, or its start value if it is free.
+def _start_value(argument: Any, common: NumberLike) -> NumberLike:
+    """Return the value of an argument of a tank test, or its start value if it is free.
 
-    `common` is the value for all recordings.
+    `common` is the start value if the argument does not state one.
     """
-    if isinstance(argument, Mapping):
-        return argument.get("start", common)
-    return common if argument == "free" else argument
+    value: NumberLike = argument.get("start", common) if isinstance(argument, Mapping) else argument
+    return common if argument == "free" else value
 
 
 def is_free(argument: Any) -> bool:
@@ -348,7 +348,7 @@ def is_free(argument: Any) -> bool:
 
 
 def has_leak(test: TankTest) -> bool:
-    """Return True if a tank test states a leak other than zero, or if the leak is free."""
+    """Return True if a tank test has a leak: a leak conductance that is free or stated and not zero."""
     if test.leak_conductance is None or is_free(test.leak_conductance):
         return test.leak_conductance is not None
     declared = specs(Orifice)["sonic_conductance"]
@@ -357,7 +357,7 @@ def has_leak(test: TankTest) -> bool:
 
 
 def _initial_conductance(run: TankRun, volume: float, ambient: Ambient) -> float:
-    """Return a start value of C for the search.
+    """Return a start value of the sonic conductance from the recorded pressure [m^3/(s Pa)].
 
     It is calculated for choked flow and gas at constant temperature.
     """
@@ -376,9 +376,9 @@ def _initial_conductance(run: TankRun, volume: float, ambient: Ambient) -> float
 
 
 def _index_of_change(channel: Channel, share: float) -> int:
-    """Return the index of the sample at which a fraction of the change is reached.
+    """Return the index of the first sample at which a fraction of the total change of a channel is reached.
 
-    `share` is this fraction of the total change of the channel.
+    `share` is this fraction.
     """
     # With few samples use only the first one: at the third, a tank can be half empty.
     begin = np.median(channel.values[: min(3, 1 + channel.time.size // 50)])
@@ -398,7 +398,7 @@ def _free_parameters(
         f"{test.part}.critical_ratio": test.critical_ratio,
         f"{test.part}.subsonic_index": test.subsonic_index,
         "tank.volume": test.volume,
-        "leak.sonic_conductance": test.leak_conductance,
+        LEAK_ADDRESS: test.leak_conductance,
     }
     if test.thermal == "energy":
         shared |= {"tank.wall_temperature": test.wall_temperature, "tank.wall_heat_capacity": test.wall_heat_capacity}
@@ -449,10 +449,11 @@ def _free_by_recording(
     *,
     is_shared: bool = False,
 ) -> list[FreeParameter]:
-    """Return the free parameters that an argument declares for some recordings.
+    """Return the free parameters that an argument of a tank test declares for its recordings.
 
-    There is one for each recording whose argument is free, or one that all recordings share. If there is only one
-    recording, the name of the parameter has no prefix.
+    `arguments` contains the argument for each recording. There is one parameter for each recording whose argument is
+    free, or one for all recordings if `is_shared` is True. If there is only one recording, the name of the parameter
+    has no prefix.
     """
     if is_shared:
         return [_read_free(address, arguments[0], circuits[0])] if is_free(arguments[0]) else []

@@ -11,6 +11,7 @@ from poppet.core.errors import ErrorCollector, NameSuggestion
 from poppet.core.tables import Field, missing_field, read_fields
 from poppet.core.toml_file import TomlFile
 from poppet.core.units import quantity
+from poppet.parts.fields import NumberLike
 
 DIRECTIONS = ("discharge", "charge")
 THERMAL = ("energy", "isothermal", "polytropic")
@@ -168,7 +169,7 @@ class TankTest:
             ):
                 if argument not in valid:
                     near = NameSuggestion(str(argument), valid)
-                    errors.add("fields.not_an_option", name, value=argument, meaning=meaning, near=near)
+                    errors.add("fields.not_an_option", name, value=argument, meaning=meaning, suggestion=near)
             if self.pressure_offset not in ("free", 0.0, None):
                 errors.add("tank.offset", "pressure_offset", value=self.pressure_offset)
             for name in ("bore", "bore_uncertainty"):
@@ -180,11 +181,8 @@ class TankTest:
                 errors.add("tank.part", "part", value=self.part)
 
     @property
-    def room(self) -> Any:
-        """Ambient temperature of the test.
-
-        It is 20 degC if the test does not state it.
-        """
+    def effective_ambient_temperature(self) -> NumberLike:
+        """Ambient temperature of the test, as stated; 293.15 K if the test does not state it."""
         return ROOM if self.ambient_temperature is None else self.ambient_temperature
 
 
@@ -238,7 +236,7 @@ def read_tank_file(path: str | Path) -> TankTest:
 
 
 def read_test(file: TomlFile) -> TankTest:
-    """Return the tank test that the content of a file describes."""
+    """Return the tank test that the content of an input file describes."""
     with ErrorCollector() as errors:
         data = read_fields(errors, file.content, FILE_FIELDS, table="tank test file")
     title = str(data.get("title", Path(file.name).stem))

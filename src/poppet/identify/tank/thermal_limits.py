@@ -15,19 +15,19 @@ import numpy as np
 from poppet.core.codes import Note
 from poppet.identify.fit.fit_findings import error_model_of
 from poppet.identify.fit.fit_plan import FitPlan
-from poppet.identify.fit.optima import ISOTHERMAL, NEARLY_ADIABATIC, NEARLY_ISOTHERMAL, thermal_units
+from poppet.identify.fit.optima import ISOTHERMAL, NEARLY_ADIABATIC, NEARLY_ISOTHERMAL, typical_wall_conductances
 from poppet.identify.fit.search import Optimum, SearchSettings, optimise
 from poppet.identify.fit.statistics import estimates
 from poppet.identify.free_parameter import FreeParameter, NormalPrior, by_name
 from poppet.identify.result import DETERMINED, Estimate, Result
 from poppet.identify.tank.budget import Uncertainties
-from poppet.identify.tank.tank_plan import USUAL_ZERO, TankRun, has_leak, is_free, plan_tank_fit
+from poppet.identify.tank.tank_plan import LEAK_ADDRESS, USUAL_ZERO, TankRun, has_leak, is_free, plan_tank_fit
 from poppet.identify.tank.test import TankTest
 
 SUPPLY = 0.01
 """Relative standard uncertainty of a supply pressure whose uncertainty is not stated. A wrong choice of the limit
 changes C by up to 40 %, so that it is larger than in the budget."""
-LEAK_ADDRESS, SUPPLY_ADDRESS, WALL = "leak.sonic_conductance", "supply.pressure", "tank.wall_conductance"
+SUPPLY_ADDRESS, WALL = "supply.pressure", "tank.wall_conductance"
 EQUIVALENT = 1.92
 """Largest excess of the cost of an equivalent fit: the limit of a 95 % interval (chi-square, one parameter)."""
 SMALL = 0.3
@@ -36,10 +36,7 @@ SMALL = 0.3
 
 @dataclass(frozen=True)
 class UncertainFit:
-    """Best fit of a tank test with uncertain leak and supply pressure.
-
-    Both are free and have normal priors.
-    """
+    """Fit of a tank test in which leak and supply pressure are free, with normal priors."""
 
     plan: FitPlan
     optimum: Optimum
@@ -50,13 +47,13 @@ class UncertainFit:
         return by_name(self.plan.free, self.optimum.x)
 
     def estimates(self) -> dict[str, Estimate]:
-        """Return the estimates of all free parameters."""
+        """Return the estimates of all free parameters by name."""
         return estimates(self.plan.free, self.optimum, error_model_of(self.plan, self.optimum))
 
 
 @dataclass(frozen=True)
 class ThermalLimits:
-    """Fits near the thermal limits that describe a charge equally well.
+    """Fits of a charge near the adiabatic and isothermal limits that describe the recordings equally well.
 
     Leak and supply pressure are uncertain in these fits.
     """
@@ -73,13 +70,13 @@ def fit_thermal_limits(
     result: Result,
     number: str,
 ) -> ThermalLimits | None:
-    """Return the fits of a charge from both thermal limits.
+    """Fit a charge test from its adiabatic and its isothermal limit, with uncertain leak and supply pressure.
 
-    Leak and supply pressure are uncertain. The result is None if the test is not a charge with pressure only, if the
-    fit already has equivalent optima, or if leak and supply pressure are exact or free in the fit. `number` is the
-    address of C.
+    The result is None if the test is not a charge with pressure only, or if the fit already has equivalent optima. It
+    is also None if leak and supply pressure are exact or free in the fit. `number` is the address of the sonic
+    conductance.
     """
-    units = thermal_units(plan.experiments, plan.free)
+    units = typical_wall_conductances(plan.experiments, plan.free)
     if not units or len(units) > 1 or any(run.direction != "charge" for run in runs):
         return None
     conductances = [float(optimum["values"][number]) for optimum in result.optima]
@@ -139,9 +136,9 @@ def fit_thermal_limits(
 
 
 def thermal_limit_notes(limits: ThermalLimits, result: Result, number: str) -> list[Note]:
-    """Return a note for each equivalent fit near a thermal limit.
+    """Return a note for each fit near the adiabatic or isothermal limit that describes a charge equally well.
 
-    `number` is the address of C.
+    `number` is the address of the sonic conductance.
     """
     notes, simple = [], result.parameters[number]
     for fit in limits.equivalent:
@@ -159,10 +156,10 @@ def thermal_limit_notes(limits: ThermalLimits, result: Result, number: str) -> l
 def _uncertain_plan(
     test: TankTest, uncertainties: Uncertainties, runs: Sequence[TankRun], plan: FitPlan
 ) -> FitPlan | None:
-    """Return the plan in which leak, supply pressure and sensor offset are free.
+    """Return the plan of a fit in which leak, supply pressure and sensor offset are free.
 
     Supply pressure and offset have normal priors. The result is None if both leak and supply pressure are exact or free
-    in the fit.
+    in the original fit.
     """
     changed: dict[str, object] = {}
     if not has_leak(test) and uncertainties.leak > 0.0:

@@ -11,7 +11,7 @@ from typing import Any, Literal, Self, TypeVar, get_args
 import numpy as np
 
 from poppet.core.codes import Note
-from poppet.core.errors import InputError, NameSuggestion, OutOfRangeError, collect
+from poppet.core.errors import InputError, NameSuggestion, OutOfRangeError, raise_errors
 from poppet.core.provenance import Number, Source
 from poppet.core.symbolic import clip, is_symbolic, minimum, smoothstep, where
 from poppet.laws.curves.curve import Curve, rising_intervals
@@ -39,32 +39,36 @@ class Characteristic:
 
     .. math:: C(x) = \sigma(x)\, C_0(\xi),\quad b(x) = b_0(\bar x),\quad \bar x = \min(\max(x, x_a), x_b)
 
-    with the closing law :math:`\sigma` (a smoothstep over 0..closing, or 1), and :math:`\xi = \bar x`, or for
-    the monotone variant the stroke up to :math:`\bar x` at which :math:`C_0` is largest.
+    Here :math:`C_0` and :math:`b_0` are the two curves, and :math:`x_a` and :math:`x_b` the ends of the domain. The
+    closing law :math:`\sigma` rises smoothly from 0 at stroke 0 to 1 at the stroke `closing`; without `closing` it is
+    1. :math:`\xi` is :math:`\bar x`, or, if `monotone` is True, the stroke up to :math:`\bar x` at which :math:`C_0` is
+    largest.
 
     Parameters
     ----------
     sonic_conductance : Curve
-        C over the stroke [m^3/(s Pa)].
+        Sonic conductance C as a function of the stroke [m^3/(s Pa)].
     critical_ratio : Curve
-        b over the stroke [1].
+        Critical pressure ratio b as a function of the stroke [1].
     domain : tuple of float, shape (2,)
         Range of strokes in which both curves are known [m].
     edge : str
-        `hold` keeps the edge values outside the domain, `error` rejects floats and arrays outside it.
+        Policy for strokes outside the domain: `hold` uses the value at the nearest end of the domain, `error` rejects
+        floats and arrays.
     closing : Number, optional
-        Width of the closing law: C falls to zero from this stroke to stroke 0 and is zero below [m].
+        Stroke below which C falls smoothly to zero at stroke 0; C is zero for negative strokes [m].
     monotone : bool
         If True, the running maximum of C replaces C, so a larger stroke never reduces C.
     name : str
-        Name for messages, `varga2012`.
+        Name in messages, for example `varga2012`.
     source : Source, optional
         Source of the curves.
 
     Notes
     -----
-    The values outside the domain are unknown and are not extrapolated. For symbols, both edge policies hold the edge
-    values. The code that runs the model compares the strokes with the domain and reports `outside(...)`.
+    The curves are not extrapolated beyond the domain. For symbols, both policies use the value at the nearest end,
+    because the value of a symbol is not known. After a run, the method `outside` compares the strokes with the domain
+    and returns a note if necessary.
 
     Examples
     --------
@@ -88,7 +92,7 @@ class Characteristic:
 
     def __post_init__(self) -> None:
         # Only valid curves can be evaluated over the domain.
-        collect([*self._form_problems()])
+        raise_errors([*self._form_problems()])
         problems = []
         for name, (symbol, unit) in _CURVES.items():
             curve = self._curve(name)
@@ -105,7 +109,7 @@ class Characteristic:
                 continue
             facts: dict[str, Any] = {"value": values[worst], "unit": unit, "stroke_mm": 1e3 * worst, "limits": limits}
             problems.append(OutOfRangeError("curves.impossible_value", name, **facts, symbol=symbol, name=self.name))
-        collect(problems)
+        raise_errors(problems)
 
     def sonic_conductance_at(self, x: Any, parameters: Mapping[str, Any] | None = None) -> Any:
         """Return the sonic conductance at a stroke.
@@ -115,7 +119,7 @@ class Characteristic:
         x : float, array or symbol
             Stroke [m].
         parameters : mapping of str to float or symbol, optional
-            Mapping from the names of `parameters()` to values; default the values of this characteristic.
+            Values under the names that the method `parameters` returns; default the values of this characteristic.
 
         Returns
         -------
@@ -125,7 +129,7 @@ class Characteristic:
         Raises
         ------
         OutOfRangeError
-            If the stroke is outside the domain and the edge policy is `error`.
+            If the stroke is outside the domain and the attribute `edge` is `error`.
         """
         values = self._own if parameters is None else parameters
         x = self._operand(x, "sonic_conductance")
@@ -148,7 +152,7 @@ class Characteristic:
         x : float, array or symbol
             Stroke [m].
         parameters : mapping of str to float or symbol, optional
-            Mapping from the names of `parameters()` to values; default the values of this characteristic.
+            Values under the names that the method `parameters` returns; default the values of this characteristic.
 
         Returns
         -------
@@ -158,29 +162,29 @@ class Characteristic:
         Raises
         ------
         OutOfRangeError
-            If the stroke is outside the domain and the edge policy is `error`.
+            If the stroke is outside the domain and the attribute `edge` is `error`.
         """
         values = self._own if parameters is None else parameters
         x = self._operand(x, "critical_ratio")
         return self.critical_ratio.evaluate(self._held(x, values), _under("critical_ratio", values))
 
     def numbers(self) -> dict[str, Number]:
-        """Return all parameters by name: `sonic_conductance.k1`, `critical_ratio.p1` and so on."""
+        """Return all parameters, with unit and source, by name, for example `sonic_conductance.k1`."""
         numbers = _joined({name: self._curve(name).numbers() for name in _CURVES})
         return numbers if self.closing is None else {**numbers, "closing": self.closing}
 
     def parameters(self) -> dict[str, float]:
-        """Return the run-time values of the characteristic by name.
+        """Return all values in the equations of the characteristic, by name.
 
-        They are the parameters in SI units, and values that are computed from them. The names do not depend on the
-        values, so a changed parameter does not change the compiled model.
+        They are the parameters as floats in SI units, and values that are computed from them, such as slopes at the
+        points of a table. The names do not depend on the values, so a changed parameter requires no new compilation.
         """
         return dict(self._own)
 
     def structure(self) -> Hashable:
-        """Return a hashable key of the compiled model.
+        """Return a hashable key of the equations of the characteristic.
 
-        Characteristics with equal keys can share a compiled model.
+        Characteristics with equal keys differ only in the values of their parameters, and can share compiled code.
         """
         curves = self.sonic_conductance.structure(), self.critical_ratio.structure()
         return (*curves, self._bounded, self.monotone, self.closing is not None)
@@ -191,16 +195,18 @@ class Characteristic:
         Parameters
         ----------
         changes : mapping of str to Number
-            New numbers under the names of `numbers()`.
+            New parameters; the names are those that the method `numbers` returns.
 
         Returns
         -------
         Characteristic
-            Characteristic with updated derived values.
+            Copy with the new parameters.
         """
         numbers = self.numbers()
         meaning, unknown = f"a parameter of {self.name}", [key for key in changes if key not in numbers]
-        collect([InputError("names.unknown", k, meaning=meaning, near=NameSuggestion(k, numbers)) for k in unknown])
+        raise_errors(
+            [InputError("names.unknown", k, meaning=meaning, suggestion=NameSuggestion(k, numbers)) for k in unknown]
+        )
         curves: dict[str, Any] = {curve: self._curve(curve).with_numbers(_under(curve, changes)) for curve in _CURVES}
         return replace(self, **curves, closing=changes.get("closing", self.closing))
 
@@ -215,9 +221,9 @@ class Characteristic:
         Returns
         -------
         tuple of float, shape (2,)
-            The domain, extended by 1 % of its width, or by 5 % at a side with an end stop within the domain, which
-            deflects [m]. There is no lower limit if `closing` is given and the domain begins at 0, because the
-            conductance of a closed flow path is zero.
+            Ends of the domain, moved outwards by 1 % of its width [m]. An end is moved by 5 % if the end stop on its
+            side is within the domain, because the stop deflects. The lower limit is minus infinity if `closing` is
+            given and the domain begins at stroke 0, because C is zero at lower strokes.
         """
         low, high = self.domain
         slack = OUTSIDE_TOLERANCE * (high - low)
@@ -225,7 +231,7 @@ class Characteristic:
         return self._lowest - play[0] * (high - low), high + play[1] * (high - low)
 
     def outside(self, x_min: float, x_max: float, stops: tuple[float, float] = ANYWHERE) -> Note | None:
-        """Return a note if a run left the domain, and None otherwise.
+        """Return a note if strokes of a run were outside `limits`, the domain with a margin.
 
         Parameters
         ----------
@@ -237,8 +243,7 @@ class Characteristic:
         Returns
         -------
         Note or None
-            None if the run stayed within `limits`; otherwise the strokes outside and their largest distance from the
-            domain.
+            Note with these strokes and their largest distance from the domain. None if there are no such strokes.
         """
         low, high = self.limits(stops)
         # Distance of each outside stroke from the domain.
@@ -273,9 +278,9 @@ class Characteristic:
 
     @property
     def _lowest(self) -> float:
-        """Return the lowest stroke at which the values of C and b are known [m].
+        """Lowest stroke at which C and b are known [m].
 
-        With a closing law, they are known at all lower strokes too.
+        It is minus infinity if a closing law is given and the domain begins at stroke 0 or below.
         """
         return -math.inf if self.closing is not None and self.domain[0] <= 0.0 else self.domain[0]
 
@@ -292,8 +297,9 @@ class Characteristic:
         return clip(x, parameters["domain_start"], parameters["domain_end"]) if self._bounded else x
 
     def _operand(self, x: Any, name: str) -> Any:
-        """Return a stroke in a form for calculation, after a check of its values.
+        """Check a stroke, and return it with lists and tuples converted to arrays.
 
+        NaN is rejected, and with the edge policy `error` also a stroke outside the domain. A symbol is not checked.
         `name` is the name of the curve for error messages.
         """
         if is_symbolic(x):
@@ -315,7 +321,7 @@ class Characteristic:
 
     def _known(self, name: str) -> str:
         where_from = ", ".join(part for part in (self.name, self.source.locator) if part)
-        return f"{_CURVES[name][0]}(x) {self._curve(name).known} ({where_from})"
+        return f"{_CURVES[name][0]}(x) {self._curve(name).known}: {where_from}"
 
     def _form_problems(self) -> Iterable[InputError]:
         low, high = self.domain
@@ -333,7 +339,7 @@ class Characteristic:
                 yield OutOfRangeError("curves.beyond_points", domain=_span(*self.domain), symbol=symbol, points=points)
         if self.edge not in EDGES:
             near = NameSuggestion(self.edge, EDGES)
-            yield InputError("fields.not_an_option", "edge", meaning="edge policy", value=self.edge, near=near)
+            yield InputError("fields.not_an_option", "edge", meaning="edge policy", value=self.edge, suggestion=near)
         if self.closing is not None and not 0.0 < float(self.closing) < math.inf:
             yield OutOfRangeError("curves.closing", shown=self.closing.display())
 
@@ -348,9 +354,9 @@ def _under(prefix: str, values: Mapping[str, Any]) -> dict[str, Any]:
 
 
 def _millimetres(x: float) -> str:
-    """Return a stroke as text in millimetres, with sufficient digits.
+    """Return a stroke [m] as text in millimetres.
 
-    For example, 1.0001 mm must look different from a limit of 1.00 mm.
+    The text has two decimals if they are exact, and otherwise up to 12 digits: 1.0001 mm must not appear as 1.00 mm.
     """
     value = 1e3 * x
     if value == 0.0:

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import math
 from abc import ABC, abstractmethod
-from collections.abc import Hashable, Mapping, Sequence
+from collections.abc import Hashable, Mapping
 from itertools import pairwise
 from typing import Any, ClassVar, Self
 
-from poppet.core.errors import InputError, NameSuggestion, collect
+from poppet.core.errors import InputError, NameSuggestion, raise_errors
 from poppet.core.provenance import Number
 
 
@@ -22,13 +22,13 @@ class Curve(ABC):
 
     @abstractmethod
     def numbers(self) -> dict[str, Number]:
-        """Return the parameters of the curve by name, such as `k1`."""
+        """Return the parameters of the curve, with unit and source, by name, such as `k1`."""
 
     @abstractmethod
     def parameters(self) -> dict[str, float]:
-        """Return the run-time values of the curve by name.
+        """Return all values in the equation of the curve, by name.
 
-        They are the parameters in SI units, and values that are computed from them.
+        They are the parameters as floats in SI units, and values that are computed from them, such as slopes.
         """
 
     @abstractmethod
@@ -40,7 +40,7 @@ class Curve(ABC):
         x : float, array or symbol
             Stroke [m].
         parameters : mapping of str to float or symbol
-            Values under the names of `parameters()`.
+            Values under the names that the method `parameters` returns.
 
         Returns
         -------
@@ -55,7 +55,7 @@ class Curve(ABC):
         Parameters
         ----------
         low, high : float
-            Start of the first piece and end of the last piece [m].
+            Range of strokes that is searched [m].
 
         Returns
         -------
@@ -66,48 +66,50 @@ class Curve(ABC):
     @property
     @abstractmethod
     def pieces(self) -> int:
-        """Return the largest possible number of monotone pieces, for any parameter values."""
+        """Maximum number of monotone pieces of the curve for any values of its parameters."""
 
     @property
     def support(self) -> tuple[float, float]:
-        """Return the lowest and the highest stroke at which the curve is known [m].
+        """Lowest and highest stroke at which the curve is known [m].
 
-        A formula is known at all strokes.
+        Both are infinite for a formula, which has a value at any stroke.
         """
         return (-math.inf, math.inf)
 
     @abstractmethod
     def structure(self) -> Hashable:
-        """Return a hashable key of the compiled curve.
+        """Return a hashable key of the equation of the curve.
 
-        Curves with equal keys differ only in run-time parameters.
+        Curves with equal keys differ only in the values of their parameters.
         """
 
     @abstractmethod
-    def _with_values(self, values: Sequence[Number]) -> Self:
-        """Return a copy of the curve with new parameter values.
-
-        The values are in the order of `numbers()`.
-        """
-
     def with_numbers(self, changes: Mapping[str, Number]) -> Self:
         """Return the curve with some parameters replaced.
 
         Parameters
         ----------
         changes : mapping of str to Number
-            New numbers under the names of `numbers()`.
+            New parameters; the names are those that the method `numbers` returns.
 
         Returns
         -------
         Curve
-            New curve of the same kind.
+            Copy with the new parameters.
+        """
+
+    def _changed_numbers(self, changes: Mapping[str, Number]) -> dict[str, Number]:
+        """Return all parameters of the curve by name, some of them replaced.
+
+        Unknown names in `changes` are rejected.
         """
         numbers = self.numbers()
         unknown = [name for name in changes if name not in numbers]
         meaning = "a parameter of this curve"
-        collect([InputError("names.unknown", n, meaning=meaning, near=NameSuggestion(n, numbers)) for n in unknown])
-        return self._with_values(list({**numbers, **changes}.values()))
+        raise_errors(
+            [InputError("names.unknown", n, meaning=meaning, suggestion=NameSuggestion(n, numbers)) for n in unknown]
+        )
+        return {**numbers, **changes}
 
     def __call__(self, x: Any) -> Any:
         """Return the value of the curve at stroke `x` [m]."""
@@ -122,14 +124,14 @@ def rising_intervals(curve: Curve, low: float, high: float) -> list[tuple[float,
     Parameters
     ----------
     curve : Curve
-        Curve with turning points.
+        Curve that may rise and fall.
     low, high : float
-        Range of strokes of the running maximum [m].
+        Range of strokes; the running maximum begins at `low` [m].
 
     Returns
     -------
     list of tuple of float, shape (n, 2)
-        Start and end of each rise, in order [m].
+        Start and end stroke of each interval, in ascending order [m].
 
     Examples
     --------
@@ -158,7 +160,8 @@ def rising_intervals(curve: Curve, low: float, high: float) -> list[tuple[float,
 def _stroke_of_level(curve: Curve, level: float, left: float, right: float) -> float:
     """Return the stroke at which a rising curve reaches a level.
 
-    The curve rises between the strokes `left` and `right`. The result is exact to the last bit.
+    The curve rises between the strokes `left` and `right` [m]. `level` is in the unit of the curve. The result is the
+    next floating-point number above the exact stroke.
     """
     while True:
         middle = 0.5 * (left + right)

@@ -7,7 +7,7 @@ from collections.abc import Mapping, Sequence
 from functools import cached_property
 from typing import Any
 
-from poppet.core.errors import ErrorCollector, InputError, NameSuggestion, collect
+from poppet.core.errors import ErrorCollector, InputError, NameSuggestion, raise_errors
 from poppet.core.provenance import SOURCE_KINDS, Number, Source
 from poppet.core.tables import Field, missing_field
 from poppet.core.units import convert, quantity
@@ -31,17 +31,18 @@ def characteristic_from_mapping(table: Mapping[str, Any], *, name: str) -> Chara
     Parameters
     ----------
     table : mapping of str to object
-        `kind` is `constant`, `polynomial` (coefficients from the highest power down, `argument_unit`,
-        `domain`) or `table` (`stroke`). `sonic_conductance` and `critical_ratio` are lists; a single value
-        is a constant curve. Optional fields are `edge`, `closing`, `monotone`, `source` (kind of source, comma,
-        reference) and `note`.
+        The field `kind` is `constant`, `polynomial` or `table`. The fields `sonic_conductance` and `critical_ratio` are
+        lists, or single values for a constant curve. The lists of a polynomial contain its coefficients, highest power
+        first; its fields `argument_unit` (unit of the stroke in the polynomial) and `domain` (two strokes) are
+        required. A table requires the field `stroke`, a list of the same length. Optional fields are `edge`, `closing`,
+        `monotone`, `source` (kind of source, comma, reference) and `note`.
     name : str
-        Name of the characteristic for messages.
+        Name of the characteristic in messages.
 
     Returns
     -------
     Characteristic
-        Characteristic whose parameters have the source of the table, or `given` if the table has none.
+        Characteristic whose parameters have the source that the table states, by default `given`.
 
     Raises
     ------
@@ -66,14 +67,14 @@ def characteristic_from_mapping(table: Mapping[str, Any], *, name: str) -> Chara
     kind = table.get("kind")
     if kind not in _FIELDS:
         code = "curves.kind" if "kind" in table else "curves.no_kind"
-        raise InputError(code, name, value=kind, near=NameSuggestion(str(kind), _FIELDS))
+        raise InputError(code, name, value=kind, suggestion=NameSuggestion(str(kind), _FIELDS))
     reader = _CharacteristicReader(table, name, str(kind))
     # From here on, errors are collected, so one pass over the file reports all of them.
-    reader.refuse_unknown()
+    reader.reject_unknown()
     fields = reader.common()
     curves: dict[str, Any] = {field: reader.curve(field) for field in _UNITS}
     domain = reader.domain()
-    collect(reader.errors.collected)
+    raise_errors(reader.errors.collected)
     try:
         return Characteristic(**curves, domain=domain, name=name, **fields)
     except InputError as problem:
@@ -81,7 +82,7 @@ def characteristic_from_mapping(table: Mapping[str, Any], *, name: str) -> Chara
 
 
 class _CharacteristicReader:
-    """Reader of the table of one characteristic, which collects all errors."""
+    """Reader of the fields of one flow characteristic, which collects all errors."""
 
     def __init__(self, table: Mapping[str, Any], name: str, kind: str) -> None:
         self.table, self.name, self.kind = table, name, kind
@@ -89,19 +90,22 @@ class _CharacteristicReader:
         self.source = self._source()
 
     def complain(self, code: str, field: str, **facts: Any) -> None:
-        """Collect an error about a field of the table."""
+        """Add an error about a field of the characteristic to the collected errors."""
         self.errors.add(code, f"{self.name}.{field}", field=field, **facts)
 
     def complain_missing(self, field: str, meaning: str, example: str = "") -> None:
-        """Collect an error about a field that the table must have."""
+        """Add an error about a missing field to the collected errors.
+
+        The message contains `meaning` and `example` of the field.
+        """
         self.errors.extend([missing_field(f"{self.name}.{field}", Field(meaning=meaning, example=example))])
 
-    def refuse_unknown(self) -> None:
+    def reject_unknown(self) -> None:
         valid = _FIELDS[self.kind]
         for field in self.table:
             if field not in valid:
                 table = f"characteristic of kind {self.kind}"
-                self.complain("fields.unknown", field, table=table, near=NameSuggestion(field, valid))
+                self.complain("fields.unknown", field, table=table, suggestion=NameSuggestion(field, valid))
 
     def number(self, raw: Any, unit: str, field: str) -> Number | None:
         with self.errors.collecting():
@@ -110,9 +114,9 @@ class _CharacteristicReader:
         return None
 
     def numbers(self, field: str, unit: str) -> tuple[Number, ...] | None:
-        """Return a list in the table as numbers with the unit `unit`.
+        """Return the list in the field `field` as numbers with the SI unit `unit`.
 
-        If any entry is invalid, the result is None.
+        The result is None if any entry is invalid. The errors are collected.
         """
         read = [self.number(entry, unit, f"{field}[{i}]") for i, entry in enumerate(self.table[field])]
         numbers = tuple(number for number in read if number is not None)
@@ -140,9 +144,9 @@ class _CharacteristicReader:
         return None if self._strokes is None else TableCurve(self._strokes, numbers)
 
     def domain(self) -> tuple[float, float]:
-        """Return the domain of the characteristic, the range of strokes in which it is valid.
+        """Return the lowest and the highest stroke at which the characteristic is valid [m].
 
-        For a table of points, the default is the range of their strokes.
+        They are the first and last stroke of a table. They are infinite if the field `domain` is omitted or invalid.
         """
         unbounded = (-math.inf, math.inf)
         if self.kind == "table":
@@ -159,7 +163,7 @@ class _CharacteristicReader:
         return unbounded if numbers is None else (float(numbers[0]), float(numbers[1]))
 
     def common(self) -> dict[str, Any]:
-        """Return the constructor arguments that do not depend on the kind of characteristic."""
+        """Return the arguments of `Characteristic` that all kinds have: edge, closing, monotone and source."""
         closing = self.number(self.table["closing"], "m", "closing") if "closing" in self.table else None
         monotone = self.table.get("monotone", False)
         if not isinstance(monotone, bool):
@@ -167,7 +171,7 @@ class _CharacteristicReader:
         edge: Edge = self.table.get("edge", "hold")
         if edge not in EDGES:
             near = NameSuggestion(str(edge), EDGES)
-            self.complain("fields.not_an_option", "edge", meaning="edge policy", value=edge, near=near)
+            self.complain("fields.not_an_option", "edge", meaning="edge policy", value=edge, suggestion=near)
         return {"edge": edge, "closing": closing, "monotone": monotone, "source": self.source}
 
     def _source(self) -> Source:
@@ -179,7 +183,7 @@ class _CharacteristicReader:
                 return Source("given")
         kind, _, locator = (part.strip() for part in written.partition(","))
         if kind not in SOURCE_KINDS:
-            self.complain("curves.source", "source", value=written, near=NameSuggestion(kind, SOURCE_KINDS))
+            self.complain("curves.source", "source", value=written, suggestion=NameSuggestion(kind, SOURCE_KINDS))
             return Source("given")
         return Source(kind, locator, note)
 
@@ -199,9 +203,9 @@ class _CharacteristicReader:
 
     @cached_property
     def _strokes(self) -> tuple[float, ...] | None:
-        """Return the strokes of a table of points.
+        """Strokes of a characteristic of kind `table` [m].
 
-        If any stroke is invalid, the result is None.
+        They are None if any stroke is invalid.
         """
         if not _is_list(self.table.get("stroke")):
             if "stroke" in self.table:

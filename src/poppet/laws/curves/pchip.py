@@ -11,8 +11,8 @@ import numpy as np
 def pchip_slopes(x: Sequence[float], y: Sequence[float]) -> list[float]:
     r"""Return the slopes of a monotone piecewise cubic interpolation at its knots.
 
-    At an inner knot, the slope d is the weighted harmonic mean of the slopes m of the neighbouring chords. It is zero
-    if these differ in sign.
+    At an inner knot, the slope d is the weighted harmonic mean of the slopes m of the neighbouring chords, whose widths
+    are h. It is zero if the slopes m differ in sign or if one of them is zero.
 
     .. math:: d_i = \frac{w_1 + w_2}{w_1/m_{i-1} + w_2/m_i},\quad
               w_1 = 2 h_i + h_{i-1},\quad w_2 = h_i + 2 h_{i-1}

@@ -7,14 +7,14 @@ reads them at run time. `Characteristic` treats strokes outside the range of a c
 from __future__ import annotations
 
 import math
-from collections.abc import Hashable, Mapping, Sequence
+from collections.abc import Hashable, Mapping
 from dataclasses import dataclass, replace
 from itertools import pairwise
 from typing import Any, ClassVar, Self, final
 
 import numpy as np
 
-from poppet.core.errors import ErrorCollector, InputError, collect
+from poppet.core.errors import ErrorCollector, InputError, raise_errors
 from poppet.core.provenance import Number
 from poppet.core.symbolic import maximum, minimum
 from poppet.laws.curves.curve import Curve
@@ -60,8 +60,8 @@ class ConstantCurve(Curve):
     def structure(self) -> Hashable:
         return ("constant",)
 
-    def _with_values(self, values: Sequence[Number]) -> Self:
-        return replace(self, value=values[0])
+    def with_numbers(self, changes: Mapping[str, Number]) -> Self:
+        return replace(self, value=self._changed_numbers(changes)["value"])
 
 
 @final
@@ -74,7 +74,7 @@ class PolynomialCurve(Curve):
     Parameters
     ----------
     coefficients : tuple of Number
-        Coefficients, highest power first. The argument `s x` has no unit, so all have the unit of the result.
+        Coefficients, highest power first. All have the unit of the result, because the argument `s x` has no unit.
     argument_scale : float
         Factor s from the stroke to the argument of the polynomial, 1000 for an argument in millimetres [1/m].
     letter : str
@@ -132,8 +132,8 @@ class PolynomialCurve(Curve):
     def structure(self) -> Hashable:
         return ("polynomial", len(self.coefficients), self.argument_scale, self.letter)
 
-    def _with_values(self, values: Sequence[Number]) -> Self:
-        return replace(self, coefficients=tuple(values))
+    def with_numbers(self, changes: Mapping[str, Number]) -> Self:
+        return replace(self, coefficients=tuple(self._changed_numbers(changes).values()))
 
 
 @final
@@ -141,7 +141,8 @@ class PolynomialCurve(Curve):
 class TableCurve(Curve):
     r"""Monotone piecewise cubic (PCHIP) through points, constant beyond the first and last point.
 
-    On each segment, with :math:`t = (x - x_i)/h_i` and the chord :math:`\Delta_i = y_{i+1} - y_i`,
+    On each segment, with its width :math:`h_i`, :math:`t = (x - x_i)/h_i`, the difference
+    :math:`\Delta_i = y_{i+1} - y_i` and the slopes :math:`d_i` of `pchip_slopes`,
 
     .. math:: y = y_i + h_i d_i t + (3 \Delta_i - 2 h_i d_i - h_i d_{i+1}) t^2
               + (h_i d_i + h_i d_{i+1} - 2 \Delta_i) t^3
@@ -155,8 +156,8 @@ class TableCurve(Curve):
 
     Notes
     -----
-    The curve is C1, has no extremum between two knots and does not overshoot the points. Its value is a sum over all
-    segments, without a search, because symbols need an expression without branches.
+    The curve is continuously differentiable, has no extremum between two knots and does not overshoot the points. Its
+    value is a sum over all segments, without a search, because symbols need an expression without branches.
 
     References
     ----------
@@ -183,7 +184,7 @@ class TableCurve(Curve):
         for index, (left, right) in enumerate(pairwise(self.strokes), start=2):
             if not left < right < math.inf:
                 errors.add("curves.not_rising", place=index, right_mm=right * 1e3, left_mm=left * 1e3)
-        collect(errors.collected)
+        raise_errors(errors.collected)
 
     def numbers(self) -> dict[str, Number]:
         return {f"y{i}": number for i, number in enumerate(self.values)}
@@ -197,22 +198,16 @@ class TableCurve(Curve):
     def evaluate(self, x: Any, parameters: Mapping[str, Any]) -> Any:
         value = 0.0 * x + parameters["y0"]
         for i in range(len(self.strokes) - 1):
-            value = value + self._rise(i, x, parameters)
+            left, right = parameters[f"x{i}"], parameters[f"x{i + 1}"]
+            width = right - left
+            # At a knot, the derivatives of both neighbours must add up to one derivative. CasADi halves it at ties
+            # (old versions assign it to the first argument). This order of arguments is correct in both cases.
+            t = maximum(0.0, minimum((x - left) / width, 1.0))
+            chord = parameters[f"y{i + 1}"] - parameters[f"y{i}"]
+            start, end = width * parameters[f"d{i}"], width * parameters[f"d{i + 1}"]
+            # Below the segment, this term is 0; above it, it is the difference between the values at both ends.
+            value = value + t * (start + t * (3.0 * chord - 2.0 * start - end + t * (start + end - 2.0 * chord)))
         return value
-
-    def _rise(self, i: int, x: Any, parameters: Mapping[str, Any]) -> Any:
-        """Return the part of the value at `x` that segment `i` contributes.
-
-        It is 0 to the left of the segment. To the right, it is the difference between the end values of the segment.
-        """
-        left, right = parameters[f"x{i}"], parameters[f"x{i + 1}"]
-        width = right - left
-        # At a knot, the derivatives of both neighbours must add up to one derivative. CasADi halves it at ties
-        # (old versions assign it to the first argument). This order of arguments is correct in both cases.
-        t = maximum(0.0, minimum((x - left) / width, 1.0))
-        chord = parameters[f"y{i + 1}"] - parameters[f"y{i}"]
-        start, end = width * parameters[f"d{i}"], width * parameters[f"d{i + 1}"]
-        return t * (start + t * (3.0 * chord - 2.0 * start - end + t * (start + end - 2.0 * chord)))
 
     def turning_points(self, low: float, high: float) -> tuple[float, ...]:
         return tuple(x for x in self.strokes if low < x < high)
@@ -228,5 +223,5 @@ class TableCurve(Curve):
     def structure(self) -> Hashable:
         return ("table", len(self.strokes))
 
-    def _with_values(self, values: Sequence[Number]) -> Self:
-        return replace(self, values=tuple(values))
+    def with_numbers(self, changes: Mapping[str, Number]) -> Self:
+        return replace(self, values=tuple(self._changed_numbers(changes).values()))

@@ -20,7 +20,9 @@ _DIAMETER = Domain("iso6358.bore", "m", open_low=True)
 def series(
     sonic_conductance_1: float, critical_ratio_1: float, sonic_conductance_2: float, critical_ratio_2: float
 ) -> tuple[float, float]:
-    r"""Return C and b of two flow paths in series, 1 upstream of 2.
+    r"""Return sonic conductance C and critical ratio b of two flow paths in series.
+
+    Flow path 1 is upstream of flow path 2.
 
     .. math::
 
@@ -32,23 +34,24 @@ def series(
     Parameters
     ----------
     sonic_conductance_1, critical_ratio_1 : float
-        C [m^3/(s Pa)] and b of the upstream passage.
+        Sonic conductance C [m^3/(s Pa)] and critical pressure ratio b [1] of the upstream flow path.
     sonic_conductance_2, critical_ratio_2 : float
-        C [m^3/(s Pa)] and b of the downstream passage.
+        Sonic conductance C [m^3/(s Pa)] and critical pressure ratio b [1] of the downstream flow path.
 
     Returns
     -------
     sonic_conductance, critical_ratio : float
-        C [m^3/(s Pa)] and b of the pair.
+        Sonic conductance C [m^3/(s Pa)] and critical pressure ratio b [1] of the pair.
 
     Notes
     -----
-    Assumptions: m = 0.5, no cracking pressure, no heat exchange between the two (equal stagnation temperature), no
-    pressure recovery and no interaction of the flows. C is exact: it is the choked flow of the pair. b is exact for
-    small pressure drops. Between these limits, the flow of the combined ellipse differs from that of the pair by 1.1 %
-    of the choked flow in the example, and by up to 1.4 % for b up to 0.6 (tests/unit). The formula of the standard with
-    a = C1/(b1 C2) is equivalent; the form with k is also valid for b1 = 0. The order matters. The approximation 1/C^2 =
-    sum of 1/C_i^2 underestimates C by 1 to 11 %.
+    The assumptions are a subsonic index of m = 0.5, no cracking pressure, no heat exchange between the flow paths
+    (equal stagnation temperature), no pressure recovery and no interaction of the flows. C is exact: it gives the
+    choked flow of the pair. b is exact for small pressure drops. At intermediate pressure ratios, the flow by the
+    combined C and b differs from that of the pair by 1.1 % of the choked flow in the example, and by up to 1.4 % for b
+    up to 0.6 (tests/unit). The formula of the standard with a = C1/(b1 C2) is equivalent; the form with k is also valid
+    for b1 = 0. The result depends on the order of the flow paths. The approximation 1/C^2 = sum of 1/C_i^2
+    underestimates C by 1 to 11 %.
 
     References
     ----------
@@ -74,24 +77,26 @@ def series(
 
 
 def series_of(passages: Iterable[tuple[float, float]]) -> tuple[float, float]:
-    r"""Return C and b of any number of flow paths in series, combined from upstream to downstream.
+    r"""Return sonic conductance C and critical ratio b of several flow paths in series.
 
-    .. math:: ((1, 2), 3), \dots
+    They are combined from upstream to downstream.
+
+    .. math:: (C, b)_{1 \dots n} = \operatorname{series}\left((C, b)_{1 \dots n-1}, (C, b)_n\right)
 
     Parameters
     ----------
     passages : iterable of (float, float)
-        C [m^3/(s Pa)] and b of each flow path, upstream first.
+        Sonic conductance C [m^3/(s Pa)] and critical pressure ratio b [1] of each flow path, upstream first.
 
     Returns
     -------
     sonic_conductance, critical_ratio : float
-        C [m^3/(s Pa)] and b of the combination.
+        Sonic conductance C [m^3/(s Pa)] and critical pressure ratio b [1] of the combination.
 
     Notes
     -----
-    The assumptions of `series` apply. With three or more flow paths, C is also an approximation, because the ellipse
-    of the first pair is one.
+    The assumptions of `series` apply. With three or more flow paths, C is approximate too, because the law of the first
+    pair with the combined C and b is an approximation.
 
     Examples
     --------
@@ -105,7 +110,7 @@ def series_of(passages: Iterable[tuple[float, float]]) -> tuple[float, float]:
 def parallel(
     sonic_conductance_1: float, critical_ratio_1: float, sonic_conductance_2: float, critical_ratio_2: float
 ) -> tuple[float, float]:
-    r"""Return C and b of two flow paths in parallel.
+    r"""Return sonic conductance C and critical ratio b of two flow paths in parallel.
 
     .. math::
 
@@ -115,19 +120,19 @@ def parallel(
     Parameters
     ----------
     sonic_conductance_1, critical_ratio_1 : float
-        C [m^3/(s Pa)] and b of the first passage.
+        Sonic conductance C [m^3/(s Pa)] and critical pressure ratio b [1] of the first flow path.
     sonic_conductance_2, critical_ratio_2 : float
-        C [m^3/(s Pa)] and b of the second passage.
+        Sonic conductance C [m^3/(s Pa)] and critical pressure ratio b [1] of the second flow path.
 
     Returns
     -------
     sonic_conductance, critical_ratio : float
-        C [m^3/(s Pa)] and b of the pair.
+        Sonic conductance C [m^3/(s Pa)] and critical pressure ratio b [1] of the pair.
 
     Notes
     -----
-    Assumptions: m = 0.5 and no cracking pressure. The result is exact if all flow paths are choked and for small
-    pressure drops, and an ellipse between these limits.
+    The assumptions are a subsonic index of m = 0.5 and no cracking pressure. The result is exact if all flow paths are
+    choked and for small pressure drops, and approximate between these limits.
 
     References
     ----------
@@ -143,19 +148,19 @@ def parallel(
 
 
 def parallel_of(passages: Iterable[tuple[float, float]]) -> tuple[float, float]:
-    r"""Return C and b of any number of flow paths in parallel.
+    r"""Return sonic conductance C and critical ratio b of several flow paths in parallel.
 
     .. math:: C = \sum C_i, \qquad b = 1 - \left(\frac{C}{\sum C_i/\sqrt{1 - b_i}}\right)^2
 
     Parameters
     ----------
     passages : iterable of (float, float)
-        C [m^3/(s Pa)] and b of each flow path.
+        Sonic conductance C [m^3/(s Pa)] and critical pressure ratio b [1] of each flow path.
 
     Returns
     -------
     sonic_conductance, critical_ratio : float
-        C [m^3/(s Pa)] and b of the combination.
+        Sonic conductance C [m^3/(s Pa)] and critical pressure ratio b [1] of the combination.
 
     Notes
     -----
@@ -175,7 +180,7 @@ def parallel_of(passages: Iterable[tuple[float, float]]) -> tuple[float, float]:
 
 
 def tube(length: float, diameter: float) -> tuple[float, float]:
-    r"""Return C and b of a straight smooth tube.
+    r"""Return sonic conductance C and critical ratio b of a straight smooth tube.
 
     .. math:: C = \frac{0.029\,d^2}{\sqrt{L/d^{1.25} + 510}}, \qquad b = 474\,\frac{C}{d^2}
 
@@ -187,19 +192,19 @@ def tube(length: float, diameter: float) -> tuple[float, float]:
     Returns
     -------
     sonic_conductance, critical_ratio : float
-        C [m^3/(s Pa)] and b, which is at most 0.609 (length 0).
+        Sonic conductance C [m^3/(s Pa)] and critical pressure ratio b [1]; b has its maximum of 0.609 at length 0.
 
     Notes
     -----
-    Empirical fit in SI units for turbulent flow of air through smooth plastic tube, m = 0.5. The term 510 represents
-    inlet and outlet. The source does not state the range of the fit, so the result is an estimate. Bends and fittings
-    are not included; add them in series. The law is stationary: represent the volume of the tube by a chamber and a
-    long line by a delay.
+    The formula is an empirical fit in SI units for turbulent flow of air through smooth plastic tubes, with a subsonic
+    index of m = 0.5. The term 510 represents inlet and outlet. The source does not state the range of the fit, so the
+    result is an estimate. Bends and fittings are not included; add them in series. The formula describes steady flow:
+    represent the volume of the tube by a chamber, and the travel time in a long tube by a delay.
 
     References
     ----------
-    The estimate in common use for pneumatic tubing with ISO 6358 numbers (Eckersten; Gidlund); quoted in
-    Beater, Pneumatic Drives, Springer 2007.
+    The formula is in common use for pneumatic tubes (Eckersten; Gidlund) and is quoted in Beater, Pneumatic Drives,
+    Springer 2007.
 
     Examples
     --------
@@ -213,7 +218,7 @@ def tube(length: float, diameter: float) -> tuple[float, float]:
 
 
 def divided(conductance: float, critical_ratio: float, weights: Sequence[float]) -> list[tuple[float, float]]:
-    r"""Divide a long flow path into shorter ones in series; return C and b of each piece.
+    r"""Divide a long flow path into pieces in series, and return the flow capacity of each.
 
     .. math:: \frac{1 - b_i}{C_i^2} = \frac{w_i}{\sum w} \, \frac{1 - b}{C^2}, \qquad
               C_i = \min(k, k_\mathrm{end}) \, C
@@ -221,23 +226,26 @@ def divided(conductance: float, critical_ratio: float, weights: Sequence[float])
     Parameters
     ----------
     conductance, critical_ratio : float
-        C [m^3/(s Pa)] and b of the complete flow path.
+        Sonic conductance C [m^3/(s Pa)] and critical pressure ratio b [1] of the complete flow path.
     weights : sequence of float, shape (n,)
-        Weight of each piece in the pressure loss, for a tube its length.
+        Weight w of each piece in the pressure loss; for a tube, the length of the piece.
 
     Returns
     -------
     list of (float, float)
-        C [m^3/(s Pa)] and b of each piece, upstream first.
+        Sonic conductance C [m^3/(s Pa)] and critical pressure ratio b [1] of each piece, upstream first.
 
     Notes
     -----
-    n flow paths with the total C times the root of n would pass up to :math:`1/\sqrt{1 - b}` times the choked flow.
-    In this division, the pressure drops at small flow add up to the total drop. C of the two outer pieces is such that
-    the pieces choke at the total choked flow in both directions; the inner pieces have the smaller of both values, or
-    b = 0. All C are then reduced by half of the excess flow at intermediate pressure ratios. Without heat exchange,
-    the flow of the pieces differs from the total flow by less than 1.5 % for all pressure ratios, b up to 0.61 and up
-    to 200 pieces (tests/unit).
+    C and b without index are those of the complete flow path. The first equation makes the pressure drops of the pieces
+    at small flow add up to the drop of the complete flow path. :math:`k_\mathrm{end}` has one value for the first and
+    one for the last piece: with these values, the pieces choke at the choked flow of the complete flow path in both
+    directions. Inner pieces use the smaller value. k is the factor at which b of a piece is 0.
+
+    All C are then reduced by half of the relative excess flow at intermediate pressure ratios. Without heat exchange,
+    the flow of the pieces differs from that of the complete flow path by less than 1.5 % for all pressure ratios, b up
+    to 0.61 and up to 200 pieces (tests/unit). For comparison, n equal pieces with :math:`\sqrt{n}\,C` pass up to
+    :math:`1/\sqrt{1 - b}` times the choked flow.
 
     Examples
     --------
@@ -251,29 +259,31 @@ def divided(conductance: float, critical_ratio: float, weights: Sequence[float])
     drops = [(1.0 - critical_ratio) * weight / sum(weights) for weight in weights]
     ends = [2.0, 2.0]
     for _ in range(3):  # the iteration converges quickly, because the upstream piece has little effect on choking
-        ends[1] = _bisected(1.0, 50.0, lambda k: _excess_capacity(_divide_into_pieces(drops, ends[0], k)))
-        ends[0] = _bisected(1.0, 50.0, lambda k: _excess_capacity(_divide_into_pieces(drops, k, ends[1])[::-1]))
+        ends[1] = _bisect(1.0, 50.0, lambda k: _excess_capacity(_divide_into_pieces(drops, ends[0], k)))
+        ends[0] = _bisect(1.0, 50.0, lambda k: _excess_capacity(_divide_into_pieces(drops, k, ends[1])[::-1]))
     pieces = _divide_into_pieces(drops, *ends)
     middle = critical_ratio + 0.27 * (1.0 - critical_ratio)  # pressure ratio of the largest excess flow
-    row = _bisected(0.5, 1.5, lambda q: middle - (_outlet_pressure(pieces, q) or 0.0))
+    row = _bisect(0.5, 1.5, lambda q: middle - (_outlet_pressure(pieces, q) or 0.0))
     factor = conductance / (1.0 + 0.5 * (row / math.sqrt(1.0 - 0.27**2) - 1.0))
     return [(factor * size, ratio) for size, ratio in pieces]
 
 
 def _divide_into_pieces(drops: Sequence[float], first: float, last: float) -> list[tuple[float, float]]:
-    """Divide a flow path into pieces in series; return C and b of each.
+    """Divide a flow path into pieces in series; return conductance C and critical ratio b of each.
 
-    `drops` contains (1 - b)/C^2 of each piece, which determines its pressure drop at small flow. `first` and `last` are
-    the largest possible C of the first and the last piece.
+    All C are relative to that of the complete flow path. `drops` contains (1 - b)/C^2 of each piece, which determines
+    its pressure drop at small flow. `first` and `last` are the largest permitted C of the first and the last piece.
     """
     sizes = [first, *[min(first, last)] * (len(drops) - 2), last]
     return [(min(k, drop**-0.5), 1.0 - min(1.0, drop * k * k)) for k, drop in zip(sizes, drops, strict=True)]
 
 
 def _excess_capacity(pieces: Sequence[tuple[float, float]]) -> float:
-    """Return by how much the choked flow of the last piece exceeds 1.
+    """Return the choked flow of the last piece minus the flow through all pieces.
 
-    The flow through all pieces is 1. The result is -1 if another piece is choked.
+    `pieces` contains sonic conductance and critical pressure ratio of each piece. Conductances and flows are relative
+    to the complete flow path, so the flow is 1. The result is -1 if this flow is above the choked flow of another
+    piece.
     """
     pressure = _outlet_pressure(pieces[:-1], 1.0)
     return -1.0 if pressure is None else pieces[-1][0] * pressure - 1.0
@@ -282,7 +292,8 @@ def _excess_capacity(pieces: Sequence[tuple[float, float]]) -> float:
 def _outlet_pressure(pieces: Iterable[tuple[float, float]], flow: float) -> float | None:
     """Return the outlet pressure of pieces in series, for an upstream pressure of 1.
 
-    The result is None if any piece is choked by the flow `flow`.
+    `pieces` contains sonic conductance and critical pressure ratio of each piece. The result is None if `flow` is above
+    the choked flow of any piece.
     """
     pressure = 1.0
     for size, ratio in pieces:
@@ -293,8 +304,8 @@ def _outlet_pressure(pieces: Iterable[tuple[float, float]], flow: float) -> floa
     return pressure
 
 
-def _bisected(low: float, high: float, rising: Callable[[float], float]) -> float:
-    """Return the root of an increasing function by bisection."""
+def _bisect(low: float, high: float, rising: Callable[[float], float]) -> float:
+    """Return the root of the increasing function `rising` between `low` and `high`, by bisection."""
     for _ in range(40):
         middle = 0.5 * (low + high)
         low, high = (middle, high) if rising(middle) < 0.0 else (low, middle)
@@ -302,9 +313,9 @@ def _bisected(low: float, high: float, rising: Callable[[float], float]) -> floa
 
 
 def _check_passages(passages: Iterable[tuple[float, float]]) -> list[tuple[float, float]]:
-    """Check the C and b of several flow paths, and return them as floats.
+    """Check conductance and critical ratio of several flow paths, and return them as a list of pairs.
 
-    All errors are reported together, each with the index of the flow path.
+    All errors are reported together, each with the index of its flow path.
     """
     pairs = list(passages)
     if not pairs:

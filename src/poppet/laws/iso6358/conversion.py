@@ -47,18 +47,18 @@ _DOMAINS = NOZZLE_DOMAINS | {
 
 @dataclass(frozen=True)
 class Conductance:
-    """C and b of a flow path that result from a conversion.
+    """Sonic conductance and critical pressure ratio that result from a conversion.
 
     Parameters
     ----------
     sonic_conductance : float
-        C [m^3/(s Pa)].
+        Sonic conductance C [m^3/(s Pa)].
     critical_ratio : float
-        b.
+        Critical pressure ratio b [1].
     note : str
-        Definition of the catalogue value, and assumptions.
+        Text with the definition of the converted value, and assumptions.
     critical_ratio_assumed : bool
-        True if b was not given.
+        True if b is an assumption, not an argument of the conversion.
 
     Examples
     --------
@@ -81,31 +81,33 @@ def conductance_from_effective_area(
 ) -> Conductance:
     r"""Return the sonic conductance that corresponds to an effective area.
 
-    Both have the same choked flow.
+    A flow path with this conductance has the same choked flow as an ideal nozzle with the effective area.
 
     .. math::
 
         C = \frac{A}{\rho_0 \sqrt{T_0}} \sqrt{\frac{\kappa}{R}}
             \left(\frac{2}{\kappa + 1}\right)^{(\kappa + 1)/(2 (\kappa - 1))}
 
+    Here :math:`\rho_0` and :math:`T_0` are density and temperature of the reference atmosphere ANR (20 degC, 1 bar).
+
     Parameters
     ----------
     effective_area : float
         Area of the ideal nozzle with the same choked flow [m^2].
     critical_ratio : float, optional
-        b; by default that of the isentropic nozzle (0.5283 for air).
+        Critical pressure ratio b [1]; default that of the isentropic nozzle (0.5283 for air).
     isentropic_exponent, gas_constant : float, optional
         Ratio of specific heats, above 1, and specific gas constant [J/(kg K)].
 
     Returns
     -------
     Conductance
-        C [m^3/(s Pa)] and b.
+        Sonic conductance C [m^3/(s Pa)] and critical pressure ratio b [1].
 
     Notes
     -----
-    For air, C is 0.1992 dm3/(s bar) per mm2. Real valves choke at lower pressure ratios than a nozzle, so b = 0.5283
-    gives too much subsonic flow.
+    For air, C is 0.1992 dm3/(s bar) for each square millimetre. Real valves choke at lower pressure ratios than a
+    nozzle, so the subsonic flow with b = 0.5283 is too large.
 
     Examples
     --------
@@ -140,7 +142,7 @@ def effective_area_from_conductance(
     Parameters
     ----------
     sonic_conductance : float
-        C [m^3/(s Pa)].
+        Sonic conductance C [m^3/(s Pa)].
     isentropic_exponent, gas_constant : float, optional
         Ratio of specific heats, above 1, and specific gas constant [J/(kg K)].
 
@@ -159,7 +161,7 @@ def effective_area_from_conductance(
 
 
 def factors_from_air(isentropic_exponent: float, gas_constant: float) -> tuple[float, float]:
-    r"""Return factors that convert C and b from air to another gas.
+    r"""Return factors that convert sonic conductance C and critical ratio b from air to another gas.
 
     .. math::
 
@@ -175,15 +177,17 @@ def factors_from_air(isentropic_exponent: float, gas_constant: float) -> tuple[f
     Returns
     -------
     conductance_factor, ratio_shift : float
-        C'/C, and s in b' = b + (1 - b) s. Air has 1 and 0.
+        Factor C'/C [1], and shift s [1] in b' = b + (1 - b) s. For air they are 1 and 0.
 
     Notes
     -----
-    The choked flow is proportional to that of a nozzle, which gives the first equation. At small pressure drops the
-    flow is that of a liquid with the density of the gas, q^2 = 2 C^2 rho_0^2 T_0 p dp/((1 - b) T). It does not depend
-    on kappa, which gives the second equation. The contraction of the jet is assumed to be that with air. For an ideal
-    nozzle with C and b (0.5283) for air, the error of the flow is up to 0.6 % of the choked flow for helium and 0.2 %
-    for carbon dioxide and methane. With the b of air it would be 3.1 %, 1.7 % and 1.5 %.
+    C' and b' are the values for the other gas. The first equation holds because the choked flow is proportional to that
+    of a nozzle. At small pressure drops, the flow is that of a liquid with the density of the gas, q^2 = 2 C^2 rho_0^2
+    T_0 p dp/((1 - b) T). It does not depend on kappa, which gives the second equation. The contraction of the jet is
+    assumed to be the same as with air.
+
+    For an ideal nozzle with C and b (0.5283) for air, the error of the flow is up to 0.6 % of the choked flow for
+    helium and 0.2 % for carbon dioxide and methane. With an unchanged b, the errors would be 3.1 %, 1.7 % and 1.5 %.
 
     Examples
     --------
@@ -203,7 +207,7 @@ def conductance_from_flow_coefficient_cv(
 ) -> Conductance:
     r"""Return the sonic conductance that corresponds to the flow coefficient Cv.
 
-    Both give the same flow at small pressure drops.
+    A flow path with this conductance has the flow that Cv defines at small pressure drops.
 
     .. math::
 
@@ -213,17 +217,18 @@ def conductance_from_flow_coefficient_cv(
     Parameters
     ----------
     flow_coefficient_cv : float
-        Cv, US gal/min of water at 1 psi.
+        Flow coefficient Cv: flow of water in US gal/min at a pressure drop of 1 psi.
     critical_ratio : float, optional
-        b; by default 0.3 is assumed, and the result has a note.
+        Critical pressure ratio b [1]; default 0.3, which the note of the result describes as assumed.
     definition : str, optional
-        "pneumatic": Cv of a pneumatic catalogue, Q = 114.5 Cv sqrt(dp p2/T1) in dm3/s ANR, bar, K.
-        "small_dp": Cv of a liquid test; the law is valid for a gas if its density is nearly constant.
+        "pneumatic": Cv of a pneumatic catalogue, Q = 114.5 Cv sqrt(dp p2/T1), with Q in dm3/s ANR, pressures in bar and
+        temperature in K. "small_dp": Cv of a liquid test, which is valid for a gas at pressure drops at which its
+        density is nearly constant.
 
     Returns
     -------
     Conductance
-        C [m^3/(s Pa)] and b.
+        Sonic conductance C [m^3/(s Pa)] and critical pressure ratio b [1].
 
     Notes
     -----
@@ -246,23 +251,23 @@ def conductance_from_flow_coefficient_kv(
 ) -> Conductance:
     r"""Return the sonic conductance that corresponds to the flow coefficient Kv.
 
-    All other properties are those of `conductance_from_flow_coefficient_cv`.
+    Kv is converted to Cv. For the conversion from Cv to C see `conductance_from_flow_coefficient_cv`.
 
     .. math:: C = C(C_v), \quad C_v = K_v/0.865
 
     Parameters
     ----------
     flow_coefficient_kv : float
-        Kv, m^3/h of water at 1 bar.
+        Flow coefficient Kv: flow of water in m^3/h at a pressure drop of 1 bar.
     critical_ratio : float, optional
-        b; by default 0.3 is assumed, and the result has a note.
+        Critical pressure ratio b [1]; default 0.3, which the note of the result describes as assumed.
     definition : str, optional
         "pneumatic" or "small_dp", see `conductance_from_flow_coefficient_cv`.
 
     Returns
     -------
     Conductance
-        C [m^3/(s Pa)] and b.
+        Sonic conductance C [m^3/(s Pa)] and critical pressure ratio b [1].
 
     Examples
     --------
@@ -277,21 +282,23 @@ def conductance_from_flow_coefficient_kv(
 def flow_coefficient_cv_from_conductance(
     sonic_conductance: float, critical_ratio: float, *, definition: Definition = "pneumatic"
 ) -> float:
-    r"""Return the flow coefficient Cv of a flow path with given C and b.
+    r"""Return the flow coefficient Cv of a flow path from sonic conductance and critical ratio.
 
-    .. math:: C_v = C/(C/C_v)
+    .. math:: C_v = C/c(b)
+
+    Here c(b) is the sonic conductance of a flow path with Cv = 1, see `conductance_from_flow_coefficient_cv`.
 
     Parameters
     ----------
     sonic_conductance, critical_ratio : float
-        C [m^3/(s Pa)] and b.
+        Sonic conductance C [m^3/(s Pa)] and critical pressure ratio b [1].
     definition : str, optional
         "pneumatic" or "small_dp", see `conductance_from_flow_coefficient_cv`.
 
     Returns
     -------
     float
-        Cv, US gal/min of water at 1 psi.
+        Flow coefficient Cv: flow of water in US gal/min at a pressure drop of 1 psi.
 
     Examples
     --------
@@ -305,21 +312,21 @@ def flow_coefficient_cv_from_conductance(
 def flow_coefficient_kv_from_conductance(
     sonic_conductance: float, critical_ratio: float, *, definition: Definition = "pneumatic"
 ) -> float:
-    r"""Return the flow coefficient Kv of a flow path with given C and b.
+    r"""Return the flow coefficient Kv of a flow path from sonic conductance and critical ratio.
 
     .. math:: K_v = 0.865\, C_v
 
     Parameters
     ----------
     sonic_conductance, critical_ratio : float
-        C [m^3/(s Pa)] and b.
+        Sonic conductance C [m^3/(s Pa)] and critical pressure ratio b [1].
     definition : str, optional
         "pneumatic" or "small_dp", see `conductance_from_flow_coefficient_cv`.
 
     Returns
     -------
     float
-        Kv, m^3/h of water at 1 bar.
+        Flow coefficient Kv: flow of water in m^3/h at a pressure drop of 1 bar.
 
     Examples
     --------
@@ -345,23 +352,23 @@ def conductance_from_nominal_flow(
     Parameters
     ----------
     nominal_flow : float
-        Volume flow rate referred to ANR [m^3/s].
+        Volume flow rate at the reference atmosphere ANR, 20 degC and 1 bar [m^3/s].
     critical_ratio : float, optional
-        b; by default 0.3 is assumed, and the result has a note.
+        Critical pressure ratio b [1]; default 0.3, which the note of the result describes as assumed.
     subsonic_index, atmosphere : float, optional
-        m, and the absolute pressure of the atmosphere to which the gauge pressures refer [Pa].
+        Subsonic index m [1], and absolute ambient pressure to which the gauge pressures of 6 and 5 bar refer [Pa].
 
     Returns
     -------
     Conductance
-        C [m^3/(s Pa)] and b.
+        Sonic conductance C [m^3/(s Pa)] and critical pressure ratio b [1].
 
     Notes
     -----
     C and b are valid for air. For another gas see `factors_from_air`.
 
-    Catalogues seldom state the atmosphere of the gauge pressures. Between 1.0 and 1.01325 bar, C differs by 0.1 %. The
-    assumed b has a larger effect: from b = 0.2 to 0.5, C decreases by 18 %.
+    Catalogues seldom state the ambient pressure to which the gauge pressures refer. C changes by 0.1 % between ambient
+    pressures of 1.0 and 1.01325 bar. The assumed b has a larger effect: from b = 0.2 to 0.5, C decreases by 18 %.
 
     References
     ----------
@@ -396,14 +403,14 @@ def nominal_flow_from_conductance(
     Parameters
     ----------
     sonic_conductance, critical_ratio : float
-        C [m^3/(s Pa)] and b.
+        Sonic conductance C [m^3/(s Pa)] and critical pressure ratio b [1].
     subsonic_index, atmosphere : float, optional
-        m, and the absolute pressure of the atmosphere to which the gauge pressures refer [Pa].
+        Subsonic index m [1], and absolute ambient pressure to which the gauge pressures of 6 and 5 bar refer [Pa].
 
     Returns
     -------
     float
-        Volume flow rate referred to ANR [m^3/s].
+        Volume flow rate at the reference atmosphere ANR, 20 degC and 1 bar [m^3/s].
 
     Examples
     --------
@@ -429,12 +436,12 @@ def volume_from_mass_flow_rate(mass_flow_rate: float, atmosphere: ReferenceAtmos
     Returns
     -------
     float or array
-        Volume flow rate in that atmosphere [m^3/s].
+        Volume flow rate at the reference atmosphere [m^3/s].
 
     Notes
     -----
-    1 m3 ANR is 0.9196 m3 in the normal atmosphere, because both use the same moist air. The densities of dry air would
-    be 1.1884 and 1.2929 kg/m3.
+    The same moist air has a volume of 1 m3 in ANR and of 0.9196 m3 in the normal atmosphere. Dry air would have
+    densities of 1.1884 and 1.2929 kg/m3.
 
     Examples
     --------
@@ -452,7 +459,7 @@ def mass_from_volume_flow_rate(volume_flow_rate: float, atmosphere: ReferenceAtm
     Parameters
     ----------
     volume_flow_rate : float or array
-        Volume flow rate in the atmosphere [m^3/s].
+        Volume flow rate at the reference atmosphere [m^3/s].
     atmosphere : ReferenceAtmosphere, optional
         `poppet.core.units.ANR` (20 degC, 1 bar) or `poppet.core.units.NORMAL` (0 degC, 1.01325 bar).
 
@@ -476,9 +483,10 @@ _DEFINITIONS: dict[str, str] = {
 
 
 def _given_or_assumed(critical_ratio: float | None) -> tuple[float, str]:
-    """Return the critical ratio, and a text on its origin for a note.
+    """Return the critical pressure ratio, and a text for the note of the conversion.
 
-    If the argument is None, a typical value is assumed.
+    If `critical_ratio` is None, the result is 0.3, and the text states that this is assumed. Otherwise the text is
+    empty.
     """
     if critical_ratio is not None:
         return critical_ratio, ""
@@ -508,11 +516,11 @@ def _conductance_per_cv(critical_ratio: float, definition: Definition) -> float:
         # Q = Kv/3600 sqrt((dp/1e5) (1000/rho)), so q = rho Q = Kv/3600 sqrt(0.01 dp rho), rho = p/(R T)
         return KV_PER_CV / 3600.0 * 0.1 * root / (ANR.density * math.sqrt(AIR_GAS_CONSTANT))
     near, meaning = NameSuggestion(definition, _DEFINITIONS), "definition of the flow coefficient"
-    raise InputError("fields.not_an_option", "definition", value=definition, meaning=meaning, near=near)
+    raise InputError("fields.not_an_option", "definition", value=definition, meaning=meaning, suggestion=near)
 
 
 def _nominal_flow_per_conductance(critical_ratio: float, subsonic_index: float, atmosphere: float) -> float:
-    """Return the nominal flow (ANR) per sonic conductance of a flow path [Pa]."""
+    """Return the nominal flow qNn of a flow path divided by its sonic conductance [Pa]."""
     # The law is linear in C, and both nominal pressures lie well outside the regularised zone.
     pressures = NOMINAL_INLET_GAUGE + atmosphere, NOMINAL_OUTLET_GAUGE + atmosphere
     size: dict[str, Any] = {

@@ -10,8 +10,9 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
-from poppet.core.errors import OutOfRangeError, collect
+from poppet.core.errors import OutOfRangeError, raise_errors
 from poppet.core.symbolic import is_symbolic
 
 
@@ -19,8 +20,8 @@ from poppet.core.symbolic import is_symbolic
 class Domain:
     """Interval of valid values of an argument.
 
-    Its ends are valid values, except if `open_low` or `open_high` is True. `code` is the code of the error for a value
-    outside the interval.
+    `low` is a valid value unless `open_low` is True, and `high` unless `open_high` is True. `code` is the code of the
+    error for a value outside the interval.
     """
 
     code: str
@@ -30,11 +31,15 @@ class Domain:
     open_low: bool = False
     open_high: bool = True
 
-    def holds(self, value: Any) -> Any:
-        """Return True for values inside the interval; the result for NaN is False."""
+    def holds(self, value: Any) -> bool | NDArray[np.bool_]:
+        """Return True for a value inside the interval, and False for NaN.
+
+        For an array, the result is an array of booleans.
+        """
         is_above = value > self.low if self.open_low else value >= self.low
         is_below = value < self.high if self.open_high else value <= self.high
-        return is_above & is_below
+        is_inside: bool | NDArray[np.bool_] = is_above & is_below
+        return is_inside
 
 
 _PRESSURE = Domain("iso6358.pressure", "Pa")
@@ -57,9 +62,10 @@ DOMAINS: dict[str, Domain] = {
 
 
 def problem(name: str, value: Any, domain: Domain) -> OutOfRangeError | None:
-    """Return the error if a value is outside its valid interval, and None otherwise.
+    """Return an error if a value is outside its valid interval.
 
-    For an array, the error is that of the first invalid element.
+    For an array, the error is that of the first invalid element. The result is None if there is no error, or if the
+    value is a symbol or None. `name` is the name of the argument.
     """
     if type(value) is float:  # fast path for the most frequent type
         return None if domain.holds(value) else _outside(name, value, domain)
@@ -74,18 +80,18 @@ def problem(name: str, value: Any, domain: Domain) -> OutOfRangeError | None:
 
 
 def check(values: dict[str, Any], domains: dict[str, Domain] = DOMAINS) -> None:
-    """Raise `OutOfRangeError` if a value is outside its valid interval.
+    """Raise `OutOfRangeError` if any of several values is outside its valid interval.
 
-    `domains` contains the interval of each value by name.
+    `domains` contains the interval for each value by name. All errors are reported together.
     """
     errors = (problem(name, value, domains[name]) for name, value in values.items())
-    collect([error for error in errors if error is not None])
+    raise_errors([error for error in errors if error is not None])
 
 
-def refuse_where(is_invalid: Any, name: str, value: Any, unit: str, code: str) -> None:
+def reject_where(is_invalid: Any, name: str, value: Any, unit: str, code: str) -> None:
     """Raise `OutOfRangeError` if any element of the mask `is_invalid` is True.
 
-    The error contains the first such element of `value`.
+    The error has the code `code` and contains the first element of `value` for which the mask is True.
     """
     flags, values = np.broadcast_arrays(np.asarray(is_invalid), np.asarray(value, dtype=float))
     if not flags.any():

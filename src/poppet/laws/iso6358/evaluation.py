@@ -18,10 +18,10 @@ _BLOCK = 8192
 def evaluate(
     law: Callable[..., tuple[Any, ...]], arguments: dict[str, Any], domains: dict[str, Domain] = DOMAINS
 ) -> tuple[Any, ...]:
-    """Check arguments, then evaluate the formula `law`.
+    """Check the arguments of a formula, and return its results.
 
-    `domains` contains the valid intervals of the arguments. Large arrays are evaluated in blocks that fit into the
-    cache.
+    The function `law` takes the arguments by name and returns a tuple. `domains` contains the valid intervals of the
+    arguments. Arrays are broadcast to a common shape, and evaluated in blocks that fit into the cache of the processor.
     """
     values = {name: plain(value) for name, value in arguments.items()}
     check(values, domains)
@@ -43,9 +43,9 @@ def evaluate(
 
 
 def plain(value: Any) -> Any:
-    """Convert an argument to a type for calculation.
+    """Convert a value to a float or an array of floats.
 
-    Sequences become float arrays. Integers and zero-dimensional arrays become floats. Symbols are unchanged.
+    Sequences become arrays. Integers and zero-dimensional arrays become floats. Symbols and None are unchanged.
     """
     if type(value) is float or value is None or is_symbolic(value):
         return value

@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from poppet.laws.iso6358.domain import DOMAINS, Domain, check, refuse_where
+from poppet.laws.iso6358.domain import DOMAINS, Domain, check, reject_where
 from poppet.laws.iso6358.evaluation import plain
 from poppet.laws.iso6358.law import LAMINAR_RATIO, REFERENCE_DENSITY, REFERENCE_TEMPERATURE
 from poppet.laws.iso6358.law import mass_flow_rate as flow_law
@@ -52,29 +52,29 @@ def downstream_pressure(
     Parameters
     ----------
     mass_flow_rate : float or array
-        Mass flow rate from side 1 to side 2, not negative [kg/s].
+        Mass flow rate from port 1 to port 2, not negative [kg/s].
     pressure_1, temperature_1 : float or array
         Absolute pressure [Pa] and stagnation temperature [K] upstream.
     sonic_conductance, critical_ratio : float or array
-        C [m^3/(s Pa)] and b.
+        Sonic conductance C [m^3/(s Pa)] and critical pressure ratio b [1].
     subsonic_index, cracking_pressure : float or array, optional
-        m, and the pressure drop below which the passage is closed [Pa].
+        Subsonic index m [1], and pressure drop below which the flow path is closed [Pa].
     laminar_ratio : float or array, optional
-        Pressure ratio at which the regularised zone begins; inside it the regularised law is inverted.
+        Pressure ratio p2/p1 above which the flow law is regularised [1]; there, the regularised law is inverted.
     one_way : bool, optional
-        True for a check valve: no flow from side 2 to side 1.
+        True for a check valve: no flow from port 2 to port 1.
     reference_density, reference_temperature : float or array, optional
         Density [kg/m^3] and temperature [K] of the reference atmosphere.
 
     Returns
     -------
     float or array
-        Absolute downstream pressure; for zero flow the lowest one without flow [Pa].
+        Absolute downstream pressure; for zero flow, the lowest pressure at which the flow is zero [Pa].
 
     Raises
     ------
     OutOfRangeError
-        If the flow is choked, because p2 can then have any value from 0 to b p1, or exceeds the choked flow.
+        If the flow equals or exceeds the choked flow. At choked flow, p2 can have any value from 0 to b p1.
 
     Notes
     -----
@@ -90,12 +90,12 @@ def downstream_pressure(
     del arguments["one_way"]
     number = _checked_arrays(arguments)
     choked = _choked_flow_per_pressure(number) * number["pressure_1"]
-    refuse_where(choked <= 0.0, "pressure_1", number["pressure_1"], "Pa", "iso6358.no_upstream")
+    reject_where(choked <= 0.0, "pressure_1", number["pressure_1"], "Pa", "iso6358.no_upstream")
     ratio = number["mass_flow_rate"] / choked
-    refuse_where(ratio >= 1.0, "mass_flow_rate", number["mass_flow_rate"], "kg/s", "iso6358.choked")
+    reject_where(ratio >= 1.0, "mass_flow_rate", number["mass_flow_rate"], "kg/s", "iso6358.choked")
     downstream = number["pressure_1"] - _drop_for_ratio(ratio, number, one_way)
     too_much = (downstream < 0.0) & (ratio > 0.0)
-    refuse_where(too_much, "mass_flow_rate", number["mass_flow_rate"], "kg/s", "iso6358.below_vacuum")
+    reject_where(too_much, "mass_flow_rate", number["mass_flow_rate"], "kg/s", "iso6358.below_vacuum")
     return plain(np.maximum(downstream, 0.0))
 
 
@@ -113,11 +113,9 @@ def upstream_pressure(
     reference_density: Any = REFERENCE_DENSITY,
     reference_temperature: Any = REFERENCE_TEMPERATURE,
 ) -> Any:
-    r"""Return the upstream pressure at which a flow path has a given flow.
+    r"""Return the upstream pressure for a given flow and downstream pressure of a flow path.
 
-    The downstream pressure is known.
-
-    With :math:`\pi = q_m/(C \rho_0 \sqrt{T_0/T_1})`, m = 0.5 and no cracking pressure
+    For a subsonic index of m = 0.5 and no cracking pressure, with :math:`\pi = q_m/(C \rho_0 \sqrt{T_0/T_1})`, it is
 
     .. math::
 
@@ -126,24 +124,24 @@ def upstream_pressure(
     Parameters
     ----------
     mass_flow_rate : float or array
-        Mass flow rate from the upstream side 1 to the downstream side 2, not negative [kg/s].
+        Mass flow rate from the upstream port 1 to the downstream port 2, not negative [kg/s].
     pressure_2, temperature_1 : float or array
         Absolute pressure downstream [Pa], stagnation temperature upstream [K].
     sonic_conductance, critical_ratio : float or array
-        C [m^3/(s Pa)] and b.
+        Sonic conductance C [m^3/(s Pa)] and critical pressure ratio b [1].
     subsonic_index, cracking_pressure : float or array, optional
-        m, and the pressure drop below which the passage is closed [Pa].
+        Subsonic index m [1], and pressure drop below which the flow path is closed [Pa].
     laminar_ratio : float or array, optional
-        Pressure ratio at which the regularised zone begins; inside it the regularised law is inverted.
+        Pressure ratio p2/p1 above which the flow law is regularised [1]; there, the regularised law is inverted.
     one_way : bool, optional
-        True for a check valve: no flow from side 2 to side 1.
+        True for a check valve: no flow from port 2 to port 1.
     reference_density, reference_temperature : float or array, optional
         Density [kg/m^3] and temperature [K] of the reference atmosphere.
 
     Returns
     -------
     float or array
-        Absolute upstream pressure; for zero flow the highest one without flow [Pa].
+        Absolute upstream pressure; for zero flow, the highest pressure at which the flow is zero [Pa].
 
     Notes
     -----
@@ -201,15 +199,15 @@ def sonic_conductance_from_flow(
     temperature_1 : float or array
         Stagnation temperature at port 1 [K].
     temperature_2 : float or array, optional
-        Stagnation temperature at port 2; as `temperature_1` when not given [K].
+        Stagnation temperature at port 2; default `temperature_1` [K].
     critical_ratio : float or array
-        b; it has no effect for a choked flow.
+        Critical pressure ratio b, which has no effect if the flow is choked [1].
     subsonic_index, cracking_pressure : float or array, optional
-        m, and the pressure drop below which the passage is closed [Pa].
+        Subsonic index m [1], and pressure drop below which the flow path is closed [Pa].
     laminar_ratio : float or array, optional
-        Pressure ratio at which the regularised zone begins.
+        Pressure ratio p2/p1 above which the flow law is regularised [1].
     one_way : bool, optional
-        True for a check valve: no flow from side 2 to side 1.
+        True for a check valve: no flow from port 2 to port 1.
     reference_density, reference_temperature : float or array, optional
         Density [kg/m^3] and temperature [K] of the reference atmosphere.
 
@@ -225,7 +223,7 @@ def sonic_conductance_from_flow(
 
     Notes
     -----
-    One subsonic point cannot give both C and b: measure one choked point, or state b as assumed.
+    One measured point of subsonic flow does not determine both C and b: measure a choked flow, or assume b.
 
     Examples
     --------
@@ -236,8 +234,8 @@ def sonic_conductance_from_flow(
     del arguments["mass_flow_rate"]
     per_conductance = flow_law(**arguments, sonic_conductance=1.0)
     measured = np.asarray(plain(mass_flow_rate))
-    refuse_where(per_conductance == 0.0, "mass_flow_rate", measured, "kg/s", "iso6358.closed_here")
-    refuse_where(measured * per_conductance < 0.0, "mass_flow_rate", measured, "kg/s", "iso6358.runs_uphill")
+    reject_where(per_conductance == 0.0, "mass_flow_rate", measured, "kg/s", "iso6358.closed_here")
+    reject_where(measured * per_conductance < 0.0, "mass_flow_rate", measured, "kg/s", "iso6358.runs_uphill")
     return plain(measured / per_conductance)
 
 
@@ -249,7 +247,7 @@ def effective_conductance(
     reference_density: Any = REFERENCE_DENSITY,
     reference_temperature: Any = REFERENCE_TEMPERATURE,
 ) -> Any:
-    r"""Return the sonic conductance at which a measured flow would be choked.
+    r"""Return the sonic conductance of a flow path for which a measured flow would be choked.
 
     .. math:: C_e = \frac{q_m}{\rho_0 p_1 \sqrt{T_0/T_1}}
 
@@ -265,7 +263,7 @@ def effective_conductance(
     Returns
     -------
     float or array
-        Effective conductance: C for a choked point, less for a subsonic one [m^3/(s Pa)].
+        Effective conductance: it equals C if the flow is choked, and is less than C otherwise [m^3/(s Pa)].
 
     References
     ----------
@@ -291,10 +289,10 @@ def critical_ratio_from_point(pressure_ratio: Any, flow_ratio: Any, subsonic_ind
     Parameters
     ----------
     pressure_ratio, flow_ratio : float or array
-        r = p2/p1 of the point, and its flow over the saturated (choked) flow at the same upstream state; both
+        Pressure ratio r = p2/p1, and flow divided by the choked flow at the same upstream state, :math:`\varphi`; both
         between 0 and 1.
     subsonic_index : float or array, optional
-        m.
+        Subsonic index m [1].
 
     Returns
     -------
@@ -308,9 +306,9 @@ def critical_ratio_from_point(pressure_ratio: Any, flow_ratio: Any, subsonic_ind
 
     Notes
     -----
-    The cracking pressure is assumed to be zero. For m = 0.5 the uncertainty is
-    u(b)^2 = (u_r/(1 - s))^2 + ((1 - r)/(1 - s)^2 (phi/s) u_phi)^2. Points near r = 1 and near phi = 1 are least
-    informative on b.
+    The cracking pressure is assumed to be zero. For m = 0.5, the standard uncertainty u(b) follows from those of r and
+    phi: u(b)^2 = (u_r/(1 - s))^2 + ((1 - r)/(1 - s)^2 (phi/s) u_phi)^2. Points near r = 1 or phi = 1 contain the least
+    information on b.
 
     References
     ----------
@@ -325,7 +323,7 @@ def critical_ratio_from_point(pressure_ratio: Any, flow_ratio: Any, subsonic_ind
     squared = number["flow_ratio"] ** (1.0 / number["subsonic_index"])
     # 1 - s = squared/(1 + s) keeps its digits for small flows, where s is nearly 1
     ratio = 1.0 - (1.0 - number["pressure_ratio"]) * (1.0 + np.sqrt(1.0 - squared)) / squared
-    refuse_where(ratio < -_ROUNDING, "flow_ratio", number["flow_ratio"], "", "iso6358.below_the_curve")
+    reject_where(ratio < -_ROUNDING, "flow_ratio", number["flow_ratio"], "", "iso6358.below_the_curve")
     return plain(np.maximum(ratio, 0.0))
 
 
@@ -346,7 +344,8 @@ def _choked_flow_per_pressure(number: dict[str, Array]) -> Array:
 def _drop_for_ratio(ratio: Array, number: dict[str, Array], one_way: bool) -> Array:
     """Return the pressure drop for a given fraction of the choked flow [Pa].
 
-    `ratio` is this fraction, below 1. `number` contains the parameters of the flow path.
+    `ratio` is this fraction, below 1. `number` contains the upstream pressure and the parameters of the flow path by
+    name.
     """
     width = 1.0 - number["laminar_ratio"]
     cracking = number["cracking_pressure"] / number["pressure_1"]

@@ -43,9 +43,9 @@ def mass_flow_rate(
               \left[1 - \left(\frac{p_2/p_1 - b}{1 - \Delta p_c/p_1 - b}\right)^2\right]^m
         \quad\text{for}\quad b < p_2/p_1 < 1 - \Delta p_c/p_1
 
-    The bracket is 1 for :math:`p_2/p_1 \le b` (choked) and the flow is 0 beyond :math:`1 - \Delta p_c/p_1`
-    (closed). Ports swap when :math:`p_2 > p_1`. All arguments but `one_way` may be floats, arrays that
-    broadcast, or CasADi symbols.
+    The bracket is 1 for :math:`p_2/p_1 \le b` (choked flow), and the flow is 0 for
+    :math:`p_2/p_1 \ge 1 - \Delta p_c/p_1` (closed). For :math:`p_2 > p_1` the ports are exchanged and the flow is
+    negative. All arguments except `one_way` can be floats, arrays that broadcast, or CasADi symbols.
 
     Parameters
     ----------
@@ -58,22 +58,22 @@ def mass_flow_rate(
     temperature_2 : float, array or symbol, optional
         Stagnation temperature of the gas at port 2; default `temperature_1` [K].
     sonic_conductance : float, array or symbol
-        C, mass flow rate of the choked passage per reference density and upstream pressure [m^3/(s Pa)].
+        Sonic conductance C: choked mass flow rate divided by reference density and upstream pressure [m^3/(s Pa)].
     critical_ratio : float, array or symbol
-        b, the pressure ratio at and below which the passage is choked, 0 <= b < 1.
+        Critical pressure ratio b, at and below which the flow is choked, 0 <= b < 1.
     subsonic_index : float, array or symbol, optional
-        m, the exponent of the subsonic law, 0 < m <= 3; 0.5 is the ellipse of the 1989 edition.
+        Exponent m of the subsonic law, 0 < m <= 3; 0.5 is the ellipse of the 1989 edition.
     cracking_pressure : float, array or symbol, optional
         Pressure drop below which the flow path is closed, in both directions unless `one_way` [Pa].
     laminar_ratio : float, array or symbol, optional
-        Pressure ratio at which the regularised zone begins (less the cracking pressure over the upstream
-        pressure).
+        Pressure ratio p2/p1 above which the law is regularised [1]; a cracking pressure reduces it by
+        :math:`\Delta p_c/p_1`.
     one_way : bool, optional
         True for a check valve: no flow from port 2 to port 1.
     reference_density : float, array or symbol, optional
-        Density in the reference atmosphere [kg/m^3].
+        Density of the reference atmosphere, by default ANR (20 degC, 1 bar) [kg/m^3].
     reference_temperature : float, array or symbol, optional
-        Temperature in the reference atmosphere [K].
+        Temperature of the reference atmosphere [K].
 
     Returns
     -------
@@ -88,24 +88,26 @@ def mass_flow_rate(
 
     Notes
     -----
-    Outside the regularised zone this is the law of the standard. Inside, the flow at the edge of the zone is
-    multiplied by a cubic of z, which is 0 at closing and 1 at the edge; s is the logarithmic slope of the law at the
-    edge. The first cubic passes through zero flow and is equal in both directions. The second one is for a cracking
-    pressure or `one_way` and closes with zero slope. Both are C1.
+    The slope of the law of the standard is infinite at zero flow. It is therefore regularised in a zone of pressure
+    ratios near zero flow. In this zone, the result is the flow at the edge of the zone, multiplied by a cubic
+    polynomial of z; z is 0 at zero flow and 1 at the edge, and s is the logarithmic slope of the law at the edge. The
+    first polynomial is for flow in both directions and is odd. The second one is for a cracking pressure or `one_way`,
+    and has zero slope at zero flow. With both, the law is continuously differentiable.
 
     .. math::
 
         z \left[1 + (1 - z^2)\,\tfrac{1 - s}{2}\right], \qquad z^2 \left[1 + (1 - z)(2 - s)\right]
 
-    The width of the zone in p2/p1 is 1 - laminar_ratio. If b is above laminar_ratio, the zone adjoins choked flow.
+    The width of the zone in p2/p1 is 1 - laminar_ratio. If b is above laminar_ratio, the flow is choked up to the edge
+    of the zone.
 
-    Errors for b = 0.3, m = 0.5 (tests/order): the pressure error of a tank that is filled isothermally is at most
-    0.112 (1 - laminar_ratio) of the supply pressure, first order in the width. Inside the zone, the error of the flow
-    is at most 1.1 % of the choked flow for a laminar_ratio of 0.999, and 2.4 % for 0.995. It decreases with the square
-    root of the width, because the slope of the law is infinite at equal pressures. Outside the zone there is no error.
+    The following errors were computed for b = 0.3 and m = 0.5 (tests/order). The pressure error of a tank that is
+    filled isothermally is at most 0.112 (1 - laminar_ratio) of the supply pressure. Inside the zone, the error of the
+    flow is at most 1.1 % of the choked flow for a laminar_ratio of 0.999, and 2.4 % for 0.995; it decreases with the
+    square root of the width. Outside the zone there is no error.
 
-    The gas is ideal and the flow quasi-steady. The standard excludes components with internal feedback
-    (regulators): for those C and b hold at one fixed opening.
+    The gas is ideal and the flow quasi-steady. The standard excludes components with internal feedback, such as
+    regulators: their C and b are valid for one fixed opening only.
 
     References
     ----------
@@ -114,8 +116,8 @@ def mass_flow_rate(
 
     Examples
     --------
-    A catalogue's worked example: C = 2 dm3/(s bar), b = 0.3, from 4 to 3 bar gauge (atmosphere 1.0 bar), 420
-    l/min ANR.
+    The example of a catalogue states 420 l/min ANR for C = 2 dm3/(s bar), b = 0.3, and 4 to 3 bar gauge at an ambient
+    pressure of 1.0 bar:
 
     >>> q = mass_flow_rate(5e5, 4e5, 293.15, sonic_conductance=2e-8, critical_ratio=0.3)
     >>> round(q / 1.185 * 60e3, 2)
@@ -157,28 +159,28 @@ def flow(
     temperature_2 : float, array or symbol, optional
         Stagnation temperature of the gas at port 2; default `temperature_1` [K].
     sonic_conductance : float, array or symbol
-        C, mass flow rate of the choked passage per reference density and upstream pressure [m^3/(s Pa)].
+        Sonic conductance C: choked mass flow rate divided by reference density and upstream pressure [m^3/(s Pa)].
     critical_ratio : float, array or symbol
-        b, the pressure ratio at and below which the passage is choked, 0 <= b < 1.
+        Critical pressure ratio b, at and below which the flow is choked, 0 <= b < 1.
     subsonic_index : float, array or symbol, optional
-        m, the exponent of the subsonic law, 0 < m <= 3.
+        Exponent m of the subsonic law, 0 < m <= 3.
     cracking_pressure : float, array or symbol, optional
         Pressure drop below which the flow path is closed, in both directions unless `one_way` [Pa].
     laminar_ratio : float, array or symbol, optional
-        Pressure ratio at which the regularised zone begins.
+        Pressure ratio p2/p1 above which the flow law is regularised [1].
     one_way : bool, optional
-        A check valve: no flow from port 2 to port 1, and the temperature is that of port 1 throughout.
+        True for a check valve: no flow from port 2 to port 1, and the temperature of the flow is always that of port 1.
     reference_density : float, array or symbol, optional
-        Density in the reference atmosphere [kg/m^3].
+        Density of the reference atmosphere, by default ANR (20 degC, 1 bar) [kg/m^3].
     reference_temperature : float, array or symbol, optional
-        Temperature in the reference atmosphere [K].
+        Temperature of the reference atmosphere [K].
 
     Returns
     -------
     mass_flow_rate : float, array or symbol
         Positive from port 1 to port 2 [kg/s].
     upstream_temperature : float, array or symbol
-        Stagnation temperature of the flow, smoothed over a thousandth of the regularised zone [K].
+        Stagnation temperature of the flow: that of the upstream port, smoothed at flow reversal [K].
 
     Notes
     -----
@@ -220,7 +222,7 @@ def upstream_temperature(
     temperature_2 : float, array or symbol
         Stagnation temperature of the gas at port 2 [K].
     laminar_ratio : float, array or symbol, optional
-        Pressure ratio at which the regularised zone begins.
+        Pressure ratio p2/p1 above which the flow law is regularised [1].
 
     Returns
     -------
@@ -229,14 +231,16 @@ def upstream_temperature(
 
     Notes
     -----
-    The range of smoothing is a thousand times narrower than the regularised zone (1e-6 of the pressure with the
-    default). Slow flows remain in that zone for long: smoothing over the complete zone gave an error of 1.4 K in a
-    2 l tank that is filled in 10 s. Without smoothing, 1 of 1000 random stiff networks with very different
+    :math:`T_\mathrm{up}` is the temperature of the port with the higher pressure, :math:`T_\mathrm{still}` that of the
+    flow at equal pressures, and :math:`r_l` the laminar ratio. The temperature changes within a range of pressure
+    differences that is a thousandth of the regularised zone of `mass_flow_rate`, by default 1e-6 of the pressure. With
+    the complete zone as range, the temperature in a 2 l tank that is filled in 10 s had an error of 1.4 K, because slow
+    flows remain in the zone for long. Without smoothing, 1 of 1000 random stiff networks with very different
     temperatures chattered at zero flow.
 
-    T_still approximates, to the fourth order in (T1 - T2)/(T1 + T2), the only temperature at which flow between equal
-    pressures does not decrease the entropy in either direction. The second law is therefore also fulfilled at flow
-    reversal (tests/laws).
+    Only one temperature of the flow between equal pressures does not decrease the entropy in either direction.
+    :math:`T_\mathrm{still}` approximates it to the fourth order in (T1 - T2)/(T1 + T2). The second law of
+    thermodynamics is therefore also fulfilled at flow reversal (tests/laws).
 
     Examples
     --------
@@ -270,7 +274,9 @@ def flow_regime(
     laminar_ratio: Any = LAMINAR_RATIO,
     one_way: bool = False,
 ) -> Any:
-    r"""Return the regime of the flow (choked, subsonic, laminar, closed) as a code of `REGIMES`.
+    r"""Return the regime of the flow (choked, subsonic, laminar or closed) as an integer code.
+
+    The dictionary `REGIMES` contains the meaning of all codes.
 
     .. math::
 
@@ -284,22 +290,23 @@ def flow_regime(
     pressure_2 : float, array or symbol
         Absolute pressure at port 2 [Pa].
     critical_ratio : float, array or symbol
-        b, the pressure ratio at and below which the passage is choked.
+        Critical pressure ratio b, at and below which the flow is choked.
     cracking_pressure : float, array or symbol, optional
-        Pressure drop below which the passage is closed [Pa].
+        Pressure drop below which the flow path is closed [Pa].
     laminar_ratio : float, array or symbol, optional
-        Pressure ratio at which the regularised zone begins.
+        Pressure ratio p2/p1 above which the flow law is regularised [1].
     one_way : bool, optional
-        A check valve: closed from port 2 to port 1.
+        True for a check valve: closed from port 2 to port 1.
 
     Returns
     -------
     int, array of int or symbol
-        3 choked, 2 subsonic, 1 laminar, 0 closed; negative from port 2 to port 1.
+        3 choked, 2 subsonic, 1 laminar, 0 closed; negative for flow from port 2 to port 1.
 
     Notes
     -----
-    If b exceeds laminar_ratio, the regularised zone has precedence over choking.
+    "laminar" is the regularised zone of `mass_flow_rate`, at any Reynolds number. If b exceeds laminar_ratio, the
+    regime in this zone is laminar, although the flow is choked up to its edge.
 
     Examples
     --------

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from poppet.core.symbolic import clip, maximum, minimum
-from poppet.laws.iso6358.regularisation import carried_temperature
+from poppet.laws.iso6358.regularisation import smoothed_upstream_temperature
 
 
 def loss_coefficient(pressure_1: Any, pressure_2: Any, choked_flow: Any, critical_ratio: Any) -> Any:
@@ -25,7 +25,7 @@ def loss_coefficient(pressure_1: Any, pressure_2: Any, choked_flow: Any, critica
     choked_flow : float, array or symbol
         Choked mass flow rate with the higher pressure upstream [kg/s].
     critical_ratio : float, array or symbol
-        b.
+        Critical pressure ratio b [1].
 
     Returns
     -------
@@ -34,8 +34,8 @@ def loss_coefficient(pressure_1: Any, pressure_2: Any, choked_flow: Any, critica
 
     Notes
     -----
-    K is finite at equal pressures, where the slope of the flow law is infinite. Beyond choking (x > 1) K increases with
-    the drop, so no drop can sustain a flow above the choked flow.
+    K is finite at equal pressures, although the slope of the flow law is infinite there. For choked flow (x > 1), K
+    increases with the pressure drop, so the flow does not exceed the choked flow at any drop.
 
     Examples
     --------
@@ -50,14 +50,16 @@ def loss_coefficient(pressure_1: Any, pressure_2: Any, choked_flow: Any, critica
 
 
 def temperature_of_flow(mass_flow_rate: Any, choked_flow: Any, temperature_1: Any, temperature_2: Any) -> Any:
-    """Return the stagnation temperature of a flow whose mass flow rate is a state.
+    """Return the stagnation temperature of a flow of gas with inertia.
 
-    It is the temperature of the upstream gas, with a smooth transition at flow reversal.
+    It is the temperature of the upstream gas, with a smooth transition at flow reversal. The mass flow rate is a state
+    variable and determines which side is upstream.
 
     Parameters
     ----------
     mass_flow_rate, choked_flow : float, array or symbol
-        Mass flow rate from port 1 to port 2, and choked mass flow rate; the range of smoothing is 1e-3 of it [kg/s].
+        Mass flow rate from port 1 to port 2, and choked mass flow rate [kg/s]. The temperature changes smoothly while
+        the flow is below 1e-3 of the choked flow.
     temperature_1, temperature_2 : float, array or symbol
         Stagnation temperatures at the ports [K].
 
@@ -68,12 +70,12 @@ def temperature_of_flow(mass_flow_rate: Any, choked_flow: Any, temperature_1: An
 
     Notes
     -----
-    The upstream side results from the sign of the flow. `upstream_temperature` uses the pressures instead, but gas with
-    inertia can flow against the pressure drop.
+    The upstream side follows from the sign of the flow, because gas with inertia can flow against the pressure drop.
+    `upstream_temperature` determines it from the pressures.
 
     Examples
     --------
     >>> temperature_of_flow(-1e-3, 1e-2, 300.0, 280.0)
     280.0
     """
-    return carried_temperature(clip(mass_flow_rate / choked_flow, -1.0, 1.0), temperature_1, temperature_2)
+    return smoothed_upstream_temperature(clip(mass_flow_rate / choked_flow, -1.0, 1.0), temperature_1, temperature_2)

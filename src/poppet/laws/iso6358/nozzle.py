@@ -48,7 +48,7 @@ def nozzle_critical_ratio(isentropic_exponent: float = AIR_ISENTROPIC_EXPONENT) 
 def nozzle_choked_flux(
     isentropic_exponent: float = AIR_ISENTROPIC_EXPONENT, gas_constant: float = AIR_GAS_CONSTANT
 ) -> float:
-    r"""Return the choked mass flow rate of an ideal nozzle, normalised by area, pressure and temperature.
+    r"""Return the flux function of an ideal nozzle: its normalised choked mass flow rate.
 
     .. math:: \frac{q_m \sqrt{T_1}}{A\,p_1} = \sqrt{\frac{\kappa}{R}}
               \left(\frac{2}{\kappa + 1}\right)^{(\kappa + 1)/(2 (\kappa - 1))}
@@ -61,7 +61,8 @@ def nozzle_choked_flux(
     Returns
     -------
     float
-        Flux function [K^0.5 s/m].
+        Choked mass flow rate times the root of the upstream temperature, divided by area and upstream pressure
+        [K^0.5 s/m].
 
     Examples
     --------
@@ -111,10 +112,9 @@ def nozzle_mass_flow_rate(
 
     Notes
     -----
-    Isentropic flow of an ideal gas with constant specific heats. The slope is infinite at equal
-    pressures, because the law is not regularised. It is a reference for comparisons; for a simulation, convert the
-    area to C and b. The
-    ellipse of ISO 6358 with b = 0.5283 differs by at most 0.152 % of the choked flow, at p2/p1 = 0.872.
+    The flow is isentropic, and the gas is ideal with constant specific heats. The law is not regularised, so its slope
+    is infinite at equal pressures. Use it for comparisons; for a simulation, convert the area to C and b. The law of
+    ISO 6358 with b = 0.5283 differs from it by at most 0.152 % of the choked flow, at p2/p1 = 0.872.
 
     References
     ----------

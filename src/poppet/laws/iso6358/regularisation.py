@@ -23,9 +23,10 @@ error of 1.4 K in a 2 l tank after 10 s. Without smoothing, some stiff networks 
 
 
 def upstream_pressure_and_drop(pressure_1: Any, pressure_2: Any) -> tuple[Any, Any]:
-    """Return the upstream pressure [Pa], and the signed pressure drop divided by it.
+    """Return the upstream pressure [Pa], and the relative pressure drop.
 
-    The relative drop is between -1 and 1. It is 0 in a vacuum.
+    The relative drop is the signed pressure drop divided by the upstream pressure, between -1 and 1. It is 0 if both
+    pressures are 0.
     """
     upstream = maximum(maximum(pressure_1, pressure_2), _VACUUM)
     return upstream, (pressure_1 - pressure_2) / upstream
@@ -34,8 +35,9 @@ def upstream_pressure_and_drop(pressure_1: Any, pressure_2: Any) -> tuple[Any, A
 def edge_of_zone(critical_ratio: Any, subsonic_index: Any, cracking: Any, width: Any) -> tuple[Any, Any, Any]:
     """Return properties of the flow law at the edge of the regularised zone.
 
-    They are the span of the subsonic branch, the position of the edge, and the logarithmic slope of the law at the
-    edge.
+    The zone is the range of pressure ratios near zero flow in which a polynomial replaces the law. The properties are
+    the span of p2/p1 from choked flow to zero flow, the position of the edge within this span, and the logarithmic
+    slope of the law at the edge.
 
     If b is inside the zone, the span is the width of the zone, the edge is 1 and the slope is 0. The flow is then
     choked up to the edge of the zone.
@@ -43,9 +45,9 @@ def edge_of_zone(critical_ratio: Any, subsonic_index: Any, cracking: Any, width:
     Parameters
     ----------
     critical_ratio : float, array or symbol
-        b.
+        Critical pressure ratio b [1].
     subsonic_index : float, array or symbol
-        m.
+        Subsonic index m [1].
     cracking : float, array or symbol
         Cracking pressure divided by the upstream pressure.
     width : float, array or symbol
@@ -54,7 +56,7 @@ def edge_of_zone(critical_ratio: Any, subsonic_index: Any, cracking: Any, width:
     Returns
     -------
     span, edge, slope : float, array or symbol
-        Span in p2/p1, edge as a fraction of the span, and slope at the edge.
+        Span in p2/p1, distance of the edge from zero flow as a fraction of the span, and slope at the edge [1].
     """
     span = maximum(1.0 - cracking - critical_ratio, width)
     edge = width / span
@@ -64,8 +66,8 @@ def edge_of_zone(critical_ratio: Any, subsonic_index: Any, cracking: Any, width:
 def ellipse(position: Any, subsonic_index: Any) -> Any:
     """Return `(1 - u^2)^m`, the elliptic part of the flow law.
 
-    The argument `position` is `1 - u`. For a symbol, the power remains in the expression, because a printer can replace
-    it by a root if m = 0.5.
+    The argument `position` is `1 - u`, and `subsonic_index` is m. For floats, a square root replaces the power if m =
+    0.5; for symbols, the generator of the compiled code does this.
     """
     base = position * (2.0 - position)
     if not is_symbolic(base, subsonic_index) and not is_array(subsonic_index) and subsonic_index == 0.5:
@@ -74,17 +76,17 @@ def ellipse(position: Any, subsonic_index: Any) -> Any:
 
 
 def through_zero(z: Any, slope: Any) -> Any:
-    """Return an odd cubic polynomial of z, with a given slope at z = 1.
+    """Return an odd cubic polynomial of z with the slope `slope` at z = 1.
 
-    Its value is 0 at z = 0 and 1 at z = 1.
+    Its value is 0 at z = 0 and 1 at z = 1. It regularises flow in both directions.
     """
     return z * (1.0 + (1.0 - z * z) * (0.5 - 0.5 * slope))
 
 
 def closing(z: Any, slope: Any) -> Any:
-    """Return a cubic polynomial of z with zero value and slope at zero.
+    """Return a cubic polynomial of z whose value and slope are zero at z = 0.
 
-    At z = 1 its value is 1, and its slope is `slope`.
+    At z = 1 its value is 1, and its slope is `slope`. It regularises a flow path that closes, such as a check valve.
     """
     return z * z * (1.0 + (1.0 - z) * (2.0 - slope))
 
@@ -101,8 +103,8 @@ def flow_ratio(
 ) -> Any:
     """Return the signed mass flow rate as a fraction of the choked flow.
 
-    The result is between -1 and 1. `drop` is the relative pressure drop. `z` is this drop divided by the width of the
-    regularised zone, limited to -1 to 1.
+    The result is between -1 and 1. `drop` is the signed pressure drop divided by the pressure `upstream`. `width` is
+    the width of the regularised zone in p2/p1. `z` is drop divided by width, limited to -1 to 1.
     """
     never_cracks = isinstance(cracking_pressure, float) and cracking_pressure == 0.0
     cracking = 0.0 if never_cracks else cracking_pressure / upstream
@@ -139,22 +141,25 @@ def mass_flow_and_temperature(
     reference_temperature: Any,
     one_way: bool,
 ) -> tuple[Any, ...]:
-    """Return mass flow rate and upstream temperature by the regularised flow law."""
+    """Return mass flow rate [kg/s] and temperature of the flow [K] by the regularised flow law.
+
+    The arguments are those of `flow`. They are not checked.
+    """
     width = 1.0 - laminar_ratio
     upstream, drop = upstream_pressure_and_drop(pressure_1, pressure_2)
     z = clip(drop / width, -1.0, 1.0)
     ratio = flow_ratio(upstream, drop, z, width, critical_ratio, subsonic_index, cracking_pressure, one_way)
     temperature = temperature_1
     if temperature_2 is not None and not one_way:
-        temperature = carried_temperature(z, temperature_1, temperature_2)
+        temperature = smoothed_upstream_temperature(z, temperature_1, temperature_2)
     choked_per_pressure = sonic_conductance * reference_density * sqrt(reference_temperature / temperature)
     return choked_per_pressure * upstream * ratio, temperature
 
 
-def carried_temperature(z: Any, temperature_1: Any, temperature_2: Any) -> Any:
-    """Return the temperature of the upstream gas, smoothed at flow reversal.
+def smoothed_upstream_temperature(z: Any, temperature_1: Any, temperature_2: Any) -> Any:
+    """Return the temperature of the upstream gas [K], smoothed at flow reversal.
 
-    `z` is the relative pressure drop divided by the width of the regularised zone.
+    `z` is the relative pressure drop, divided by the width of the regularised zone and limited to -1 to 1.
     """
     turning = minimum(abs(z) * (1.0 / TURN), 1.0)
     upstream = where(z < 0.0, temperature_2, temperature_1)
@@ -170,21 +175,21 @@ def carried_temperature(z: Any, temperature_1: Any, temperature_2: Any) -> Any:
 def upstream_temperature_between(
     pressure_1: Any, pressure_2: Any, temperature_1: Any, temperature_2: Any, laminar_ratio: Any
 ) -> tuple[Any, ...]:
-    """Return the temperature of the flow between two gas states.
+    """Return the temperature of the flow between two ports [K], as a tuple of one value.
 
-    The mass flow rate is not computed.
+    The arguments are those of `upstream_temperature`. They are not checked.
     """
     _, drop = upstream_pressure_and_drop(pressure_1, pressure_2)
-    return (carried_temperature(clip(drop / (1.0 - laminar_ratio), -1.0, 1.0), temperature_1, temperature_2),)
+    return (smoothed_upstream_temperature(clip(drop / (1.0 - laminar_ratio), -1.0, 1.0), temperature_1, temperature_2),)
 
 
 def regime_code(
     pressure_1: Any, pressure_2: Any, critical_ratio: Any, cracking_pressure: Any, laminar_ratio: Any, one_way: bool
 ) -> tuple[Any, ...]:
-    """Return the code of the flow regime.
+    """Return the code of the flow regime, as a tuple of one value.
 
-    The code is negative for flow from port 2 to port 1. The conditions compare products instead of ratios, so a vacuum
-    needs no special case.
+    The arguments and the code are those of `flow_regime`. The arguments are not checked. The conditions compare
+    products instead of ratios, so a vacuum needs no special case.
     """
     upstream = pressure_1 if one_way else maximum(pressure_1, pressure_2)
     downstream = pressure_2 if one_way else minimum(pressure_1, pressure_2)

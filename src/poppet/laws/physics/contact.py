@@ -44,8 +44,8 @@ def stop_force(penetration: Any, penetration_rate: Any, stiffness: Any, dissipat
         Depth d of penetration of the body into the stop, negative without contact [m], and its rate of change
         [m/s].
     stiffness, dissipation : float, array or symbol
-        Contact stiffness k [N/m^1.5], and dissipation coefficient, the inverse of the speed at which damping
-        saturates [s/m].
+        Contact stiffness k [N/m^1.5], and dissipation coefficient :math:`\lambda`, the inverse of the speed at which
+        damping saturates [s/m].
 
     Returns
     -------
@@ -54,10 +54,10 @@ def stop_force(penetration: Any, penetration_rate: Any, stiffness: Any, dissipat
 
     Notes
     -----
-    Hunt and Crossley's factor is :math:`1 + s`; it gives a pulling force if the body leaves the stop faster
-    than the inverse of the dissipation. The bounded factor of this function has the same slope at zero speed, is
-    between 0 and 2, and dissipates energy in each contact. The force is not accurate at all speeds: the law
-    describes a stop, not a material.
+    Hunt and Crossley's factor is :math:`1 + s`; it gives a pulling force if the body leaves the stop at a speed above
+    the inverse of the dissipation. The factor in the parentheses above has the same slope at zero speed, is between 0
+    and 2, and dissipates energy in each contact. The law is not accurate at all speeds, because it is not the law of a
+    material.
 
     References
     ----------
@@ -77,26 +77,28 @@ def stop_force(penetration: Any, penetration_rate: Any, stiffness: Any, dissipat
 
 
 def seat_fraction(stroke: Any, width: Any) -> Any:
-    r"""Return the fraction of the lower spring force that acts on the plate through the poppet.
+    r"""Return the fraction of the lower spring force of a main stage that acts on the plate.
+
+    The lower spring presses the poppet on its seat. If the plate lifts the poppet, the spring acts on the plate.
 
     .. math:: f = 3 s^2 - 2 s^3,\quad s = \min(\max(1 + x/w, 0), 1)
 
     Parameters
     ----------
     stroke : float, array or symbol
-        Stroke x of the plate; for positive x the poppet is off its seat [m].
+        Stroke x of the plate; for positive x the poppet is lifted off its seat [m].
     width : float, array or symbol
-        Width w of the zone below zero over which the seat takes the force [m].
+        Width w of the range of strokes below zero in which the force changes between seat and plate [m].
 
     Returns
     -------
     float, array or symbol
-        0 below -width, where the seat carries the force, and 1 for strokes of 0 and above [1].
+        Fraction f: 0 for strokes up to -w, at which the seat carries the force, and 1 for strokes of 0 and above [1].
 
     Notes
     -----
-    The ramp replaces the discontinuity of a rigid seat. If the load is between the forces at its ends, the plate is
-    at rest inside the ramp.
+    The ramp from -w to 0 replaces the discontinuity of a rigid seat. If the load is between the forces at both ends of
+    the ramp, the plate is at rest inside it.
 
     Examples
     --------
@@ -125,8 +127,8 @@ def stribeck_friction(
     coulomb_force, static_force : float, array or symbol
         Friction :math:`F_c` at moderate speed and break-away force :math:`F_s` [N].
     stribeck_velocity, transition_velocity : float, array or symbol
-        Speeds :math:`v_s`, over which friction falls from the break-away to the Coulomb value, and :math:`v_t`,
-        over which the sign of the friction changes [m/s].
+        Stribeck velocity :math:`v_s`, the scale of the decrease from break-away to Coulomb friction, and transition
+        velocity :math:`v_t`, the scale of the change of sign near zero speed [m/s].
     viscous_damping : float, array or symbol
         Viscous coefficient :math:`\sigma_2` [N s/m].
 

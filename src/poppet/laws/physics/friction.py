@@ -19,11 +19,11 @@ def sliding_level(velocity: Any, coulomb_force: Any, static_force: Any, stribeck
     Parameters
     ----------
     velocity : float, array or symbol
-        Sliding speed v [m/s], or [rad/s] with torques.
+        Sliding speed v [m/s], or angular speed [rad/s] if the friction is a torque.
     coulomb_force, static_force : float, array or symbol
-        Friction at moderate speed and break-away force [N], or torques [N m].
+        Coulomb friction :math:`F_c` at moderate speed and break-away force :math:`F_s` [N], or torques [N m].
     stribeck_velocity : float, array or symbol
-        Speed over which friction falls from the break-away to the Coulomb value [m/s] or [rad/s].
+        Stribeck velocity :math:`v_s`, the scale of the decrease from break-away to Coulomb friction [m/s] or [rad/s].
 
     Returns
     -------
@@ -52,14 +52,14 @@ def bristle_rate(deflection: Any, velocity: Any, level: Any, stiffness: Any) -> 
     deflection, velocity : float, array or symbol
         Deflection z [m] and sliding speed v [m/s].
     level : float, array or symbol
-        Friction g at this speed, above zero [N].
+        Friction g at this speed by `sliding_level`, above zero [N].
     stiffness : float, array or symbol
         Bristle stiffness :math:`\sigma_0` [N/m].
 
     Returns
     -------
     float, array or symbol
-        Rate [m/s]; zero at the steady deflection, |z| = g/sigma_0.
+        Rate of change [m/s], which is zero at the deflection of steady sliding, |z| = g/sigma_0.
 
     References
     ----------
@@ -88,7 +88,7 @@ def elasto_plastic_rate(deflection: Any, velocity: Any, level: Any, stiffness: A
     deflection, velocity : float, array or symbol
         Deflection z [m] and sliding speed v [m/s].
     level : float, array or symbol
-        Friction g at this speed, above zero [N].
+        Friction g at this speed by `sliding_level`, above zero [N].
     stiffness : float, array or symbol
         Bristle stiffness :math:`\sigma_0` [N/m].
     breakaway : float, array or symbol
@@ -97,13 +97,13 @@ def elasto_plastic_rate(deflection: Any, velocity: Any, level: Any, stiffness: A
     Returns
     -------
     float, array or symbol
-        Rate [m/s]; zero at the steady deflection, as in the LuGre model.
+        Rate of change [m/s], which is zero at the deflection of steady sliding, |z| = g/sigma_0.
 
     Notes
     -----
-    Up to the break-away deflection, the position follows the load reversibly: the body does not drift under loads
-    below :math:`\sigma_0 z_{ba}`. The model requires :math:`z_{ba} < |z_{ss}|` at all speeds; a larger value is limited
-    to 98 %.
+    Up to the break-away deflection, the position follows the load reversibly: the body does not drift under loads below
+    :math:`\sigma_0 z_{ba}`. The model requires :math:`z_{ba} < |z_{ss}|` at all speeds, so :math:`z_{ba}` is limited to
+    98 % of :math:`|z_{ss}|`.
 
     References
     ----------
@@ -137,7 +137,7 @@ def lugre_force(
     stiffness, damping : float, array or symbol
         Bristle stiffness :math:`\sigma_0` [N/m] and damping :math:`\sigma_1` [N s/m].
     stribeck_velocity : float, array or symbol
-        Speed over which the damping decreases [m/s].
+        Stribeck velocity :math:`v_s`, the scale of the decrease of the damping with the speed [m/s].
 
     Returns
     -------
@@ -146,9 +146,9 @@ def lugre_force(
 
     Notes
     -----
-    With a constant damping the LuGre model generates energy at moderate speeds. With the decreasing damping it does not
-    if :math:`\sigma_1 e^{-(v/v_s)^2} \le 4 g(v)/|v|`. The elasto-plastic model needs this condition only while the
-    deflection exceeds that of steady sliding.
+    With constant damping, the LuGre model generates energy at moderate speeds. With the decreasing damping it generates
+    none if :math:`\sigma_1 e^{-(v/v_s)^2} \le 4 g(v)/|v|`, where g is the friction of `sliding_level`. The
+    elasto-plastic model needs this condition only while the deflection exceeds that of steady sliding.
 
     References
     ----------

@@ -12,7 +12,7 @@ AIR_ISENTROPIC_EXPONENT = 1.4
 
 
 def mass(pressure: Any, volume: Any, temperature: Any, gas_constant: Any = AIR_GAS_CONSTANT) -> Any:
-    r"""Return the mass of gas in a volume.
+    r"""Return the mass of an ideal gas in a volume.
 
     .. math:: m = \frac{p V}{R T}
 
@@ -21,7 +21,7 @@ def mass(pressure: Any, volume: Any, temperature: Any, gas_constant: Any = AIR_G
     pressure, volume, temperature : float, array or symbol
         Absolute pressure p [Pa], volume V [m^3], temperature T [K].
     gas_constant : float, array or symbol
-        Specific gas constant R, by default that of air [J/(kg K)].
+        Specific gas constant R; default that of air [J/(kg K)].
 
     Returns
     -------
@@ -30,7 +30,8 @@ def mass(pressure: Any, volume: Any, temperature: Any, gas_constant: Any = AIR_G
 
     Notes
     -----
-    The laws of this module are accurate within 1 % for air up to about 20 bar at room temperature.
+    The laws of the module `poppet.laws.physics.gas` are accurate within 1 % for air up to about 20 bar at room
+    temperature.
 
     Examples
     --------
@@ -41,7 +42,7 @@ def mass(pressure: Any, volume: Any, temperature: Any, gas_constant: Any = AIR_G
 
 
 def temperature(pressure: Any, volume: Any, mass: Any, gas_constant: Any = AIR_GAS_CONSTANT) -> Any:
-    r"""Return the temperature of a mass of gas in a volume.
+    r"""Return the temperature of an ideal gas of given mass in a volume.
 
     .. math:: T = \frac{p V}{m R}
 
@@ -50,7 +51,7 @@ def temperature(pressure: Any, volume: Any, mass: Any, gas_constant: Any = AIR_G
     pressure, volume, mass : float, array or symbol
         Absolute pressure p [Pa], volume V [m^3], mass m of the gas [kg].
     gas_constant : float, array or symbol
-        Specific gas constant R, default that of air [J/(kg K)].
+        Specific gas constant R; default that of air [J/(kg K)].
 
     Returns
     -------
@@ -75,7 +76,7 @@ def density(pressure: Any, temperature: Any, gas_constant: Any = AIR_GAS_CONSTAN
     pressure, temperature : float, array or symbol
         Absolute pressure p [Pa], temperature T [K].
     gas_constant : float, array or symbol
-        Specific gas constant R, default that of air [J/(kg K)].
+        Specific gas constant R; default that of air [J/(kg K)].
 
     Returns
     -------
@@ -84,7 +85,7 @@ def density(pressure: Any, temperature: Any, gas_constant: Any = AIR_GAS_CONSTAN
 
     Examples
     --------
-    Dry air at 20 degC and 100 kPa (1.185 kg/m^3 in ANR, which is moist):
+    Dry air at 20 degC and 100 kPa (the moist air of the reference atmosphere ANR has 1.185 kg/m^3):
 
     >>> print(f"{density(1e5, 293.15):.4f} kg/m^3")
     1.1884 kg/m^3
@@ -148,7 +149,7 @@ def internal_energy(
     gas_constant: Any = AIR_GAS_CONSTANT,
     isentropic_exponent: Any = AIR_ISENTROPIC_EXPONENT,
 ) -> Any:
-    r"""Return the internal energy of a mass of gas relative to 0 K.
+    r"""Return the internal energy of an ideal gas relative to its energy at 0 K.
 
     .. math:: U = m c_v T = \frac{p V}{\kappa - 1}
 
@@ -178,7 +179,7 @@ def enthalpy_flow(
     gas_constant: Any = AIR_GAS_CONSTANT,
     isentropic_exponent: Any = AIR_ISENTROPIC_EXPONENT,
 ) -> Any:
-    r"""Return the enthalpy flow rate of a gas flow relative to 0 K.
+    r"""Return the enthalpy flow rate of an ideal gas relative to its enthalpy at 0 K.
 
     .. math:: \dot H = q_m c_p T
 

@@ -58,12 +58,12 @@ def sutherland(temperature: Any, law: Sutherland) -> Any:
     Returns
     -------
     float, array or symbol
-        Viscosity [Pa s] or conductivity [W/(m K)], the quantity of the reference value.
+        Viscosity [Pa s] or thermal conductivity [W/(m K)], depending on the coefficients.
 
     Notes
     -----
-    Air: within 2 % for the viscosity over 170..1900 K and for the conductivity over 160..2000 K, at pressures
-    up to some tens of bar. Other gases need their own coefficients.
+    For air, the error is within 2 % for the viscosity from 170 to 1900 K and for the conductivity from 160 to 2000 K,
+    at pressures up to some tens of bar. Other gases require their own coefficients.
 
     References
     ----------
@@ -89,7 +89,7 @@ def natural_conductance(
     gas_constant: Any = AIR_GAS_CONSTANT,
     isentropic_exponent: Any = AIR_ISENTROPIC_EXPONENT,
 ) -> Any:
-    r"""Return the wall conductance for natural convection in a vessel.
+    r"""Return the wall conductance h A of a vessel with natural convection.
 
     .. math:: \mathrm{Nu} = c\, \mathrm{Ra}_H^{1/3},\quad h A = \mathrm{Nu}\, \frac{\lambda A}{H}
 
@@ -98,7 +98,8 @@ def natural_conductance(
     pressure, temperature, wall_temperature : float, array or symbol
         Absolute pressure [Pa] and temperature [K] of the gas, temperature of the wall [K].
     area, height : float, array or symbol
-        Wetted area of the wall [m^2], and height of the vessel, which cancels out with the exponent 1/3 [m].
+        Wetted area A of the wall [m^2], and height H of the vessel [m]. The height cancels out, because the exponent is
+        1/3.
     prefactor : float, array or symbol
         Prefactor c of the Nusselt number [1].
     gas_constant, isentropic_exponent : float, array or symbol
@@ -111,9 +112,9 @@ def natural_conductance(
 
     Notes
     -----
-    The law is valid for turbulent natural convection of air (Ra_H about 1e9..1e13) in a vessel that is discharged or
-    closed, without a jet. Fits to measured tanks gave prefactors of 0.135..0.141. The temperature difference is
-    smoothed near zero, so the conductance is positive and its slope finite.
+    The law is valid for turbulent natural convection of air (Rayleigh numbers of about 1e9 to 1e13) in a vessel that is
+    discharged or closed, without a jet. Fits to measured tanks gave prefactors of 0.135 to 0.141. The temperature
+    difference is smoothed near zero, so the conductance is positive and its slope finite.
 
     References
     ----------
@@ -144,7 +145,7 @@ def charging_conductance(
     gas_constant: Any = AIR_GAS_CONSTANT,
     isentropic_exponent: Any = AIR_ISENTROPIC_EXPONENT,
 ) -> Any:
-    r"""Return the wall conductance of a vessel that is charged through a jet.
+    r"""Return the wall conductance h A of a vessel that is charged through a jet.
 
     .. math:: \mathrm{Nu}_H = 0.56\, \mathrm{Re}_d^{0.67} + 0.104\, \mathrm{Ra}_H^{0.352},\quad
               \mathrm{Re}_d = \frac{4 q_m}{\pi d \mu},\quad h A = \mathrm{Nu}_H\, \frac{\lambda A}{H}
@@ -154,9 +155,9 @@ def charging_conductance(
     pressure, temperature, wall_temperature : float, array or symbol
         Absolute pressure [Pa] and temperature [K] of the gas, temperature of the wall [K].
     area, height : float, array or symbol
-        Wetted area of the wall [m^2], and height H of the vessel [m].
+        Wetted area A of the wall [m^2], and height H of the vessel [m].
     inlet_mass_flow_rate, inlet_diameter : float, array or symbol
-        Mass flow rate through the inlet [kg/s], without a jet if it is negative, and bore d of the inlet [m].
+        Mass flow rate into the vessel [kg/s], and bore d of the inlet [m]. A negative flow rate causes no jet.
     gas_constant, isentropic_exponent : float, array or symbol
         Specific gas constant [J/(kg K)] and ratio of the heat capacities [1].
 
@@ -193,9 +194,9 @@ def charging_conductance(
 def _rayleigh(
     pressure: Any, temperature: Any, wall_temperature: Any, height: Any, gas_constant: Any, isentropic_exponent: Any
 ) -> tuple[Any, Any]:
-    """Return the Rayleigh number for a height, and the thermal conductivity of air [W/(m K)].
+    """Return the Rayleigh number for the length `height`, and the thermal conductivity of air [W/(m K)].
 
-    Both refer to the film temperature.
+    The gas properties are those at the mean of gas temperature and wall temperature.
     """
     film = 0.5 * (temperature + wall_temperature)
     difference = temperature - wall_temperature

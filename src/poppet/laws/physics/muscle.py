@@ -18,9 +18,10 @@ from poppet.core.symbolic import clip, cos, exp, maximum, sin, where
 
 
 class ForceLaw(ABC):
-    """Base class of static force laws of a muscle, linear in the gauge pressure.
+    """Base class of static force laws of a muscle.
 
-    The methods accept floats, arrays and symbols.
+    The force is f1 p + f0 with the gauge pressure p; f1 (`slope`) and f0 (`passive`) depend on the contraction. The
+    methods accept floats, arrays and symbols.
     """
 
     @abstractmethod
@@ -30,12 +31,13 @@ class ForceLaw(ABC):
         Parameters
         ----------
         contraction : float, array or symbol
-            (L0 - L)/L0 [1].
+            Contraction (L0 - L)/L0 with the length L and the nominal length L0 [1].
 
         Returns
         -------
         float, array or symbol
-            Force per gauge pressure [N/Pa], which equals the area -dV/dL.
+            Force per gauge pressure [N/Pa]. It equals the area -dV/dL of an ideal muscle with the volume V and the
+            length L.
         """
 
     def passive(self, contraction: Any) -> Any:
@@ -44,7 +46,7 @@ class ForceLaw(ABC):
         Parameters
         ----------
         contraction : float, array or symbol
-            (L0 - L)/L0 [1].
+            Contraction (L0 - L)/L0 with the length L and the nominal length L0 [1].
 
         Returns
         -------
@@ -57,17 +59,17 @@ class ForceLaw(ABC):
     def swept(self, contraction: Any) -> Any:
         """Return the integral of `slope` from zero to the given contraction.
 
-        It is proportional to the change in volume.
+        Times the nominal length, it is the increase in volume.
 
         Parameters
         ----------
         contraction : float, array or symbol
-            (L0 - L)/L0 [1].
+            Contraction (L0 - L)/L0 with the length L and the nominal length L0 [1].
 
         Returns
         -------
         float, array or symbol
-            Increase in volume divided by the nominal length [m^2].
+            Increase in volume, divided by the nominal length [m^2].
         """
 
     def force(self, pressure: Any, contraction: Any) -> Any:
@@ -78,12 +80,12 @@ class ForceLaw(ABC):
         pressure : float, array or symbol
             Gauge pressure [Pa].
         contraction : float, array or symbol
-            (L0 - L)/L0 [1].
+            Contraction (L0 - L)/L0 with the length L and the nominal length L0 [1].
 
         Returns
         -------
         float, array or symbol
-            Force by the law [N]; a negative value means that the muscle is slack, because it cannot push.
+            Force [N]. If it is negative, the muscle is slack, because it cannot push.
         """
         return pressure * self.slope(contraction) + self.passive(contraction)
 
@@ -95,7 +97,7 @@ class ForceLaw(ABC):
         force : float, array or symbol
             Required pulling force [N].
         contraction : float, array or symbol
-            (L0 - L)/L0, below the contraction at which `slope` is zero [1].
+            Contraction (L0 - L)/L0, below the contraction at which `slope` is zero [1].
 
         Returns
         -------
@@ -117,7 +119,8 @@ class ChouHannaford(ForceLaw):
 
     .. math:: F = p\,\frac{3 L^2 - b^2}{4 \pi n^2} = -p \frac{dV}{dL}, \qquad V = L\,\frac{b^2 - L^2}{4 \pi n^2}
 
-    with :math:`L = L_0 (1 - \varepsilon) = b \cos\theta`.
+    Here p is the gauge pressure, :math:`L = L_0 (1 - \varepsilon) = b \cos\theta` the length at the contraction
+    :math:`\varepsilon`, b the length of a thread and n the number of its turns.
 
     Parameters
     ----------
@@ -128,8 +131,8 @@ class ChouHannaford(ForceLaw):
 
     Notes
     -----
-    At a braid angle of 54.74 degrees the force is zero. The law assumes a cylinder up to both ends and neglects the
-    stiffness of the hose and the friction of the threads, so measured forces are smaller.
+    The force is zero if the angle between thread and axis reaches 54.74 degrees. The law assumes a cylinder up to both
+    ends and neglects the stiffness of the hose and the friction of the threads, so measured forces are smaller.
 
     References
     ----------
@@ -149,7 +152,7 @@ class ChouHannaford(ForceLaw):
     braid_angle: Any
 
     def _braid(self) -> tuple[Any, Any]:
-        """Return the squared length b of a thread, and 4 pi n^2 with n turns of the thread."""
+        """Return b^2 and 4 pi n^2 for the length b of a thread and the number n of its turns."""
         thread = self.nominal_length / cos(self.braid_angle)
         turns = thread * sin(self.braid_angle) / (math.pi * self.nominal_diameter)
         return thread**2, 4.0 * math.pi * turns**2
@@ -183,9 +186,9 @@ class TonduLopez(ForceLaw):
 
     Notes
     -----
-    The force is proportional to the gauge pressure. The law does not describe the steep decrease of the force in the
-    first per cent of contraction of a muscle whose threads are embedded in rubber. With k = 1 it is the law of Chou
-    and Hannaford.
+    The force is proportional to the gauge pressure p; :math:`\varepsilon` is the contraction. If the threads of a
+    muscle are embedded in rubber, its force decreases steeply in the first per cent of contraction. The law does not
+    describe this decrease. With k = 1 it is the law of Chou and Hannaford.
 
     References
     ----------
@@ -204,7 +207,7 @@ class TonduLopez(ForceLaw):
     end_factor: Any
 
     def _numbers(self) -> tuple[Any, Any, Any]:
-        """Return the area pi r0^2 and the coefficients a and b of the law."""
+        """Return the area pi r0^2 [m^2] and the coefficients a and b [1] of the force law."""
         b = 1.0 / sin(self.braid_angle) ** 2
         return 0.25 * math.pi * self.nominal_diameter**2, 3.0 * (b - 1.0), b
 
@@ -272,16 +275,16 @@ class ForceTable(ForceLaw):
 
     Parameters
     ----------
-    contraction : sequence
+    contraction : sequence of float or symbol, shape (n,)
         Increasing contractions [1].
-    slopes : sequence
+    slopes : sequence of float or symbol, shape (n,)
         Force per gauge pressure at these contractions [N/Pa].
-    passives : sequence
+    passives : sequence of float or symbol, shape (n,)
         Force at zero gauge pressure at these contractions [N].
 
     Notes
     -----
-    Beyond the ends of the table, both columns keep their last value.
+    Beyond the ends of the table, the values at its ends are used.
 
     Examples
     --------
@@ -317,23 +320,22 @@ class ForceTable(ForceLaw):
 
 
 def taut(force: Any, width: Any) -> Any:
-    r"""Return a pulling force that becomes zero smoothly if the muscle is slack.
-
-    A slack muscle cannot push. `width` is the half width w of the transition.
+    r"""Limit the force of a muscle smoothly to pulling forces, because a slack muscle cannot push.
 
     .. math:: F_+ = \frac{(F + w)^2}{4 w} \quad\text{between}\; -w \;\text{and}\; w
 
     Parameters
     ----------
     force : float, array or symbol
-        Force F by a law; a negative value is a pushing force [N].
+        Force F of a force law; a negative value is a pushing force [N].
     width : float, array or symbol
-        Half width w of the transition [N].
+        Half width w of the range of forces in which the result becomes zero [N].
 
     Returns
     -------
     float, array or symbol
-        F above w, zero below -w, and a continuous slope between them; at most w/4 above max(F, 0) [N].
+        F above w, zero below -w, and between them the formula above, with a continuous slope [N]. It exceeds max(F, 0)
+        by at most w/4.
 
     Examples
     --------
@@ -345,31 +347,29 @@ def taut(force: Any, width: Any) -> Any:
 
 
 def slip_rate(deflection: Any, velocity: Any, reach: Any) -> Any:
-    r"""Return the rate of deflection of one elastic element in a Maxwell slip model.
+    r"""Return the rate of change of the relative deflection of an elastic element in a Maxwell slip model.
 
-    The deflection is relative to its maximum.
-
-    .. math:: \dot\zeta = \frac{v}{\delta} \left(1 - \zeta^{16}\right) \;\text{while bending further},\qquad
-              \dot\zeta = \frac{v}{\delta} \;\text{on the way back}
+    .. math:: \dot\zeta = \frac{v}{\delta} \left(1 - \zeta^{16}\right) \;\text{while } |\zeta| \text{ increases},\qquad
+              \dot\zeta = \frac{v}{\delta} \;\text{while it decreases}
 
     Parameters
     ----------
     deflection : float, array or symbol
-        Deflection zeta relative to its maximum, -1..1 [1].
+        Deflection :math:`\zeta` relative to its maximum, from -1 to 1 [1].
     velocity : float, array or symbol
         Speed v of sliding [m/s].
     reach : float, array or symbol
-        Distance delta of sliding over which the element deflects before it slips [m].
+        Distance :math:`\delta` by which the element deflects before it slips [m].
 
     Returns
     -------
     float, array or symbol
-        Rate [1/s].
+        Rate of change [1/s].
 
     Notes
     -----
-    The power smooths the transition at which an ideal element begins to slip. Parallel elements with different reach
-    represent the hysteresis after each reversal of the motion.
+    An ideal element begins to slip abruptly; the power of 16 smooths this transition. Parallel elements with different
+    distances :math:`\delta` represent the hysteresis after each reversal of the motion.
 
     References
     ----------

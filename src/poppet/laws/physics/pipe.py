@@ -34,9 +34,10 @@ def laminar_resistance(length: Any, bore: Any, density: Any, viscosity: Any) -> 
 
     Notes
     -----
-    The law is valid for developed flow that changes slowly. In oscillations the velocity at the wall leads that in the
-    middle. From a few times :math:`\omega = 16 \mu/(\varrho d^2)`, the drop is therefore larger and has a component in
-    phase with the acceleration (Zielke 1968, Trans. ASME J. Basic Eng. 90, 109-115). This law neglects both effects.
+    The law is valid for developed flow that changes slowly. In oscillations, the velocity near the wall leads the
+    velocity at the centre. Above a few times the angular frequency :math:`\omega = 16 \mu/(\varrho d^2)`, the drop is
+    therefore larger and has a component in phase with the acceleration (Zielke 1968, Trans. ASME J. Basic Eng. 90,
+    109-115). This law neglects both effects.
 
     Examples
     --------
@@ -56,19 +57,20 @@ def turbulent_factor(reynolds: Any, relative_roughness: Any) -> Any:
     Parameters
     ----------
     reynolds : float, array or symbol
-        Reynolds number, above zero.
+        Reynolds number, above zero [1].
     relative_roughness : float, array or symbol
-        Height of the roughness over the bore.
+        Height :math:`\varepsilon` of the roughness divided by the bore d [1].
 
     Returns
     -------
     float, array or symbol
-        Darcy friction factor f.
+        Darcy friction factor f [1].
 
     Notes
     -----
-    The result is one iteration of Colebrook's equation from Haaland's formula. It is within 0.3 % of the solution for
-    Re = 4000 ... 1e8 and relative roughness up to 0.05 (tests/unit).
+    The result is one iteration of Colebrook's equation, starting from Haaland's formula :math:`f_H`. It is within 0.3 %
+    of the solution of Colebrook's equation for Reynolds numbers from 4000 to 1e8 and a relative roughness up to 0.05
+    (tests/unit).
 
     References
     ----------
@@ -92,7 +94,7 @@ def reynolds_number(mass_flow_rate: Any, bore: Any, viscosity: Any) -> Any:
     Parameters
     ----------
     mass_flow_rate : float, array or symbol
-        Mass flow rate, in either direction [kg/s].
+        Mass flow rate q; its sign has no effect [kg/s].
     bore : float, array or symbol
         Bore d [m].
     viscosity : float, array or symbol
@@ -114,20 +116,20 @@ def reynolds_number(mass_flow_rate: Any, bore: Any, viscosity: Any) -> Any:
 def between_laminar_and_turbulent(reynolds: Any, laminar: Any, turbulent: Any) -> Any:
     """Return a pressure drop that changes smoothly from a laminar to a turbulent value.
 
-    `laminar` and `turbulent` are the pressure drops of both kinds of flow. The result is laminar up to Re = 2000 and
-    turbulent from Re = 4000, with a continuous derivative.
+    The result is the laminar value up to Re = 2000 and the turbulent value from Re = 4000. Its derivative is
+    continuous.
 
     Parameters
     ----------
     reynolds : float, array or symbol
-        Reynolds number.
+        Reynolds number of the flow [1].
     laminar, turbulent : float, array or symbol
-        Pressure drops of laminar and of turbulent flow at this flow rate, in the same unit.
+        Pressure drops by the laws of laminar and of turbulent flow, both in the same unit.
 
     Returns
     -------
     float, array or symbol
-        Pressure drop in this unit.
+        Pressure drop, in the unit of `laminar` and `turbulent`.
 
     Examples
     --------
@@ -145,20 +147,22 @@ def darcy_coefficient(mass_flow_rate: Any, length: Any, bore: Any, density: Any,
     Parameters
     ----------
     mass_flow_rate : float, array or symbol
-        Mass flow rate, in either direction, on which the friction factor depends [kg/s].
+        Mass flow rate, on which the friction factor f depends; its sign has no effect [kg/s].
     length, bore : float, array or symbol
         Length L and bore d of the tube [m].
     density : float, array or symbol
-        Density of the gas; with the mean of both ends, the drop is that of compressible isothermal flow [kg/m^3].
+        Density of the gas [kg/m^3]. With the mean density of both ends, the drop is that of compressible isothermal
+        flow.
     viscosity : float, array or symbol
         Dynamic viscosity [Pa s].
     roughness : float, array or symbol
-        Height of the wall's roughness [m].
+        Height of the roughness of the wall [m].
 
     Returns
     -------
     float, array or symbol
-        Coefficient [Pa s^2/kg^2]; below Re = 2000 the law is not valid, and the friction factor is that at Re = 2000.
+        Pressure drop per squared mass flow rate [Pa s^2/kg^2]. Below Re = 2000 the law is not valid; the friction
+        factor is then that at Re = 2000.
 
     Examples
     --------

@@ -23,25 +23,25 @@ def pressure_rate(mass_flow_rate: Any, temperature: Any, *, volume: Any, exponen
     Parameters
     ----------
     mass_flow_rate : float or symbol
-        Flow into the chamber [kg/s].
+        Mass flow rate q into the chamber [kg/s].
     temperature : float or symbol
-        Upstream temperature of the flow [K].
+        Temperature T of the gas upstream of the flow [K].
     volume : float or symbol
-        Volume of the chamber [m^3].
+        Volume V of the chamber [m^3].
     exponent : float or symbol
-        Exponent n: the isentropic exponent for an adiabatic chamber, 1 for an isothermal chamber.
+        Exponent n [1]: the isentropic exponent for an adiabatic chamber, 1 for an isothermal chamber.
     gas_constant : float or symbol
         Specific gas constant [J/(kg K)].
 
     Returns
     -------
     float or symbol
-        Rate [Pa/s].
+        Rate of change of the pressure [Pa/s].
 
     Notes
     -----
-    The law is exact for an adiabatic chamber (n = kappa), and for an isothermal chamber (n = 1) with the temperature of
-    the inflow. Heat flow from the wall is not included.
+    The law is exact for an adiabatic chamber (n = kappa), and for an isothermal chamber (n = 1) whose temperature is
+    that of the inflow. Heat flow from the wall is not included.
 
     Examples
     --------
@@ -66,9 +66,7 @@ def open_rates(
     subsonic_index: Any = 0.5,
     laminar_ratio: Any = iso6358.LAMINAR_RATIO,
 ) -> tuple[Any, Any]:
-    r"""Return the pressure rates of a chamber with one fully open valve.
-
-    The first rate is that with the fill valve open, the second that with the vent valve open.
+    r"""Return the pressure rates of a chamber with only its fill valve or only its vent valve fully open.
 
     .. math:: r_f = \frac{n R T_s}{V} q(p_s, p), \qquad r_v = \frac{n R T}{V} q(p, p_e)
 
@@ -77,22 +75,24 @@ def open_rates(
     pressure, supply_pressure, exhaust_pressure : float or symbol
         Absolute pressures of chamber, supply and exhaust [Pa].
     gas_temperature, supply_temperature : float or symbol
-        Temperatures of the gas in the chamber and in the supply [K].
-    fill, vent : tuple of float or symbol
-        Sonic conductance [m^3/(s Pa)] and critical ratio of each open valve.
+        Temperatures T of the gas in the chamber and :math:`T_s` in the supply [K].
+    fill, vent : tuple of float or symbol, shape (2,)
+        Sonic conductance [m^3/(s Pa)] and critical pressure ratio [1] of the open fill valve and of the open vent
+        valve.
     volume : float or symbol
         Volume of the chamber [m^3].
     exponent : float or symbol
-        Exponent n of `pressure_rate`.
+        Exponent n of `pressure_rate` [1].
     gas_constant : float or symbol
         Specific gas constant [J/(kg K)].
     subsonic_index, laminar_ratio : float or symbol, optional
-        Subsonic index and laminar ratio of both valves.
+        Subsonic index m and laminar ratio of both valves, see `poppet.laws.iso6358.mass_flow_rate` [1].
 
     Returns
     -------
     fill_rate, vent_rate : float or symbol
-        Rates, not negative: a supply below the chamber pressure gives 0 [Pa/s].
+        Rate of increase with the fill valve open, and rate of decrease with the vent valve open [Pa/s]. They are not
+        negative: if the supply pressure is below the chamber pressure, the fill rate is 0.
 
     References
     ----------
@@ -128,16 +128,16 @@ def openings_for_rate(
     Parameters
     ----------
     rate : float or symbol
-        Requested rate [Pa/s].
+        Required rate of change r of the pressure [Pa/s].
     fill_rate, vent_rate : float or symbol
-        Rates with each valve open, from `open_rates` [Pa/s].
+        Rates :math:`r_f` and :math:`r_v` with one valve fully open, from `open_rates` [Pa/s].
     fill_limit, vent_limit : float or symbol, optional
-        Maximum openings, 0..1.
+        Maximum openings, from 0 to 1 [1].
 
     Returns
     -------
     fill, vent : float or symbol
-        Openings, one of which is zero. A valve without effect on the pressure stays closed.
+        Openings of the fill and the vent valve [1]. At least one is zero. A valve whose rate is zero remains closed.
 
     Examples
     --------

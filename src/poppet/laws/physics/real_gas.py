@@ -30,11 +30,12 @@ class RealGas:
     Parameters
     ----------
     critical_temperature, critical_pressure : float
-        Tc [K], pc [Pa]; effective values for helium and hydrogen.
+        Critical temperature Tc [K] and critical pressure pc [Pa]; for helium and hydrogen, effective values.
     acentric_factor : float
         Acentric factor omega [1].
     heat_capacity : tuple of float
-        Coefficients of c_p0/R = a0 + a1 T + a2 T^2 + ..., T in K from 200 to 1000.
+        Coefficients a0, a1, ... of the heat capacity of the ideal gas c_p0/R = a0 + a1 T + a2 T^2 + ..., with T in K
+        from 200 to 1000.
     """
 
     critical_temperature: float
@@ -50,13 +51,13 @@ class Deviation:
     Parameters
     ----------
     compressibility : float
-        Z = p/(rho R T).
+        Compressibility factor Z = p/(rho R T) [1].
     isentropic_exponent : float
-        Exponent of pressure versus density on the isentrope in this state.
+        Logarithmic slope of pressure versus density on the isentrope in this state [1].
     mass : float
-        Relative error of the ideal mass in a volume: ideal value / real value - 1.
+        Relative error of the mass in a volume by the ideal gas law: ideal value / real value - 1 [1].
     flow : float
-        Relative error of the ideal choked flow through a nozzle from this state: ideal value / real value - 1.
+        Relative error of the choked flow from this state through a nozzle by the ideal gas law [1].
     """
 
     compressibility: float
@@ -88,28 +89,31 @@ def deviation(pressure: float, temperature: float, gas: RealGas, isentropic_expo
     gas : RealGas
         Critical constants and heat capacity.
     isentropic_exponent : float
-        Constant kappa of the ideal gas that is compared.
+        Isentropic exponent kappa of the ideal gas [1].
 
     Returns
     -------
     Deviation or None
-        The result is None for a liquid, and near it, where the virial equation has no solution.
+        Differences between both gases. None for a liquid, and for a state near a liquid, for which the virial equation
+        has no solution.
 
     Notes
     -----
-    Mass and flow are within a fifth of the larger of the two errors by the reference equations of state
-    (tests/published): air, argon, nitrogen, oxygen, methane, helium and hydrogen from 230 to 450 K and to 200 bar,
-    carbon dioxide above 350 K or as a gas to 20 bar. If Z and the flow by the upstream state alone deviate
-    by at most 0.5 %, this flow is the result. Below Tc the gas counts as a liquid above the
-    pressure ln(p/pc) = 5.373 (1 + omega) (1 - Tc/T), a line that follows from the definition of omega.
+    Reference equations of state give the same errors of mass and flow within a fifth of the larger error
+    (tests/published). This was tested for air, argon, nitrogen, oxygen, methane, helium and hydrogen from 230 to 450 K
+    up to 200 bar, and for carbon dioxide above 350 K or as a gas up to 20 bar.
+
+    If Z and the choked flow by the isentropic exponent of the upstream state deviate from the ideal gas by at most 0.5
+    %, the integral along the isentrope is not computed. Below Tc the state counts as a liquid if ln(p/pc) exceeds 5.373
+    (1 + omega) (1 - Tc/T), a vapour-pressure curve that follows from the definition of omega.
 
     References
     ----------
-    Tsonopoulos, AIChE J. 20 (1974) 263: B. Orbey & Vera, AIChE J. 29 (1983) 107: C.
+    Tsonopoulos, AIChE J. 20 (1974) 263, for B; Orbey & Vera, AIChE J. 29 (1983) 107, for C.
 
     Examples
     --------
-    Nitrogen at 200 bar and 20 degC (Z = 1.052 and -5.7 % by its equation of state):
+    Nitrogen at 200 bar and 20 degC; the reference equation of state gives Z = 1.052 and a flow error of -5.7 %:
 
     >>> nitrogen = RealGas(126.192, 3.3958e6, 0.0372, (3.531, -1.2366e-4, -5.03e-7, 2.4353e-9, -1.4088e-12))
     >>> found = deviation(200e5, 293.15, nitrogen, 1.4)
@@ -134,9 +138,9 @@ def deviation(pressure: float, temperature: float, gas: RealGas, isentropic_expo
 
 
 def _reduced_density(pressure: float, temperature: float, gas: RealGas, virial: _Virial) -> float | None:
-    """Return the reduced density of a real gas, relative to pc/(R Tc).
+    """Return the density of a real gas divided by pc/(R Tc).
 
-    The result is None for a liquid. `virial` contains the virial coefficients.
+    The result is None for a liquid. `virial` contains the coefficients B and C with their derivatives.
     """
     reduced = temperature / gas.critical_temperature
     share = pressure / gas.critical_pressure
@@ -157,11 +161,9 @@ def _reduced_density(pressure: float, temperature: float, gas: RealGas, virial: 
 
 
 def _virial_coefficients(temperature: float, gas: RealGas) -> _Virial:
-    """Return the virial coefficients B and C with their first and second derivatives.
+    """Return the virial coefficients B and C with their derivatives with respect to the temperature.
 
-    The derivatives are multiplied by T and T^2. The units are powers of R Tc/pc.
-
-    The unit is the power of R Tc/pc.
+    The result contains B, T dB/dT and T^2 d2B/dT2 in units of R Tc/pc, and the same for C in units of (R Tc/pc)^2.
     """
     reduced = temperature / gas.critical_temperature
 
@@ -178,7 +180,7 @@ def _state_properties(
 ) -> tuple[float, float, float, float]:
     """Return Z, (dp/drho)/(R T), (dp/dT)/(rho R) and c_v/R of a real gas.
 
-    `virial` contains the virial coefficients and their derivatives.
+    `density` is relative to pc/(R Tc). `virial` contains the coefficients B and C with their derivatives.
     """
     (b, b1, b2), (c, c1, c2) = virial
     z = 1.0 + b * density + c * density**2
@@ -193,8 +195,8 @@ def _state_properties(
 def _choked_flux(density: float, temperature: float, gas: RealGas) -> float:
     """Return the choked mass flux of a real gas, divided by sqrt(R).
 
-    It is the maximum of density times velocity on an isentrope. The integration uses steps of ln(density) and the
-    midpoint rule.
+    It is the maximum of density times velocity on the isentrope from the given upstream state. `density` and the
+    density in the result are relative to pc/(R Tc). The integration uses steps of ln(density) and the midpoint rule.
     """
 
     def rates(logarithm: float, temperature: float) -> tuple[float, float]:

@@ -25,7 +25,7 @@ def discharge_time_constant(
     Parameters
     ----------
     volume, sonic_conductance : float or array
-        Volume V [m^3], sonic conductance C of the passage [m^3/(s Pa)].
+        Volume V [m^3], sonic conductance C of the flow path [m^3/(s Pa)].
     temperature, gas_constant : float or array
         Temperature T of the gas at the start [K], its specific gas constant R [J/(kg K)].
 
@@ -56,7 +56,7 @@ def isothermal_discharge_pressure(time: Any, initial_pressure: Any, time_constan
     time, initial_pressure : float or array
         Time since opening [s], and absolute pressure at the start [Pa].
     time_constant : float or array
-        From `discharge_time_constant` [s].
+        Time constant :math:`\tau` from `discharge_time_constant` [s].
 
     Returns
     -------
@@ -91,7 +91,7 @@ def adiabatic_discharge_pressure(
     time, initial_pressure : float or array
         Time since opening [s], and absolute pressure at the start [Pa].
     time_constant : float or array
-        From `discharge_time_constant` [s].
+        Time constant :math:`\tau` from `discharge_time_constant` [s].
     isentropic_exponent : float or array
         Ratio of the heat capacities [1].
 
@@ -116,7 +116,7 @@ def adiabatic_discharge_pressure(
 def charging_rate(
     volume: Any, sonic_conductance: Any, temperature: Any, supply_temperature: Any, gas_constant: Any = AIR_GAS_CONSTANT
 ) -> Any:
-    r"""Return the rate of the pressure ratio p/p1 of a vessel during choked charging.
+    r"""Return the rate of change of the pressure ratio p/p1 of a vessel during choked charging.
 
     The supply pressure p1 and the temperature in the vessel are constant.
 
@@ -125,7 +125,7 @@ def charging_rate(
     Parameters
     ----------
     volume, sonic_conductance : float or array
-        Volume V [m^3], sonic conductance C of the passage [m^3/(s Pa)].
+        Volume V [m^3], sonic conductance C of the flow path [m^3/(s Pa)].
     temperature, supply_temperature : float or array
         Temperatures T in the vessel and T_s of the supply [K].
     gas_constant : float or array
@@ -134,12 +134,12 @@ def charging_rate(
     Returns
     -------
     float or array
-        Rate [1/s].
+        Rate K [1/s].
 
     Notes
     -----
-    Without heat transfer the same law applies with kappa times the rate and the supply temperature as T, because
-    the enthalpy of the inflow depends only on the supply.
+    A vessel without heat transfer obeys the same law with kappa times the rate and with the supply temperature as T,
+    because the enthalpy of the inflow depends only on the supply.
 
     Examples
     --------
@@ -153,8 +153,8 @@ def charging_rate(
 def charging_pressure(time: Any, initial_pressure: Any, supply_pressure: Any, critical_ratio: Any, rate: Any) -> Any:
     r"""Return the pressure of a vessel that is charged at constant temperature.
 
-    The supply is constant. r = p/p1 is the ratio of vessel to supply pressure, r_0 the initial ratio, and t_b the time
-    at which subsonic flow begins.
+    The state of the supply is constant. r = p/p1 is the ratio of vessel pressure to supply pressure, r_0 the initial
+    ratio, and t_b the time at which subsonic flow begins.
 
     .. math:: r = r_0 + K t \;(r \le b),\quad
               r = b + (1-b) \sin\!\left(\frac{K (t - t_b)}{1-b}\right) \;(r > b)
@@ -166,9 +166,10 @@ def charging_pressure(time: Any, initial_pressure: Any, supply_pressure: Any, cr
     initial_pressure, supply_pressure : float or array
         Absolute pressures in the vessel at the start, and p1 of the supply [Pa].
     critical_ratio : float or array
-        Critical pressure ratio b of the passage [1].
+        Critical pressure ratio b of the flow path [1].
     rate : float or array
-        Rate K from `charging_rate`. Without heat transfer: kappa times the rate at the supply temperature [1/s].
+        Rate K from `charging_rate` [1/s]. For a vessel without heat transfer, pass kappa times the rate at the supply
+        temperature.
 
     Returns
     -------
@@ -194,7 +195,7 @@ def charging_pressure(time: Any, initial_pressure: Any, supply_pressure: Any, cr
 
 
 def charging_time(pressure: Any, initial_pressure: Any, supply_pressure: Any, critical_ratio: Any, rate: Any) -> Any:
-    r"""Return the charging time of a vessel of constant temperature to a given pressure.
+    r"""Return the time in which a vessel of constant temperature is charged to a given pressure.
 
     .. math:: t = \frac{\min(r, b) - \min(r_0, b)}{K} + \frac{1-b}{K} \left[\arcsin\frac{r - b}{1-b}
               - \arcsin\frac{r_0 - b}{1-b}\right]_{r, r_0 \ge b}
@@ -205,9 +206,10 @@ def charging_time(pressure: Any, initial_pressure: Any, supply_pressure: Any, cr
         Absolute pressures: final pressure, pressure of the vessel at the start, and pressure p1 of the supply [Pa]. In
         the formula, r and r0 are the first two divided by p1; terms with r < b or r0 < b are zero in the bracket.
     critical_ratio : float or array
-        Critical pressure ratio b of the passage [1].
+        Critical pressure ratio b of the flow path [1].
     rate : float or array
-        Rate K from `charging_rate` [1/s]. For an adiabatic vessel, pass kappa times the rate at the supply temperature.
+        Rate K from `charging_rate` [1/s]. For a vessel without heat transfer, pass kappa times the rate at the supply
+        temperature.
 
     Returns
     -------
@@ -249,7 +251,7 @@ def adiabatic_charging_temperature(
     Parameters
     ----------
     pressure, initial_pressure : float or array
-        Absolute pressures p reached and p0 at the start [Pa].
+        Absolute pressures: final pressure p, and pressure p0 in the vessel at the start [Pa].
     supply_temperature, initial_temperature : float or array
         Temperatures T_s of the supply and T0 in the vessel at the start [K].
     isentropic_exponent : float or array
@@ -277,14 +279,14 @@ def adiabatic_charging_temperature(
 def isentrope_temperature(
     pressure: Any, initial_pressure: Any, initial_temperature: Any, isentropic_exponent: Any = AIR_ISENTROPIC_EXPONENT
 ) -> Any:
-    r"""Return the temperature of a closed gas that is compressed or expanded without heat transfer.
+    r"""Return the temperature of a constant mass of gas after a change of state without heat transfer.
 
     .. math:: T = T_0 \left(\frac{p}{p_0}\right)^{(\kappa - 1)/\kappa}
 
     Parameters
     ----------
     pressure, initial_pressure : float or array
-        Absolute pressures p and, at the start, p0 [Pa].
+        Absolute pressures: final pressure p, and pressure p0 at the start [Pa].
     initial_temperature : float or array
         Temperature T0 at the start [K].
     isentropic_exponent : float or array
@@ -297,9 +299,8 @@ def isentrope_temperature(
 
     Notes
     -----
-    The tank of Varga & Keski-Honkola 2012 follows this law while it is charged. It is valid for the
-    gas that remains in a vessel during discharge. For charging from 1 to 5 bar it gives 464 K; the energy balance
-    gives 380 K.
+    The law is valid for the gas that remains in a vessel during discharge. The tank model of Varga & Keski-Honkola 2012
+    uses it for charging too: from 1 to 5 bar the law gives 464 K, but the energy balance gives 380 K.
 
     Examples
     --------
@@ -317,18 +318,20 @@ def isentrope_choked_charging_time(
     rate: Any,
     isentropic_exponent: Any = AIR_ISENTROPIC_EXPONENT,
 ) -> Any:
-    r"""Return the time to charge a vessel by choked flow on an isentrope.
+    r"""Return the time in which choked flow charges a vessel whose gas follows an isentrope.
 
-    This is the tank model of Varga & Keski-Honkola 2012.
+    This is the tank model of Varga & Keski-Honkola 2012. The energy balance of charging gives another temperature, see
+    `isentrope_temperature`.
 
     .. math:: t = \frac{p_0}{K p_1} \left[\left(\frac{p}{p_0}\right)^{1/\kappa} - 1\right]
 
     Parameters
     ----------
     pressure, initial_pressure, supply_pressure : float or array
-        Absolute pressures p to be reached, at most b p1, p0 at the start, and p1 of the supply [Pa].
+        Absolute pressures: final pressure p, at most b p1; pressure p0 in the vessel at the start; pressure p1 of the
+        supply [Pa].
     critical_ratio : float or array
-        Critical pressure ratio b of the passage [1].
+        Critical pressure ratio b of the flow path [1].
     rate : float or array
         Rate K from `charging_rate` at the initial temperature [1/s].
     isentropic_exponent : float or array
@@ -342,7 +345,7 @@ def isentrope_choked_charging_time(
     Raises
     ------
     OutOfRangeError
-        If the flow path is not choked at this pressure.
+        If the flow is not choked at the final pressure.
 
     Notes
     -----
@@ -363,6 +366,7 @@ def isentrope_choked_charging_time(
 def _subsonic_angle(ratio: Any, critical_ratio: Any) -> Any:
     """Return the angle that describes a pressure ratio on the quarter ellipse [rad].
 
-    The quarter ellipse is the subsonic part of the flow law. The angle is zero for choked flow.
+    The quarter ellipse is the subsonic part of the flow law: the sine of the angle is (r - b)/(1 - b) for the pressure
+    ratio r. The angle is zero for choked flow.
     """
     return np.arcsin(np.clip((ratio - critical_ratio) / (1.0 - critical_ratio), 0.0, 1.0))

@@ -34,10 +34,7 @@ CurveValues = list[tuple[PlottedCurve, Any, Any]]
 
 
 def curves_of(result: BenchResult | None, test: str) -> list[PlottedCurve]:
-    """Return the curves of one test in a bench result.
-
-    The list is empty if there is no result.
-    """
+    """Return the curves of one test in a bench result; empty if `result` is None."""
     return list(result.curves.get(test, ())) if result is not None else []
 
 
@@ -69,7 +66,7 @@ def _cases(curves: Iterable[PlottedCurve]) -> list[str]:
 def characteristic_figure(result: BenchResult, reference: BenchResult | None = None) -> Figure:
     """Draw the outlet pressure versus the setpoint, and its deviation from the nominal line.
 
-    `reference` is the result of a reference valve.
+    `reference` is the result of a second valve, drawn with dashed lines for comparison.
     """
     figure, (left, right) = _figure_with_two_axes()
     colours = {"up": _UP, "down": _DOWN}
@@ -112,7 +109,7 @@ def characteristic_figure(result: BenchResult, reference: BenchResult | None = N
 def resolution_figure(result: BenchResult, reference: BenchResult | None = None) -> Figure:
     """Draw the response of the outlet pressure to a small staircase of the setpoint.
 
-    `reference` is the result of a reference valve.
+    `reference` is the result of a second valve, drawn with dashed lines for comparison.
     """
     figure, axes = _single(2.4)
     curves = curves_of(result, "resolution")
@@ -128,10 +125,11 @@ def resolution_figure(result: BenchResult, reference: BenchResult | None = None)
 
 
 def _draw_both_directions(axes: Any, curves: CurveValues, reference: CurveValues, thick: tuple[str, ...]) -> None:
-    """Draw the curves of each case (test condition) in one colour.
+    """Draw the outlet pressure at increasing and at decreasing flow or supply pressure.
 
-    Curves with a name in `thick` are drawn as thick lines, and their return curves as thin lines. The reference valve
-    has no return curves.
+    All curves of one test condition (case) have the same colour. Curves at increasing flow or pressure are thick, and
+    the others are thin; `thick` contains the names of the former. For the reference valve, only curves at increasing
+    flow or pressure are drawn, as dashed lines.
     """
     cases = _cases(curve for curve, _, _ in curves)
     for group, is_other in ((curves, False), (reference, True)):
@@ -148,7 +146,7 @@ def _draw_both_directions(axes: Any, curves: CurveValues, reference: CurveValues
 def flow_figure(result: BenchResult, reference: BenchResult | None = None) -> Figure:
     """Draw the outlet pressure versus the forward and the relief flow.
 
-    `reference` is the result of a reference valve.
+    `reference` is the result of a second valve, drawn with dashed lines for comparison.
     """
     figure, axes = _single(3.4)
     curves = curves_of(result, "flow")
@@ -162,9 +160,9 @@ def flow_figure(result: BenchResult, reference: BenchResult | None = None) -> Fi
 
 
 def supply_figure(result: BenchResult, reference: BenchResult | None = None) -> Figure:
-    """Draw the outlet pressure versus the supply pressure.
+    """Draw the outlet pressure, minus its mean, versus the supply pressure.
 
-    `reference` is the result of a reference valve.
+    `reference` is the result of a second valve, drawn with dashed lines for comparison.
     """
     figure, axes = _single(2.4)
 
@@ -184,21 +182,22 @@ def supply_figure(result: BenchResult, reference: BenchResult | None = None) -> 
 def step_figure(result: BenchResult, reference: BenchResult | None = None) -> Figure:
     """Draw all step responses of the outlet pressure, relative to its total change.
 
-    Steps up are at the left, steps down at the right. Each load volume has one row of axes.
+    Steps up are at the left, steps down at the right. Each load volume has one row of axes. `reference` is the result
+    of a second valve, drawn with dashed lines for comparison.
     """
     curves = curves_of(result, "step")
-    volumes = list(dict.fromkeys(_volume_of(c.case) for c in curves)) or [""]
-    sizes = list(dict.fromkeys(_size_of(c.case) for c in curves))[:_MAX_CASES]
+    volumes = list(dict.fromkeys(_volume_suffix(c.case) for c in curves)) or [""]
+    sizes = list(dict.fromkeys(_step_size(c.case) for c in curves))[:_MAX_CASES]
     row = _TOP + 2.5 + _FOOT
     figure = new_figure(_WIDTH, len(volumes) * row)
     for k, volume in enumerate(volumes):
         for column, sign in enumerate("+-"):
             axes = axes_in(figure, _LEFT + column * (_HALF + _GAP), k * row + _TOP, _HALF, 2.5)
-            same = [c for c in curves if _volume_of(c.case) == volume and c.case.startswith(sign)]
+            same = [c for c in curves if _volume_suffix(c.case) == volume and c.case.startswith(sign)]
             cases = {c.case for c in same}
             unit = readable_unit("s", max((float(c.x[-1]) for c in same), default=1.0))
             for curve in (*same, *(c for c in curves_of(reference, "step") if c.case in cases)):
-                size = _size_of(curve.case)
+                size = _step_size(curve.case)
                 if size in sizes:
                     is_own = curve in same
                     style = {"label": f"{size} % FS"} if is_own else _OTHER
@@ -211,16 +210,16 @@ def step_figure(result: BenchResult, reference: BenchResult | None = None) -> Fi
     return figure
 
 
-def _size_of(case: str) -> str:
-    """Return the step size in the name of a case, without its sign.
+def _step_size(case: str) -> str:
+    """Return the size of a step in the name of a case, without sign.
 
     For `+80 % FS, 1 l` the result is `80`.
     """
     return case[1:].partition(" ")[0]
 
 
-def _volume_of(case: str) -> str:
-    """Return the load volume in the name of a case, with its comma.
+def _volume_suffix(case: str) -> str:
+    """Return the load volume in the name of a case, with the comma before it.
 
     For `+80 % FS, 1 l` the result is `, 1 l`. The text is empty if the name contains no volume.
     """
@@ -230,7 +229,7 @@ def _volume_of(case: str) -> str:
 def bode_figure(result: BenchResult, reference: BenchResult | None = None) -> Figure:
     """Draw gain and phase of the valve versus frequency.
 
-    `reference` is the result of a reference valve.
+    `reference` is the result of a second valve, drawn with dashed lines for comparison.
     """
     figure, (gain, phase) = _figure_with_two_axes()
     curves = curves_of(result, "frequency")

@@ -49,9 +49,9 @@ _SIGNS = {"at most": "≤ ", "at least": "≥ ", "": ""}
 
 
 def value_text(value: float, unit: str, bound: str = "") -> str:
-    """Return a value with a readable unit.
+    """Return a value with a readable unit as text.
 
-    `bound` is `at most` or `at least` if the value is a limit.
+    `bound` is `at most` or `at least` if the value is a bound, which the text shows by a sign.
 
     Examples
     --------
@@ -90,16 +90,17 @@ def figure_text(figure: CharacteristicValue | None) -> str:
 
 
 def conditions_text(figure: CharacteristicValue) -> str:
-    """Return the test conditions of a characteristic value as text."""
+    """Return the operating conditions of a characteristic value as text."""
     units = {"volume": "m^3", "flow": "kg/s", "frequency": "Hz", "lowest_supply": "Pa", "highest_supply": "Pa"}
     c = {key: value_text(value, units[key]) if key in units else value for key, value in figure.conditions.items()}
     return ", ".join(form.format_map(c) for key, form in _CONDITIONS.items() if key in c)
 
 
-class _Sentences(NamedTuple):
-    """Function object that completes sentences with characteristic values.
+class _SentenceBuilder(NamedTuple):
+    """Function object that inserts characteristic values into sentences.
 
-    If a value is missing, the result is empty. A phrase in square brackets is omitted if one of its values is missing.
+    A sentence becomes empty if one of its values is missing. A phrase in square brackets is omitted if one of its own
+    values is missing.
     """
 
     figures: Mapping[str, CharacteristicValue]
@@ -118,18 +119,18 @@ class _Sentences(NamedTuple):
         return set(re.findall(r"{(\w+)}", form)) <= set(self.figures)
 
     def value(self, name: str) -> float:
-        """Return a characteristic value, or NaN if it is missing."""
+        """Return the characteristic value with the name `name`, or NaN if it is missing."""
         return self.figures[name].value if name in self.figures else math.nan
 
 
 def _value_or_bound(figure: CharacteristicValue) -> str:
-    """Return a characteristic value for a sentence, such as `at most 0.5 % FS`."""
+    """Return a characteristic value as text, such as `at most 0.5 % FS`."""
     return f"{figure.bound} {value_text(figure.value, figure.unit)}".strip()
 
 
-def verdict(result: BenchResult, test: str) -> str:
-    """Return sentences that evaluate the results of one test."""
-    w = _Sentences(result.figures)
+def verdict_text(result: BenchResult, test: str) -> str:
+    """Return sentences that summarise the results of one test."""
+    w = _SentenceBuilder(result.figures)
     span = f"Between {RANGE[0]:g} and {RANGE[1]:g} % FS the outlet is within"
     sensitivity = w.figures.get("supply_sensitivity")
     change = replace(sensitivity, value=1e5 * abs(sensitivity.value), unit="Pa") if sensitivity else None
@@ -216,7 +217,7 @@ class SectionText(NamedTuple):
     def column(self, key: str) -> tuple[str, str]:
         """Return heading and unit of a table column.
 
-        For a column with texts, the unit is `word`.
+        `key` is the name of the value in the column. The unit of a column of texts is `word`.
         """
         return {**_HEADINGS, **self.headings}.get(key, key.replace("_", " ")), _UNITS.get(key, "% FS")
 
@@ -285,17 +286,17 @@ _STANDARD = (
 
 
 def write_bench(result: BenchResult, path: str | Path, other: BenchResult | None = None) -> Path:
-    """Write the report of a bench test as HTML.
+    """Write the report of a bench result as HTML.
 
-    `other` is the result of a reference valve. Equal results give equal bytes.
+    `other` is the result of a second valve for comparison. Equal results give equal bytes.
     """
     return write_page(path, lambda: bench_page(result, other))
 
 
 def bench_page(result: BenchResult, other: BenchResult | None = None) -> str:
-    """Return the report of a bench test as HTML.
+    """Return the report of a bench result as HTML.
 
-    `other` is the result of a reference valve, whose values are also shown.
+    `other` is the result of a second valve, whose values are also shown.
     """
     with style("A report of a bench"):
         tests = [test for test in TESTS if test in result.rows]
@@ -333,7 +334,7 @@ def _head(result: BenchResult, reference: BenchResult | None, tests: list[str]) 
     lines = "".join(
         f"<p><strong>{DESCRIPTIONS[test].title}</strong> <span>{html.escape(text)}</span></p>\n"
         for test in tests
-        if (text := verdict(result, test))
+        if (text := verdict_text(result, test))
     )
     lead = _SOURCES.get(result.source, result.source) + (f" Compared with: {reference.title}." if reference else "")
     notes = [*result.notes.get("bench", ()), *result.comparison.get("notes", ())]
@@ -342,9 +343,9 @@ def _head(result: BenchResult, reference: BenchResult | None, tests: list[str]) 
 
 
 def _test_section(result: BenchResult, reference: BenchResult | None, test: str) -> list[str | ReportTable]:
-    """Return the section of the report on one test.
+    """Return the section of the report on one test: text, figure, notes and table.
 
-    Its table has one row for each case (test condition).
+    The table has one row for each case (test condition). `reference` is the result of a second valve for comparison.
     """
     description, meaning, rows = DESCRIPTIONS[test], TESTS[test].meaning, result.rows.get(test, ())
     figure = ""
@@ -365,14 +366,14 @@ def _test_section(result: BenchResult, reference: BenchResult | None, test: str)
         for row in rows
     ]  # fmt: skip
     headings = [Column(heading, "" if unit == "word" else "s") for heading, unit in columns]
-    text = paragraph(f"{meaning[:1].upper() + meaning[1:]}.")
+    text = paragraph(meaning)
     return [text, figure, findings(result.notes.get(test, ())), ReportTable(headings, cells if keys else ())]
 
 
 def figure_table(result: BenchResult, reference: BenchResult | None = None) -> ReportTable:
     """Return a table of all characteristic values with their definitions.
 
-    A second column contains the values of the reference valve.
+    If `reference`, the result of a second valve, is given, further columns contain its values and the ratios.
     """
     rows: list[list[Any]] = []
     headings = ["value ± 95 %"]
@@ -402,7 +403,7 @@ def figure_table(result: BenchResult, reference: BenchResult | None = None) -> R
 
 
 def _on_one_line(text: str) -> str:
-    """Return a text that stays on one line, with non-breaking spaces."""
+    """Return a text with non-breaking spaces, so that it stays on one line."""
     return text.replace(" ", "\N{NO-BREAK SPACE}")
 
 

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from poppet.bench.limits.bandwidth import WORTH, Point
+from poppet.bench.limits.bandwidth import WORTH
 from poppet.bench.limits.maps import CONTROLLER, INTERRUPTED, LOAD, PARTS, LimitsPlan, LimitsResult
 from poppet.bench.limits.stability import DECAYS, OSCILLATES
 from poppet.report.html_page import Section, document, findings, folded, head, paragraph, picture, write_page
@@ -140,7 +140,7 @@ def _stability(result: LimitsResult) -> list[str | ReportTable]:
             f"x {s:g}, x {d:g}, {v * 1e3:.3g} l",
             f"{point.growth:.3g}" if math.isfinite(point.growth) else "?",
             motion_text(point.smooth, point.smooth_frequency),
-            swing_text(point.amplitude),
+            amplitude_text(point.amplitude),
             f"{point.frequency:.3g}" if math.isfinite(point.frequency) else "-",
         )
         for (s, d, v), point in result.stability.items()
@@ -155,7 +155,7 @@ def _stability(result: LimitsResult) -> list[str | ReportTable]:
     text = "<p>Cases in which the linear model and the full model without bands disagree:</p>\n" if differing else ""
     return [
         picture(stability_figure(result), "stability", caption),
-        picture(hum_figure(result), "hum", cycle_caption),
+        picture(limit_cycle_figure(result), "hum", cycle_caption),
         folded("The values as a table", values),
         text,
         ReportTable((*numeric("spring", "damping", "volume"), "reason"), differing),
@@ -163,33 +163,43 @@ def _stability(result: LimitsResult) -> list[str | ReportTable]:
 
 
 def bandwidth_figure(result: LimitsResult) -> Figure:
-    """Draw the bandwidth by load volume and amplitude of the setpoint.
+    """Draw a map of the bandwidth by load volume and amplitude of the setpoint.
 
     Each cell also names the part that limits the bandwidth.
     """
     plan = result.plan
     height = len(plan.volumes) * 0.62
     figure, (axes,) = _figure_with_panels(1, height, _SIDE + 0.35, 0.0)
-    values, noise, names = _array(result.grid("gain_frequency")), _array(result.grid("noise")), _limiting_parts(result)
+    values, noise = (_array(result.bandwidth_map(name)) for name in ("gain_frequency", "noise"))
     mesh, mark = _draw_heat_map(axes, values, (plan.lowest, plan.highest))
     _volume_axes(axes, plan)
-    hertz = _formatter_of_cells(values, lambda v: frequency_text(plan, v))
-    rough = _Line(0.13, 9.5, lambda cell: f"~{hertz(cell)}" if noise[cell] > NOISY else hertz(cell), "bold")
-    _write(axes, values, mark, rough, _Line(-0.24, 7.5, lambda cell: names[cell[0]][cell[1]]))
+    hertz = _cell_formatter(values, lambda v: frequency_text(plan, v))
+    rough = _CellLine(0.13, 9.5, lambda cell: f"~{hertz(cell)}" if noise[cell] > NOISY else hertz(cell), "bold")
+
+    def limiting_part(cell: tuple[int, int]) -> str:
+        point = result.points.get((plan.volumes[cell[0]], plan.amplitudes[cell[1]]))
+        if point is None or not point.limiting:
+            return ""
+        # Behind the load, the valve part with the largest effect.
+        gains = {part: gain for part, gain in point.gains.items() if part != LOAD}
+        second = max(gains, key=lambda part: gains[part]) if point.limiting == LOAD else ""
+        return SHORT[point.limiting] + (f", {SHORT[second]}" if second and gains[second] >= WORTH else "")
+
+    _write(axes, values, mark, rough, _CellLine(-0.24, 7.5, limiting_part))
     axes.set_title("-3 dB frequency [Hz], and the part that limits it", loc="left")
     _bar(figure, mesh, _WIDTH - _SIDE - 0.15, height, "")
     return figure
 
 
 def response_figure(result: LimitsResult) -> Figure:
-    """Draw the frequency with a phase lag of 90 degrees, and the step times.
+    """Draw maps of the frequency with 90 degrees of lag and of step times.
 
-    The step times are those of a step up and of a step down.
+    The axes of each map are amplitude and load volume. There is one map for steps up and one for steps down.
     """
     plan = result.plan
-    phase, up, down = (_array(result.grid(name)) for name in ("phase_frequency", "rise_up", "rise_down"))
+    phase, up, down = (_array(result.bandwidth_map(name)) for name in ("phase_frequency", "rise_up", "rise_down"))
     times = np.concatenate([grid[np.isfinite(grid)] for grid in (up, down)])
-    # Both steps have one scale. Without times the minimum exceeds the maximum; `_heat` corrects this.
+    # Both steps have one scale. Without times the minimum exceeds the maximum; `_draw_heat_map` corrects this.
     span = (float(np.min(times, initial=10.0)), float(np.max(times, initial=1e-3)))
     maps: list[tuple[str, Array, tuple[float, float], str, Callable[[float], str]]] = [
         ("-90 deg frequency [Hz]", phase, (plan.lowest, plan.highest), "viridis", lambda v: frequency_text(plan, v)),
@@ -200,15 +210,15 @@ def response_figure(result: LimitsResult) -> Figure:
     for k, (axes, (title, values, limits, colours, text)) in enumerate(zip(panels, maps, strict=True)):
         _, mark = _draw_heat_map(axes, values, limits, colours)
         _volume_axes(axes, plan, is_first=k == 0)
-        _write(axes, values, mark, _Line(0.0, 8.0, _formatter_of_cells(values, text)))
+        _write(axes, values, mark, _CellLine(0.0, 8.0, _cell_formatter(values, text)))
         axes.set_title(title, loc="left")
     return figure
 
 
 def ideal_figure(result: LimitsResult) -> Figure:
-    """Draw by which factor the bandwidth increases if one part is ideal.
+    """Draw maps of the bandwidth with one ideal part, relative to the real bandwidth.
 
-    Each part has a map of its own.
+    There is one map per part. Its axes are amplitude and load volume.
     """
     plan = result.plan
     height = len(plan.volumes) * 0.36
@@ -217,14 +227,14 @@ def ideal_figure(result: LimitsResult) -> Figure:
         values = _array(result.gains(part))
         mesh, mark = _draw_heat_map(axes, values, (0.1, 10.0), "RdBu")
         _volume_axes(axes, plan, is_first=k % _MAX_COLUMNS == 0, is_last=k >= _MAX_COLUMNS)
-        _write(axes, values, mark, _Line(0.0, 7.5, _formatter_of_cells(values, lambda v: f"{v:.2g}")))
+        _write(axes, values, mark, _CellLine(0.0, 7.5, _cell_formatter(values, lambda v: f"{v:.2g}")))
         axes.set_title(part, loc="left", color=_COLOURS[part])
     _bar(figure, mesh, _WIDTH - _SIDE - 0.1, 2 * height + _TOP, "bandwidth, ideal / real")
     return figure
 
 
 def stability_figure(result: LimitsResult) -> Figure:
-    """Draw the growth rate of the linear model.
+    """Draw maps of the growth rate of the linear model, one for each spring factor.
 
     Each cell also describes the motion of the nonlinear model after a disturbance.
     """
@@ -233,26 +243,26 @@ def stability_figure(result: LimitsResult) -> Figure:
     norm = SymLogNorm(10.0, vmin=-2000.0, vmax=2000.0)
 
     def draw(axes: Any, spring: float) -> QuadMesh:
-        growth, hum = (_array(result.map(name, spring)) for name in ("growth", "smooth_frequency"))
-        does = np.array(result.map("smooth", spring))
+        growth, hum = (_array(result.stability_map(name, spring)) for name in ("growth", "smooth_frequency"))
+        does = np.array(result.stability_map("smooth", spring))
         _write(
             axes, growth, lambda v: "white" if abs(v) > 300.0 else INK,
-            _Line(0.17, 8.0, lambda cell: f"{growth[cell]:.3g}" if math.isfinite(growth[cell]) else "?"),
-            _Line(-0.22, 7.0, lambda cell: motion_text(does[cell], hum[cell])),
+            _CellLine(0.17, 8.0, lambda cell: f"{growth[cell]:.3g}" if math.isfinite(growth[cell]) else "?"),
+            _CellLine(-0.22, 7.0, lambda cell: motion_text(does[cell], hum[cell])),
         )  # fmt: skip
         return _mesh(axes, growth, cmap="RdBu_r", norm=norm)
 
     return _spring_figure(result, draw, "growth of the linear model [1/s]")
 
 
-def hum_figure(result: LimitsResult) -> Figure:
-    """Draw amplitude and frequency of the limit cycles of the complete valve.
+def limit_cycle_figure(result: LimitsResult) -> Figure:
+    """Draw maps of the limit cycles of the complete valve, one for each spring factor.
 
-    Limit cycles are self-excited oscillations.
+    Limit cycles are self-excited oscillations. Each cell contains amplitude and frequency.
     """
 
     def draw(axes: Any, spring: float) -> QuadMesh:
-        amplitude, frequency = (_array(result.map(name, spring)) for name in ("amplitude", "frequency"))
+        amplitude, frequency = (_array(result.stability_map(name, spring)) for name in ("amplitude", "frequency"))
         mesh, mark = _draw_heat_map(axes, amplitude, (10.0, 1e4), "viridis_r")
 
         def frequency_word(cell: Any) -> str:
@@ -261,17 +271,17 @@ def hum_figure(result: LimitsResult) -> Figure:
                 return ""
             return f"{hertz:.2g} Hz" if hertz < 10.0 else f"{hertz:.0f} Hz"
 
-        first = _Line(0.17, 8.0, lambda cell: swing_text(amplitude[cell]))
-        _write(axes, amplitude, mark, first, _Line(-0.22, 7.0, frequency_word))
+        first = _CellLine(0.17, 8.0, lambda cell: amplitude_text(amplitude[cell]))
+        _write(axes, amplitude, mark, first, _CellLine(-0.22, 7.0, frequency_word))
         return mesh
 
     return _spring_figure(result, draw, "amplitude at the outlet [Pa]")
 
 
-def swing_text(value: float) -> str:
-    """Return the amplitude of the outlet pressure as text.
+def amplitude_text(value: float) -> str:
+    """Return an amplitude of the outlet pressure [Pa] as text.
 
-    `value` is the amplitude [Pa].
+    The text is `rests` below 1 Pa, and `?` if the amplitude is not known.
     """
     if not math.isfinite(value):
         return "?"
@@ -280,26 +290,8 @@ def swing_text(value: float) -> str:
     return f"{value:.3g}" if value < 1e3 else f"{value:.0f}"
 
 
-def _limiting_parts(result: LimitsResult) -> list[list[str]]:
-    """Return the name of the limiting part for each cell of a map.
-
-    This part limits the bandwidth. If the load is the limit, the most important part of the valve is also named if its
-    effect is large enough.
-    """
-
-    def word(point: Point | None) -> str:
-        if point is None or not point.limiting:
-            return ""
-        gains = {part: gain for part, gain in point.gains.items() if part != LOAD}
-        second = max(gains, key=lambda part: gains[part]) if point.limiting == LOAD else ""
-        return SHORT[point.limiting] + (f", {SHORT[second]}" if second and gains[second] >= WORTH else "")
-
-    plan = result.plan
-    return [[word(result.points.get((volume, size))) for size in plan.amplitudes] for volume in plan.volumes]
-
-
-class _Line(NamedTuple):
-    """One line of text that each cell of a map contains: position, size and content."""
+class _CellLine(NamedTuple):
+    """Line of text in each cell of a map: position, size and content."""
 
     up: float  # distance from the centre
     size: float  # of the font
@@ -307,15 +299,15 @@ class _Line(NamedTuple):
     weight: str = "normal"
 
 
-def _write(axes: Any, values: Array, colour: Callable[[float], str], *lines: _Line) -> None:
+def _write(axes: Any, values: Array, colour: Callable[[float], str], *lines: _CellLine) -> None:
     for cell, value in np.ndenumerate(values):
         alignment = {"ha": "center", "va": "center", "color": colour(float(value))}
         for up, size, text, weight in lines:
             axes.text(cell[1], cell[0] + up, text(cell), fontsize=size, fontweight=weight, **alignment)
 
 
-def _formatter_of_cells(values: Array, text: Callable[[float], str]) -> Callable[[Any], str]:
-    """Return a function that formats the value of a cell.
+def _cell_formatter(values: Array, text: Callable[[float], str]) -> Callable[[Any], str]:
+    """Return a function that formats the value of a cell, given its index.
 
     The function returns a dash for NaN, and otherwise the result of `text`.
     """
@@ -327,10 +319,10 @@ def _array(grid: list[list[Any]]) -> Array:
 
 
 def _figure_with_panels(count: int, height: float, right: float, gap: float) -> tuple[Figure, list[Any]]:
-    """Return an empty figure with several axes of equal size.
+    """Return an empty figure with `count` axes of equal size.
 
-    The axes are in one row, or in two rows if `count` is `2 * _MAX_COLUMNS`. `right` and `gap` are the margin at the
-    right and the distance between axes.
+    `height` is the height of the axes, `right` the right margin and `gap` the distance between axes [in]. The axes are
+    in one row, or in two rows if `count` is six.
     """
     columns = _MAX_COLUMNS if count == 2 * _MAX_COLUMNS else count
     rows = count // columns
@@ -346,8 +338,8 @@ def _figure_with_panels(count: int, height: float, right: float, gap: float) -> 
 def _spring_figure(result: LimitsResult, draw: Callable[[Any, float], Any], label: str) -> Figure:
     """Draw one map for each factor on the spring rates.
 
-    The axes of a map are damping factor and load volume. `draw` draws one map, and `label` is the label of the colour
-    bar.
+    The axes of a map are load volume and damping factor. The function `draw` draws one map, and `label` is the label of
+    the colour bar.
     """
     plan = result.plan
     height = len(plan.dampings) * 0.52
@@ -372,7 +364,8 @@ def _draw_heat_map(
 ) -> tuple[QuadMesh, Callable[[float], str]]:
     """Draw a map of values in colours on a logarithmic scale.
 
-    The second result is a function that returns a readable text colour for a value.
+    `values` has shape (rows, columns), and `limits` are the ends of the colour scale. The second item of the result is
+    a function that returns a readable text colour for a value.
     """
     from matplotlib import colormaps
     from matplotlib.colors import LogNorm
@@ -405,7 +398,8 @@ def _liters(plan: LimitsPlan) -> list[str]:
 def _label_axes(axes: Any, x_scale: Scale, y_scale: Scale, *, is_first: bool = True, is_last: bool = True) -> None:
     """Set the names and tick labels of both axes of a map.
 
-    Only the first panel of a row has labels at the left, and only the last row has labels at the bottom.
+    `is_first` is False for all but the first panel of a row, which has no labels at the left. `is_last` is False for
+    panels above another one, which have no labels at the bottom.
     """
     axes.grid(visible=False)
     (x_name, x), (y_name, y) = x_scale, y_scale
@@ -422,9 +416,9 @@ def _bar(figure: Figure, mesh: Any, left: float, height: float, label: str) -> N
 
 
 def frequency_text(plan: LimitsPlan, value: float) -> str:
-    """Return a frequency as text.
+    """Return a frequency [Hz] as text.
 
-    `value` is the frequency [Hz]. A value of 0 is below the search range, and infinity is above it.
+    The value 0 stands for a frequency below the search range, and infinity for one above it.
     """
     if value == 0.0:  # below the range
         return f"< {plan.lowest:g}"
@@ -432,15 +426,15 @@ def frequency_text(plan: LimitsPlan, value: float) -> str:
 
 
 def time_text(value: float) -> str:
-    """Return a time as text in milliseconds.
-
-    `value` is the time [s].
-    """
+    """Return a time [s] as text in milliseconds, without the unit."""
     return f"{1e3 * value:.2g}" if value < 0.0995 else f"{1e3 * value:.0f}"
 
 
 def motion_text(motion: str, frequency: float) -> str:
-    """Return the motion of the nonlinear model after a disturbance as text."""
+    """Return the motion of the nonlinear model after a disturbance as text.
+
+    The text is the frequency [Hz] of an oscillation, `calm` for a decay, or `motion` itself.
+    """
     if motion == OSCILLATES:
         return f"{frequency:.0f} Hz" if math.isfinite(frequency) and frequency > 0.0 else "oscillates"
     return "calm" if motion == DECAYS else motion

@@ -16,7 +16,7 @@ Edge = tuple[str, str, str]
 
 @dataclass(frozen=True)
 class Graph:
-    """Parts of a circuit as a graph for the layout.
+    """Parts of a circuit as a graph for the layout of a schematic.
 
     Each edge connects a port of a flow path to a gas node.
     """
@@ -28,9 +28,9 @@ class Graph:
 
 @dataclass(frozen=True)
 class BoxPosition:
-    """Layer of a box in a schematic, and position of its centre [in].
+    """Layer (column) of a box in a schematic, and position of its centre [in].
 
-    The position is measured from the lower left corner.
+    The origin is the lower left corner of the schematic.
     """
 
     x: float
@@ -39,9 +39,10 @@ class BoxPosition:
 
 
 def assign_layers(graph: Graph, fixed: Iterable[str]) -> dict[str, int]:
-    """Return the layer of each part, its distance from the gas supplies.
+    """Return the layer (column) of each part: its distance from the gas supplies.
 
-    The distance is counted in connections. `fixed` contains gas nodes with prescribed pressure, such as the supplies.
+    The distance is a number of connections. `fixed` contains the gas nodes with prescribed pressure, such as the
+    supplies.
 
     Examples
     --------
@@ -74,10 +75,9 @@ def assign_layers(graph: Graph, fixed: Iterable[str]) -> dict[str, int]:
 def _assign_reachable(
     start: Sequence[str], neighbours: Mapping[str, list[str]], layers: dict[str, int], skipped: set[str]
 ) -> None:
-    """Assign layers to all parts that can be reached from some gas nodes.
+    """Assign layers to all parts that can be reached from the gas nodes in `start`.
 
-    `start` contains these gas nodes. The search is breadth-first and does not pass through parts in `skipped`. The
-    results are added to `layers`.
+    The search is breadth-first and does not enter parts in `skipped`. The results are added to `layers`.
     """
     layers.update(dict.fromkeys(start, 0))
     queue = list(start)
@@ -92,7 +92,7 @@ def _assign_reachable(
 class Layout:
     """Positions of all boxes in a schematic.
 
-    An edge that crosses layers has a point (waypoint) in each of them.
+    An edge that crosses layers has a waypoint, an intermediate point, in each of them.
     """
 
     def __init__(
@@ -108,30 +108,26 @@ class Layout:
         self.rows: list[list[str]] = [[] for _ in range(max(layers.values(), default=0) + 1)]
         for name, layer in layers.items():
             self.rows[layer].append(name)
-        self.chains = {edge: self._chain(edge) for edge in graph.edges}
+        self.chains: dict[Edge, list[str]] = {}  # points along each edge: flow path, waypoints, gas node
+        for edge in graph.edges:
+            passage, port, store = edge
+            first, last = self.layers[passage], self.layers[store]
+            step = 1 if last > first else -1
+            waypoints = {f"{passage}.{port}.{layer}": layer for layer in range(first + step, last, step)}
+            for name, layer in waypoints.items():
+                # A waypoint has the height of two pipes, so that boxes of its layer keep a distance from it.
+                self.layers[name], self.sizes[name], self.anchors[name] = layer, (0.0, 0.16), 0.0
+                self.rows[layer].append(name)
+            self.chains[edge] = [passage, *waypoints, store]
         self.links: dict[str, list[str]] = {name: [] for row in self.rows for name in row}
         for chain in self.chains.values():
-            for first, second in pairwise(chain):
-                self.links[first].append(second)
-                self.links[second].append(first)
-        self._order()
+            for start, end in pairwise(chain):
+                self.links[start].append(end)
+                self.links[end].append(start)
+        self._sort_rows()
         self.positions = self._positions()
 
-    def _chain(self, edge: Edge) -> list[str]:
-        """Return the names of all points along an edge: flow path, waypoints, gas node."""
-        passage, port, store = edge
-        first, last = self.layers[passage], self.layers[store]
-        step = 1 if last > first else -1
-        chain = [passage]
-        for layer in range(first + step, last, step):
-            name = f"{passage}.{port}.{layer}"
-            # A waypoint has the height of two pipes, so that boxes of its layer keep a distance from it.
-            self.layers[name], self.sizes[name], self.anchors[name] = layer, (0.0, 0.16), 0.0
-            self.rows[layer].append(name)
-            chain.append(name)
-        return [*chain, store]
-
-    def _order(self) -> None:
+    def _sort_rows(self) -> None:
         """Sort the boxes within each layer so that few connections cross.
 
         In several passes, boxes are sorted by the mean position of their neighbours. The order with the fewest
@@ -167,14 +163,14 @@ class Layout:
             edge += self.column_width(layer) + self.gaps[0]
         heights = {name: 0.0 for row in self.rows for name in row}
         for row in self.rows:
-            heights |= self._separated(row, dict.fromkeys(row, 0.0))
+            heights |= self._separate(row, dict.fromkeys(row, 0.0))
         for sweep in range(_SWEEPS):
             for row in self.rows if sweep % 2 == 0 else reversed(self.rows):
                 targets = {}
                 for name in row:  # the edges to its neighbours are horizontal on average
                     ends = [heights[neighbour] + self.anchors[neighbour] for neighbour in self.links[name]]
                     targets[name] = sum(ends) / len(ends) - self.anchors[name] if ends else heights[name]
-                heights |= self._separated(row, targets)
+                heights |= self._separate(row, targets)
         floor = min((heights[name] - self.sizes[name][1] / 2.0 for name in heights), default=0.0)
         return {n: BoxPosition(columns[self.layers[n]], y - floor, self.layers[n]) for n, y in heights.items()}
 
@@ -182,8 +178,8 @@ class Layout:
         """Return the width of the widest box in a layer [in]."""
         return max((self.sizes[name][0] for name in self.rows[layer]), default=0.0)
 
-    def _separated(self, row: Sequence[str], targets: Mapping[str, float]) -> dict[str, float]:
-        """Return vertical positions of the boxes in one layer without overlaps.
+    def _separate(self, row: Sequence[str], targets: Mapping[str, float]) -> dict[str, float]:
+        """Return vertical positions [in] of the boxes in one layer without overlaps.
 
         `targets` contains the desired positions. The sum of the squared distances from them is minimal.
         """

@@ -60,7 +60,7 @@ def draw_circuit(circuit: BaseCircuit, path: str | Path | None = None) -> Figure
 class EmptyLine(NamedTuple):
     """Empty line of text in the box of a part, with position and size [pt].
 
-    x and y are the centre of the line, measured from the upper left corner of the figure.
+    `x` and `y` are the centre of the line, measured from the upper left corner of the figure.
     """
 
     part: str
@@ -75,8 +75,8 @@ def draw_with_empty_lines(
 ) -> tuple[Figure, list[EmptyLine]]:
     """Draw a schematic in which boxes contain empty lines for values.
 
-    The result contains the figure and the lines. `counts` is the number of empty lines for each part, and `min_width`
-    their minimum width [in].
+    The result contains the figure and the lines. `counts` maps parts to numbers of empty lines, and `min_width` is the
+    minimum width of a line [in].
     """
     with style("A picture of a circuit"):
         schematic = _Schematic(circuit, counts, min_width)
@@ -121,7 +121,7 @@ def part_caption(circuit: BaseCircuit, name: str) -> list[str]:
 
 @dataclass(frozen=True)
 class _Box:
-    """Box of a part in a schematic: text, ports and size [in]."""
+    """Box of a part in a schematic: text, signal labels (tags) and size [in]."""
 
     name: str
     lines: tuple[str, ...]
@@ -131,14 +131,14 @@ class _Box:
     symbol_height: float = 0.0
 
     @property
-    def body(self) -> float:
+    def body_height(self) -> float:
         """Height of the box [in], without the signal labels above it."""
         return self.height - _TAG * len(self.tags)
 
     @property
     def port_height(self) -> float:
-        """Height of the pipe ends above the centre of the box [in]."""
-        middle = self.body - _PAD - self.symbol_height / 2.0 if self.symbol_height else self.body / 2.0
+        """Height of the pipe ends relative to the centre of the box [in]."""
+        middle = self.body_height - _PAD - self.symbol_height / 2.0 if self.symbol_height else self.body_height / 2.0
         return middle - self.height / 2.0
 
 
@@ -167,7 +167,7 @@ class _Schematic:
         sizes = {name: (box.width, box.height) for name, box in self.boxes.items()}
         anchors = {name: box.port_height for name, box in self.boxes.items()}
         self.layout = Layout(self.graph, layers, sizes, _GAPS, anchors)
-        self.ends = self._ends()
+        self.ends = self._pipe_ends()
 
     def draw(self) -> Figure:
         """Draw all boxes and pipes, and return the figure."""
@@ -242,10 +242,11 @@ class _Schematic:
 
     # Ends of pipes ----------------------------------------------------------------------------------------
 
-    def _ends(self) -> dict[tuple[Edge, str], tuple[float, float]]:
-        """Return the positions at which pipes end at the boxes.
+    def _pipe_ends(self) -> dict[tuple[Edge, str], tuple[float, float]]:
+        """Return the positions at which pipes end at boxes [in].
 
-        At each box, they are sorted in the order of the boxes at the other ends of the pipes.
+        The keys are pairs of a connection and a box. At each box, the ends are in the order of the boxes at the other
+        ends of the pipes.
         """
         groups: dict[tuple[str, bool], list[tuple[float, Edge]]] = defaultdict(list)
         for edge, chain in self.layout.chains.items():
@@ -257,7 +258,7 @@ class _Schematic:
             position, box = self.layout.positions[name], self.boxes[name]
             x = position.x + (-0.5 if is_left else 0.5) * box.width
             middle = position.y + box.port_height
-            step = _PORT_STEP if box.symbol_height else min(_PORT_STEP, box.body / len(members))
+            step = _PORT_STEP if box.symbol_height else min(_PORT_STEP, box.body_height / len(members))
             for k, (_, edge) in enumerate(sorted(members, key=lambda item: -item[0])):
                 ends[edge, name] = (x, middle + (0.5 * (len(members) - 1) - k) * step)
         return ends
@@ -313,11 +314,11 @@ class _Schematic:
         fill = _PASSAGE_FILL if box.symbol_height else _RESERVOIR_FILL if is_reservoir else _STORE_FILL
         fill = _CONTROLLER_FILL if isinstance(part, Controller) else _BODY_FILL if isinstance(part, Body) else fill
         is_angular = box.symbol_height or is_reservoir or isinstance(part, Controller)
-        shape = f"round,pad=0,rounding_size={0.02 if is_angular else min(0.22, box.body / 2.0)}"
+        shape = f"round,pad=0,rounding_size={0.02 if is_angular else min(0.22, box.body_height / 2.0)}"
         outline: dict[str, Any] = {"facecolor": fill, "edgecolor": INK, "zorder": 2}
         outline["linewidth"] = 0.9 if box.symbol_height else 1.5
-        self.axes.add_patch(FancyBboxPatch((left, bottom), box.width, box.body, boxstyle=shape, **outline))
-        top = bottom + box.body - _PAD
+        self.axes.add_patch(FancyBboxPatch((left, bottom), box.width, box.body_height, boxstyle=shape, **outline))
+        top = bottom + box.body_height - _PAD
         if box.symbol_height:
             self._symbol(name, position.x, top - box.symbol_height / 2.0)
             top -= box.symbol_height
@@ -332,12 +333,12 @@ class _Schematic:
         height = _TAG - 0.025
         tag_style: dict[str, Any] = {"facecolor": "#fdeee4", "edgecolor": ACCENT, "linewidth": 0.8, "zorder": 2}
         for k, tag in enumerate(box.tags):
-            low = bottom + box.body + _TAG * k + 0.025
+            low = bottom + box.body_height + _TAG * k + 0.025
             self.axes.add_patch(FancyBboxPatch((left, low), box.width, height, boxstyle="square,pad=0", **tag_style))
             self._text(position.x, low + height / 2.0, tag, _TEXT, color=ACCENT)
 
     def _symbol(self, name: str, x: float, y: float) -> None:
-        """Draw the symbol of a part, centred on x and y.
+        """Draw the symbol of a part, centred on `x` and `y` [in].
 
         A part without a symbol is drawn as a box with a label.
         """

@@ -54,10 +54,10 @@ def contour_figure(table: Mapping[str, Any]) -> Figure:
 
 
 def profile_figure(table: Mapping[str, Any], name: str) -> Figure:
-    """Draw the increase of chi-square versus one parameter (profile).
+    """Draw the profile of a parameter: the increase of chi-square versus its value.
 
-    `table` contains the profile of the parameter `name`. The figure also shows the limit of the 95 % interval and the
-    parabola of the linear model.
+    `table` contains the profile of the parameter `name`. The figure also shows the limit of the 95 % confidence
+    interval and the parabola of the linear model.
     """
     x, rise, limit = np.asarray(table["x"]), np.asarray(table["rise"]), float(table["limit"])
     unit = readable_unit(table["unit"], float(np.max(np.abs(x))))
@@ -91,11 +91,11 @@ def profile_figure(table: Mapping[str, Any], name: str) -> Figure:
     return figure
 
 
-def starts_figure(searches: Sequence[Mapping[str, Any]], pair: Sequence[tuple[str, str]]) -> Figure:
+def search_figure(searches: Sequence[Mapping[str, Any]], pair: Sequence[tuple[str, str]]) -> Figure:
     """Draw the final costs of all searches, and their start and end points.
 
-    `pair` contains the names and units of two parameters, whose plane shows the points. If it is empty, this panel is
-    omitted.
+    `pair` contains names and SI units of the two parameters that span the plane of the points. If it is empty, the
+    points are omitted.
     """
     costs = np.array([search["cost"] for search in searches])
     rise = 2.0 * (np.sort(costs) - costs.min())
@@ -130,7 +130,7 @@ def starts_figure(searches: Sequence[Mapping[str, Any]], pair: Sequence[tuple[st
 
 
 def _set_y_ticks(axes: Any, values: FloatArray) -> FloatArray:
-    """Set the ticks of a vertical axis, and return the positions of values on it.
+    """Set the ticks of a vertical axis, and return the positions of sorted values.
 
     The axis is logarithmic if the values span several decades.
     """
@@ -143,8 +143,8 @@ def _set_y_ticks(axes: Any, values: FloatArray) -> FloatArray:
 def _logarithmic_positions(values: FloatArray) -> tuple[FloatArray, tuple[FloatArray, list[str]] | None]:
     """Return the positions of sorted values on a logarithmic axis, and its ticks.
 
-    If the values do not span several decades, the positions are the values, without ticks. Otherwise they are decimal
-    logarithms, with ticks at decades. Zero is one decade below the smallest positive value.
+    The positions are decimal logarithms; zero is one decade below the smallest positive value. Values that do not span
+    several decades are returned unchanged, with None for the ticks.
     """
     positive = values[values > 0.0]
     if not positive.size or positive[-1] < MIN_DECADES_RATIO * positive[0]:

@@ -7,7 +7,8 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from poppet.core.message_format import sentence
-from poppet.core.number_format import pretty, readable_unit, scaled
+from poppet.core.note_groups import explain_command
+from poppet.core.number_format import readable_unit, scaled
 from poppet.identify import Design, Prediction
 from poppet.identify.design.identify_design import TWO_SIDED
 from poppet.report.html_page import Section, document, findings, head, items, picture, write_page
@@ -48,18 +49,19 @@ def design_page(design: Design) -> str:
 def design_text(design: Design, max_findings: int | None = None) -> str:
     """Return an experiment design as text for a terminal.
 
-    All findings are included; `max_findings` has no effect.
+    All findings are included. `max_findings` has no effect; the summaries of other methods use it.
     """
     n_omitted = len(design.tests) - MAX_CANDIDATES
     lines = [design.title, "Make:", *(f"  {k}. {name}" for k, name in enumerate(design.chosen, start=1)), ""]
     lines += [_joint_table(design).text(), "", _ranking_caption(design)]
     lines += [_candidate_table(design, MAX_CANDIDATES).text()]
     lines += [f"  ({n_omitted} more: the page and the result file)"] if n_omitted > 0 else []
-    return "\n".join([*lines, *(f"- {remark}" for remark in design.remarks)])
+    command = explain_command(remark.code for remark in design.remarks)
+    return "\n".join([*lines, *(f"- {remark}" for remark in design.remarks), *[f"more: {command}"] * bool(command)])
 
 
 def _joint_table(design: Design) -> ReportTable:
-    """Return the expected confidence intervals after all recommended tests, as a table."""
+    """Return a table of the expected confidence intervals after all recommended tests."""
     rows = []
     for name, p in design.together.items():
         unit = readable_unit(p.unit, p.value)
@@ -70,18 +72,24 @@ def _joint_table(design: Design) -> ReportTable:
         fitted = design.simulated.get(name)
         row = (name, scaled(p.value, p.unit, unit), "" if unit == "1" else unit, width(p.half), p.verdict)
         rows.append((*row, width(TWO_SIDED * fitted.standard_error), fitted.verdict) if fitted else row)
-    columns: list[Column | str] = ["parameter", Column("about", ".4g"), "unit", Column("+/- 95 %", ".2g"), "verdict"]
+    columns: list[Column | str] = [
+        "parameter",
+        Column("about", ".4g"),
+        "unit",
+        Column("half interval", ".2g"),
+        "verdict",
+    ]
     if design.simulated:
-        columns += [Column("simulated fits +/- 95 %", ".2g"), "their verdict"]
+        columns += [Column("simulated fits: half interval", ".2g"), "their verdict"]
     return ReportTable(tuple(columns), rows, "After these tests, if the circuit is correct")
 
 
 def _candidate_table(design: Design, n_max: int) -> ReportTable:
-    """Return the expected errors of the parameters after each single test, as a table.
+    """Return a table of the expected errors of the parameters after each single test.
 
-    The relative error of a parameter is half its 95 % interval divided by its value. The table contains the geometric
-    mean of this error over all assumed values and samples of the priors. The criterion of the design is computed from
-    these errors. `n_max` limits the number of tests.
+    The relative error of a parameter is half its 95 % interval divided by its value. The table contains its geometric
+    mean over all assumed values and samples of the priors, and the criterion that is computed from these means. `n_max`
+    is the maximum number of tests.
     """
     names, ranked_by = next(iter(design.tests.values())).keys(), design.ranked_by()
     rows = [
@@ -101,7 +109,7 @@ def _ranking_caption(design: Design) -> str:
 
 
 def error_figure(design: Design) -> Figure:
-    """Draw the relative 95 % intervals after each of the best tests.
+    """Draw the relative 95 % confidence intervals after each of the best tests.
 
     Each parameter has one panel.
     """
@@ -130,5 +138,5 @@ def error_figure(design: Design) -> Figure:
         axes.set_yticks([])
         axes.grid(axis="x", alpha=0.4)
         axes.set_title(name, fontsize=8, parse_math=False)
-        axes.set_xlabel(pretty("± % of it"), fontsize=8)
+        axes.set_xlabel("half interval [% of value]", fontsize=8)
     return figure

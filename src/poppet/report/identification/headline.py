@@ -6,10 +6,10 @@ from collections.abc import Iterable
 
 from poppet.core.codes import Note
 from poppet.core.message_format import sentence
-from poppet.core.note_groups import grouped
+from poppet.core.note_groups import code_of, explain_command, grouped
 from poppet.core.number_format import number, pretty, readable_unit, scaled, value_with_error
 from poppet.identify.methods import METHODS
-from poppet.identify.result import VERDICTS, Result, behind
+from poppet.identify.result import VERDICTS, Result, unit_suffix
 
 SYMBOLS = {"sonic_conductance": "C", "critical_ratio": "b"}
 """Symbols of the parameters in a headline; without such a parameter it shows the first two of the circuit."""
@@ -41,9 +41,10 @@ NEXT = {
 
 
 def headline(result: Result, *, is_plain: bool = False) -> str:
-    """Return the main parameters with their errors, and the verdicts, as text.
+    """Return the main parameters with their errors, and the verdicts, as one line of text.
 
-    The main parameters are C and b if they were identified. `is_plain` restricts the text to ASCII.
+    The main parameters are the sonic conductance C and the critical ratio b if they were identified. With `is_plain`,
+    the text is ASCII.
 
     Examples
     --------
@@ -74,12 +75,12 @@ def headline(result: Result, *, is_plain: bool = False) -> str:
                 distinct.append(value)
         if len(distinct) > 1:
             size, verdict = " or ".join(number(scaled(value, e.unit, unit)) for value in distinct), ""
-        texts.append(f"{label} = {size}{behind(unit if is_plain else pretty(unit))}{verdict}")
-    text = f"{', '.join(texts)}. {verdicts(result)}" if texts else verdicts(result)
+        texts.append(f"{label} = {size}{unit_suffix(unit if is_plain else pretty(unit))}{verdict}")
+    text = f"{', '.join(texts)}. {verdict_counts(result)}" if texts else verdict_counts(result)
     return text.replace("±", "+/-") if is_plain else text
 
 
-def verdicts(result: Result) -> str:
+def verdict_counts(result: Result) -> str:
     """Return a sentence on how many parameters are determined.
 
     Examples
@@ -87,9 +88,9 @@ def verdicts(result: Result) -> str:
     >>> from poppet.identify import Estimate
     >>> good = Estimate(1.0, "s", 0.01, 0.98, 1.02, "determined")
     >>> poor = Estimate(1.0, "s", 9.0, 0.0, 19.0, "not determined")
-    >>> verdicts(Result("fit", "test", {"a": good, "b": poor}))
+    >>> verdict_counts(Result("fit", "test", {"a": good, "b": poor}))
     'Of 2 parameters, 1 is determined, 1 is not.'
-    >>> verdicts(Result("fit", "test", {"a": good}))
+    >>> verdict_counts(Result("fit", "test", {"a": good}))
     'The parameter is determined.'
     """
     names = [e.verdict for e in result.parameters.values()]
@@ -111,7 +112,11 @@ def verdicts(result: Result) -> str:
 
 
 def next_step(result: Result) -> str:
-    """Return a sentence with the next step that the most urgent finding suggests."""
+    """Return the next step that the most urgent finding suggests, as a sentence.
+
+    If no finding suggests a step, the sentence suggests a validation. It is empty if the method is not a fit, or if the
+    result includes a validation.
+    """
     for key, codes in NEXT.items():
         for remark in result.remarks:
             if any(remark.code == code or remark.code.startswith(f"{code}.") for code in codes):
@@ -123,7 +128,7 @@ def next_step(result: Result) -> str:
 
 
 def split_notes(notes: Iterable[Note]) -> tuple[list[Note], list[Note]]:
-    """Return the findings, and separately the notes on reading the recordings."""
+    """Divide notes into findings and notes on reading the recordings."""
     major: list[Note] = []
     minor: list[Note] = []
     for note in notes:
@@ -145,4 +150,6 @@ def result_summary(result: Result, max_findings: int | None = None) -> str:
     lines += [f"- {note}" for note in shown]
     if len(notes) > len(shown):
         lines.append(f"  ({len(notes) - len(shown)} more: --all, the page and the result file)")
+    command = explain_command(map(code_of, shown))
+    lines += [f"more: {command}"] * bool(command)
     return "\n".join(lines)

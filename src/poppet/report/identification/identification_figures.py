@@ -68,9 +68,9 @@ class Trace:
 
     @property
     def residual(self) -> FloatArray:
-        """Model minus measurement at each measured point.
+        """Model minus measurement at each measured point, (n,).
 
-        The array is empty if one of them is not available.
+        The array is empty without model or measurement.
         """
         if not self.model.size or not self.measured.size:
             return np.zeros(0)
@@ -82,14 +82,13 @@ class Trace:
 def traces_of(result: Result) -> list[Trace]:
     """Return the measured and modelled values of all channels of a result.
 
-    The table of a channel contains samples, or a curve `x`, `y` with separate measured points. Channels without values
-    are omitted.
+    Channels without values are omitted.
     """
 
     def array(table: Mapping[str, Any], key: str, like: FloatArray | None = None) -> FloatArray:
-        """Return a column of a table as an array with the shape of `like`.
+        """Return the column `key` of a table as an array.
 
-        The array is empty if the column is missing or has another shape.
+        The array is empty if the column is missing or, with `like`, has another shape than `like`.
         """
         values = np.asarray(table.get(key, ()), dtype=float)
         return values if values.ndim == 1 and (like is None or values.shape == like.shape) else np.zeros(0)
@@ -131,8 +130,8 @@ def channel_figure(
 ) -> Figure:
     """Draw measurement, model and residuals of one channel.
 
-    `curve` is a fitted curve, and `critical_ratio` the estimate of b. Rings mark the measured points that are closest
-    to the abscissas `outliers`.
+    `curve` contains abscissas and ordinates of a fitted curve, and `critical_ratio` is the estimate of the critical
+    ratio, which the figure marks. Rings mark the outliers, whose abscissas are `outliers`.
     """
     has_residuals, has_side = trace.residual.size > 1, trace.residual.size >= MIN_SAMPLES
     figure = new_figure(_WIDTH, _TOP + _UPPER + _FOOT + has_residuals * (_BETWEEN + _LOWER))
@@ -232,10 +231,7 @@ def _draw_channel(axes: Any, trace: Trace, curve: tuple[FloatArray, FloatArray] 
 
 
 def _draw_rings(axes: Any, trace: Trace, values: FloatArray, unit: str, indices: Sequence[int]) -> None:
-    """Mark outliers by rings around their points.
-
-    `indices` are the indices of the outliers.
-    """
+    """Draw rings around the points with the given indices, which are outliers."""
     if indices:
         x, y = convert(trace.x[indices], trace.x_unit, _x_unit(trace)), convert(values[indices], trace.unit, unit)
         axes.plot(x, y, "o", markersize=11, markerfacecolor="none", color=ACCENT, label="off the law")
@@ -248,9 +244,10 @@ def legend_above(axes: Any, columns: int, **options: Any) -> None:
 
 
 def residual_deviation(trace: Trace) -> tuple[float, str]:
-    """Return the standard deviation that a figure of residuals shows, and its source.
+    """Return the standard deviation for a figure of residuals, and its source.
 
-    The source is `noise` if the noise is known. Otherwise it is `rms`, the root mean square of the residuals.
+    The source is `noise` if the standard deviation of the noise is known. Otherwise it is `rms`, the root mean square
+    of the residuals.
     """
     if math.isfinite(trace.sigma) and trace.sigma > 0.0:
         return trace.sigma, "noise"
@@ -266,7 +263,7 @@ def residual_unit(trace: Trace) -> str:
 def _draw_statistics(figure: Figure, trace: Trace, residual_axes: Any) -> None:
     """Draw the histogram and the autocorrelation of the residuals.
 
-    The histogram is beside the axes of the residuals, and the autocorrelation is above it.
+    The histogram is at the right of `residual_axes`, and the autocorrelation is above the histogram.
     """
     left, unit, finite = _LEFT + _MAIN + _GAP, residual_unit(trace), trace.residual[np.isfinite(trace.residual)]
     axes = axes_in(figure, left, _TOP + _UPPER + _BETWEEN, _SIDE, _LOWER, sharey=residual_axes)
@@ -306,10 +303,7 @@ def _draw_statistics(figure: Figure, trace: Trace, residual_axes: Any) -> None:
 
 
 def interval_figure(parameters: Mapping[str, Estimate]) -> Figure:
-    """Draw the 95 % interval of each parameter.
-
-    Each axis begins at zero.
-    """
+    """Draw the 95 % confidence interval of each parameter, on an axis that includes zero."""
     left = 0.35 + widest(list(parameters), 8.5)
     figure = new_figure(_WIDTH, _ROW * len(parameters) + 0.35)
     for row, (name, e) in enumerate(parameters.items()):
@@ -343,9 +337,9 @@ def interval_figure(parameters: Mapping[str, Estimate]) -> Figure:
 
 
 def interval_range(e: Estimate) -> tuple[float, float]:
-    """Return the lower and upper limit of an axis for a confidence interval.
+    """Return the limits of an axis for an estimate and its confidence interval.
 
-    The range includes zero, and all values that are not far away.
+    The range includes zero, and all of value, start value and ends of the interval that are not far away.
 
     Examples
     --------
@@ -389,10 +383,10 @@ def correlation_figure(correlation: Mapping[str, Mapping[str, float]]) -> Figure
 
 
 def flow_curve(result: Result, trace: Trace) -> tuple[FloatArray, FloatArray] | None:
-    """Return the fitted flow law as a curve for a figure.
+    """Return the fitted flow law as a curve, in arrays of abscissas and ordinates.
 
     The curve is the effective conductance versus p2/p1, at the mean of the measured inlet pressures. The result is None
-    if a parameter of the flow law is not known.
+    if the channel is not an effective conductance, or a parameter of the flow law is not known.
     """
     numbers = dict(result.conditions.get("fixed", {}))
     numbers |= {name.rpartition(".")[2]: e.value for name, e in result.parameters.items()}

@@ -14,7 +14,7 @@ from poppet.core.number_format import scaled, with_unit
 from poppet.core.plugins import import_object
 from poppet.identify import Estimate, Result
 from poppet.identify.methods import METHODS
-from poppet.identify.result import DETERMINED, VERDICTS, WEAK
+from poppet.identify.result import VERDICTS
 from poppet.report.html_page import (
     Content,
     Section,
@@ -29,9 +29,10 @@ from poppet.report.html_page import (
 )
 from poppet.report.identification import identification_figures as figures
 from poppet.report.identification import identification_tables as tables
-from poppet.report.identification.cost_figures import contour_figure, profile_figure, starts_figure
+from poppet.report.identification.cost_figures import contour_figure, profile_figure, search_figure
 from poppet.report.identification.headline import headline, next_step, split_notes
 from poppet.report.identification.method_sections import MethodReport
+from poppet.report.identification.verdict_reasons import verdict_limits, verdict_reasons
 from poppet.report.styles import stylesheet
 from poppet.report.tables import ReportTable, code
 from poppet.timeseries.plotting.figures import style
@@ -59,7 +60,7 @@ def identification_page(result: Result) -> str:
     method = (import_object(declaration.sections) if declaration else None) or MethodReport()
     with style("A report of an identification"):
         c = result.comparison
-        explanation = f"<p>{_report_text('explained', determined=100.0 * DETERMINED, weak=100.0 * WEAK)}</p>\n"
+        explanation = f"<p>{_report_text('explained', **verdict_limits(result))}</p>\n"
         if declaration and declaration.intervals:
             explanation += f"<p>{declaration.intervals}</p>\n"
         major, minor = split_notes(result.remarks)
@@ -112,9 +113,9 @@ def identification_page(result: Result) -> str:
 
 
 def _title_and_results(result: Result, method: MethodReport) -> str:
-    """Return the title of the report, and its main results.
+    """Return the title of the report and its main results as HTML.
 
-    The results are the band of a fitted curve, or the parameters, the least certain first.
+    The main results are the band of a fitted curve, or the parameters, the least certain first.
     """
     declaration = METHODS.get(result.method)
     estimates = sorted(result.parameters.items(), key=lambda item: _WORST_FIRST.index(item[1].verdict))
@@ -135,12 +136,13 @@ def _title_and_results(result: Result, method: MethodReport) -> str:
     rows = [(tables.verdict_word(e.verdict), code(name), tables.estimate_text(e)) for name, e in estimates]
     # Without headings the table of the summary is not stacked.
     summary = bands or ReportTable(("", "", ""), rows).html().replace("scroll stack", "scroll")
+    reasons = "" if bands else "".join(map(paragraph, verdict_reasons(result)))
     step = next_step(result)
     next_line = f"<p><strong>Next:</strong> {html.escape(step)}</p>\n" if step else ""
     return (
         f"{head(result.title, declaration.description if declaration else result.method)}"
         f'<div class="summary {worst.replace(" ", "-")}"><p>{html.escape(headline(result))}</p>\n'
-        f"{next_line}{summary}</div>\n"
+        f"{next_line}{summary}{reasons}</div>\n"
     )
 
 
@@ -168,7 +170,7 @@ def _search_sections(result: Result) -> list[Section]:
         pair = []
         for field in (".sonic_conductance", ".wall_conductance"):
             pair += [(name, e.unit) for name, e in result.parameters.items() if name.endswith(field)][:1]
-        figure = starts_figure(searches, pair if len(pair) == 2 else ())
+        figure = search_figure(searches, pair if len(pair) == 2 else ())
         content = [tables.search_table(result), picture(figure, "searches", _report_text("caption.searches"))]
     profiles = {name.partition(".")[2]: table for name, table in series.items() if name.startswith("profile.")}
     pictures = [
@@ -186,9 +188,9 @@ def _search_sections(result: Result) -> list[Section]:
 
 
 def _channel_content(result: Result, index: int, trace: figures.Trace) -> str:
-    """Return the heading, the figure and the caption for one channel.
+    """Return the heading, the figure and the caption for one channel as HTML.
 
-    `index` is the index of the channel. The caption explains the bands.
+    `index` is the index of the channel.
     """
     unit = figures.residual_unit(trace)
 
@@ -228,6 +230,6 @@ def _channel_content(result: Result, index: int, trace: figures.Trace) -> str:
 def _report_text(code: str, **facts: float | str) -> str:
     """Return a text of the report from the message catalogue.
 
-    `code` is the code of the message. Keyword arguments are the facts that are inserted.
+    `code` is the code of the message without the prefix `identification.`, and `facts` are the values in its text.
     """
     return sentence(f"identification.{code}", facts)

@@ -89,10 +89,7 @@ _MAIN_PARAMETERS = ("sonic_conductance", "effective_area", "critical_ratio", "wa
 
 
 def value_text(value: float, si_unit: str) -> str:
-    """Return a value as text with a readable unit.
-
-    `si_unit` is its SI unit.
-    """
+    """Return a value in SI units as text with a readable unit."""
     if not math.isfinite(value):
         return number(value)
     unit = readable_unit(si_unit, value)
@@ -100,7 +97,7 @@ def value_text(value: float, si_unit: str) -> str:
 
 
 def error_text(value: float, error: float, si_unit: str) -> str:
-    """Return a value as text with its standard error and a readable unit.
+    """Return a value and its standard error as text with a readable unit.
 
     `si_unit` is the SI unit of both.
     """
@@ -109,7 +106,7 @@ def error_text(value: float, error: float, si_unit: str) -> str:
 
 
 def verdict_word(verdict: str) -> Markup:
-    """Return a verdict as HTML with a colour that depends on the verdict."""
+    """Return a verdict as HTML, with the colour of this verdict."""
     return Markup(f'<span class="verdict {verdict.replace(" ", "-")}">{html.escape(verdict)}</span>')
 
 
@@ -128,7 +125,7 @@ def _unit_of(e: Estimate) -> str:
 
 def parameter_table(parameters: Mapping[str, Estimate]) -> ReportTable:
     """Return a table of the parameters: value, confidence interval and verdict."""
-    estimate, start = numeric("value ± error", "95 % interval"), numeric("relative", "start")
+    estimate, start = numeric("value ± standard uncertainty", "95 % interval"), numeric("half interval", "start")
     columns: list[Column | str] = ["parameter", "verdict", *estimate, "unit", *start]
     rows = []
     for name, e in parameters.items():
@@ -141,7 +138,7 @@ def parameter_table(parameters: Mapping[str, Estimate]) -> ReportTable:
             with_detail(value_with_error(e.value, e.standard_error, e.unit, unit), si_value),
             interval(e.low, e.high, e.unit, unit),
             "-" if unit in ("1", "") else pretty(unit).replace(" ", "\N{NO-BREAK SPACE}"),
-            f"± {relative:{'.0f' if relative >= 10.0 else '.2g'}} %" if relative < 1000.0 else "-",
+            f"{relative:{'.0f' if relative >= 10.0 else '.2g'}} %" if relative < 1000.0 else "-",
             number(scaled(e.start, e.unit, unit)) if math.isfinite(e.start) else "-",
         ]
         rows.append(row)
@@ -151,7 +148,7 @@ def parameter_table(parameters: Mapping[str, Estimate]) -> ReportTable:
 
 
 def residual_table(result: Result) -> ReportTable:
-    """Return a table of statistics of the residuals of each channel.
+    """Return a table with statistics of the residuals of each channel.
 
     A residual is model minus measurement.
     """
@@ -168,9 +165,9 @@ def residual_table(result: Result) -> ReportTable:
 
 
 def _residual_text(value: float, si_unit: str, rms: float, unit: str = "") -> str:
-    """Return a residual as text with its unit.
+    """Return a residual in SI units as text with a readable unit.
 
-    The number of decimals is that with which the rms value has three digits.
+    The text has the number of decimals with which the rms value has three digits.
     """
     unit = unit or readable_unit(si_unit, rms)
     places = decimals(scaled(rms, si_unit, unit))
@@ -179,9 +176,9 @@ def _residual_text(value: float, si_unit: str, rms: float, unit: str = "") -> st
 
 
 def comparison_table(result: Result) -> ReportTable:
-    """Return a table that compares two models by AICc and residuals.
+    """Return a table that compares the model of the result with another model.
 
-    They are this model and the one with which the fit was compared.
+    The table contains AICc, the number of free parameters, and residuals.
     """
     c = result.comparison
     rows = [
@@ -232,9 +229,9 @@ def _condition(result: Result, name: str, value: Any) -> str:
 
 
 def plain_text(value: Any, unit: str) -> str:
-    """Return a condition of a test as text.
+    """Return the value of a test condition as text.
 
-    Numbers have a readable unit. Truth values become `yes` or `no`.
+    Numbers in SI units have a readable unit. Truth values become `yes` or `no`.
     """
     if isinstance(value, Number):
         text = value.display()
@@ -245,18 +242,18 @@ def plain_text(value: Any, unit: str) -> str:
 
 
 def main_parameters(result: Result) -> list[str]:
-    """Return the addresses of the parameters that tables of searches and optima show.
+    """Return the addresses of at most four parameters, for tables of searches and optima.
 
-    There are at most four. If none of the usual parameters was fitted, they are the first parameters of the result.
+    They are conductances and the critical ratio, or, if none of them was fitted, the first parameters of the result.
     """
     names = [name for name in result.parameters if name.rpartition(".")[2] in _MAIN_PARAMETERS]
     return (names or list(result.parameters))[:4]
 
 
 def search_table(result: Result) -> ReportTable:
-    """Return a table of the searches: start point, end point and chi-square.
+    """Return a table of the searches: start point, end point and increase in chi-square.
 
-    The increase in chi-square is relative to the best search.
+    The increase is relative to the best search.
     """
     searches, names = result.conditions["searches"], main_parameters(result)
     min_cost = min(search["cost"] for search in searches)
@@ -284,9 +281,9 @@ def optimum_table(result: Result) -> ReportTable:
 
 
 def alternative_table(result: Result) -> ReportTable:
-    """Return a table of the alternative models: difference in AICc, and estimates.
+    """Return a table of the alternative models, which have further free parameters.
 
-    An alternative model has other free parameters.
+    It contains the difference in AICc and the estimates.
     """
     names, rows = main_parameters(result), []
     for label, model in result.comparison["alternatives"].items():
@@ -302,9 +299,9 @@ def _interval_cell(value: float, low: float, high: float, si_unit: str) -> Marku
 
 
 def law_table(result: Result) -> ReportTable:
-    """Return a table with a row for each thermal law.
+    """Return a table that compares the fits with each thermal law.
 
-    A row contains AICc relative to the best law, and the estimates.
+    A row contains AICc minus that of the best law, the estimates and the residuals.
     """
     laws, names = result.comparison["thermal_laws"], main_parameters(result)
     min_aicc = min(float(law["aicc"]) for law in laws.values())
@@ -326,7 +323,7 @@ def law_table(result: Result) -> ReportTable:
 def statistics_table(result: Result) -> ReportTable:
     """Return a table of the statistical tests on the residuals.
 
-    The table is empty if the method made only one test.
+    The table is empty if the method made fewer than two tests.
     """
     values = [(label, result.comparison[key]) for key, label in _STATISTICS.items() if key in result.comparison]
     monotone = result.comparison.get("monotone")
@@ -345,7 +342,7 @@ def _statistic(value: Any) -> str:
 def correlation_sentence(correlation: Mapping[str, Mapping[str, float]]) -> str:
     """Return a sentence on the correlation between the first two parameters.
 
-    The text is empty without correlations.
+    The text is empty if the result has no correlations.
     """
     pairs = [(a, b, r) for a, row in correlation.items() for b, r in row.items()]
     if not pairs:

@@ -36,7 +36,7 @@ class MethodReport(NamedTuple):
 
 
 def _steady_sections(result: Result) -> list[Section]:
-    """Return the sections on each test of a flow bench or valve characteristic."""
+    """Return the sections on the tests of a flow bench or a valve characteristic."""
     stroke_rows = [
         (str(name), plain_text(stroke, "m"), error_text(c, u_c, _CONDUCTANCE), error_text(b, u_b, "1"))
         for name, (stroke, c, b, u_c, u_b) in result.conditions.get("tests", {}).items()
@@ -53,9 +53,7 @@ def _steady_sections(result: Result) -> list[Section]:
     formula_table = ReportTable(("parameter", "formulas of the standard", "direct fit"), formula_rows)
     note = "<p>The errors are standard uncertainties.</p>\n" if formula_rows else ""
     return [
-        Section(
-            "Tests at the strokes", ReportTable(("test", *numeric("stroke", "C ± error", "b ± error")), stroke_rows)
-        ),
+        Section("Tests at the strokes", ReportTable(("test", *numeric("stroke", "C ± u(C)", "b ± u(b)")), stroke_rows)),
         Section("Formulas of the standard", [formula_table, note]),
         *_budget_sections(result),
     ]
@@ -64,7 +62,7 @@ def _steady_sections(result: Result) -> list[Section]:
 def _budget_sections(result: Result) -> list[Section]:
     """Return the section on the uncertainty budget.
 
-    The largest source of each parameter comes first.
+    For each parameter, the largest source of uncertainty comes first.
     """
     budget_rows = []
     for name, budget in result.comparison.get("uncertainty", {}).items():
@@ -80,10 +78,7 @@ def _budget_sections(result: Result) -> list[Section]:
 
 
 def _force_sections(result: Result) -> list[Section]:
-    """Return the section on the force laws of a muscle.
-
-    The best law comes first.
-    """
+    """Return the section that compares force laws of a muscle, the best law first."""
     axes = result.comparison.get("held_out_by", ())
     rows = [
         (

@@ -20,7 +20,7 @@ CARDS = {
 def html_of(value: Any) -> str | None:
     """Return an object as HTML for a notebook.
 
-    The result is None if the plain text of the object is sufficient.
+    The result is None if there is no HTML form for the object: the notebook then shows its text.
 
     Examples
     --------

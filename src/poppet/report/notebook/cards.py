@@ -27,7 +27,7 @@ from poppet.report.html_page import Content, folded, inline_svg, items, paragrap
 from poppet.report.styles import stylesheet
 from poppet.report.tables import ReportTable, code, numeric
 from poppet.timeseries.columns import Columns
-from poppet.timeseries.plotting.panels import Panel, Series, looks_of, panels_of, shown_series, thinned
+from poppet.timeseries.plotting.panels import Panel, Series, code_styles, panels_of, shown_series, thinned
 from poppet.timeseries.plotting.plots import axis_unit, home_colours, panel_colours, time_unit
 from poppet.timeseries.recording import Recording
 
@@ -69,7 +69,7 @@ _SCALE = 1.12
 
 
 def card(title: str, lead: str, *blocks: Content) -> str:
-    """Return the HTML with which a notebook shows one object.
+    """Return the HTML block with which a notebook shows one object.
 
     `title` and `lead` are text. `blocks` contains HTML or tables.
 
@@ -84,9 +84,9 @@ def card(title: str, lead: str, *blocks: Content) -> str:
 
 
 def note_list(notes: Iterable[Note]) -> str:
-    """Return notes as an HTML list.
+    """Return notes as an HTML list that the reader can unfold.
 
-    The reader can unfold a long list.
+    A list of up to three notes is unfolded.
     """
     texts = grouped(notes)
     return folded(plural(len(texts), "note"), items(texts), is_open=len(texts) <= 3)
@@ -133,9 +133,9 @@ def _drawing(circuit: BaseCircuit) -> str:
 
 
 def recording_card(recording: Recording) -> str:
-    """Return a recording as HTML: a plot, and a table of its outputs.
+    """Return a recording as HTML: a plot, and a table of its series.
 
-    The table contains first, last and extreme values.
+    The table contains first, last, minimum and maximum value.
     """
     rows, columns = recording.time.size, len(recording)
     span = f"{recording.time[0]:.6g} ... {recording.time[-1]:.6g} s" if rows else "no samples"
@@ -144,7 +144,7 @@ def recording_card(recording: Recording) -> str:
     if rows and columns:
         names = sorted(recording.names, key=recording.inner.__contains__)
         more = names[MAX_ROWS:]
-        blocks = [plot(recording), _series_table(recording, names[:MAX_ROWS])]
+        blocks = [svg_plot(recording), _series_table(recording, names[:MAX_ROWS])]
         blocks.append(folded(f"{len(more)} more series", _series_table(recording, more)))
     return card(recording.title, lead, *blocks, note_list(recording.remarks))
 
@@ -222,10 +222,10 @@ def bench_card(result: BenchResult) -> str:
 def limits_card(result: LimitsResult) -> str:
     """Return the dynamic limits of a valve as HTML.
 
-    The table has the bandwidth and the limiting part by load volume and amplitude.
+    The table has the bandwidth and the limiting part, with one row per load volume and one column per amplitude.
     """
     plan, rows = result.plan, []
-    grid = zip(plan.volumes, result.grid("gain_frequency"), result.grid("limiting"), strict=True)
+    grid = zip(plan.volumes, result.bandwidth_map("gain_frequency"), result.bandwidth_map("limiting"), strict=True)
     for volume, frequencies, parts in grid if result.points else ():
         texts = [f"{frequency:.3g} Hz" if math.isfinite(frequency) else "-" for frequency in frequencies]
         cells = (f"{text}, {part}" if part else text for text, part in zip(texts, parts, strict=True))
@@ -235,15 +235,15 @@ def limits_card(result: LimitsResult) -> str:
     return card(plan.circuit.title or plan.valve, lead, ReportTable(columns, rows), note_list(result.findings))
 
 
-def plot(recording: Columns) -> str:
-    """Return an SVG plot of all outputs that change.
+def svg_plot(recording: Columns) -> str:
+    """Return a plot of all outputs that change, as HTML with SVG.
 
-    The text is empty if all outputs are constant.
+    The text is empty if no output changes.
     """
     if recording.time.size < 2:
         return ""
     pairs = zip(recording.names, recording.units, strict=True)
-    names = [name for name, unit in pairs if looks_of(name, unit, recording[name]) is None]  # no codes
+    names = [name for name, unit in pairs if code_styles(name, unit, recording[name]) is None]  # no codes
     # Only the samples that the plot shows. Internal outputs are omitted if there are other outputs.
     thin, ambient = [], recording.ambient_pressure
     for name in [name for name in names if name not in recording.inner] or names:
@@ -261,9 +261,10 @@ def plot(recording: Columns) -> str:
 
 
 def _panel_html(panel: Panel, colours: dict[str, str], span: tuple[float, float]) -> str:
-    """Return one panel of the notebook plot as HTML.
+    """Return one panel of a notebook plot as HTML.
 
-    It contains legend, limits of the scale and lines. `span` contains both ends of the time axis.
+    It contains the legend, the ends of the scale and the curves. `colours` maps outputs to colours, and `span` contains
+    both ends of the time axis [s].
     """
     # First the first lines of all parts, then the second lines.
     counts: dict[str, int] = {}
@@ -277,7 +278,7 @@ def _panel_html(panel: Panel, colours: dict[str, str], span: tuple[float, float]
     paths, keys = [], []
     for line in series:
         colour = f"color-mix(in srgb, {colours[line.name]} 72%, currentColor)"
-        points = path(line, span, (low, high if high > low else low + 1.0))
+        points = svg_path(line, span, (low, high if high > low else low + 1.0))
         # The first colour is for browsers without `color-mix`.
         paths.append(f'<path stroke="{colours[line.name]}" style="stroke:{colour}" d="{points}"/>')
         mark = f'<i style="background:{colours[line.name]};background:{colour}"></i>'
@@ -297,21 +298,22 @@ def _panel_html(panel: Panel, colours: dict[str, str], span: tuple[float, float]
 def _end_of_scale(value: float, span: float) -> str:
     """Return the value at one end of a scale as text.
 
-    The value is rounded to about a thousandth of `span`.
+    `span` is the length of the scale. The value is rounded to about a thousandth of it.
     """
     decimals = 3 - math.floor(math.log10(span)) if span > 0.0 else 6
     return f"{round(value, decimals):z.6g}"
 
 
-def path(series: Series, span: tuple[float, float], scale: tuple[float, float]) -> str:
-    """Return a line as the text of an SVG path.
+def svg_path(series: Series, span: tuple[float, float], scale: tuple[float, float]) -> str:
+    """Return a curve as the text of an SVG path.
 
-    Horizontal positions are in thousandths of the width. NaN interrupts the line.
+    `span` contains the ends of the time axis, and `scale` those of the vertical axis. The path has a width of 1000 and
+    a height of 100. NaN interrupts it.
 
     Examples
     --------
     >>> time, values = np.array([0.0, 1.0, 2.0]), np.array([0.0, 5.0, 10.0])
-    >>> path(Series("a", 0, time, values, "1", "", 0), (0.0, 2.0), (0.0, 10.0))
+    >>> svg_path(Series("a", 0, time, values, "1", "", 0), (0.0, 2.0), (0.0, 10.0))
     'M0 100L500 50L1000 0'
     """
     x = np.round((series.time - span[0]) / (span[1] - span[0]) * WIDTH).astype(int)

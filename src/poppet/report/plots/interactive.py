@@ -61,7 +61,7 @@ def plot_data(figure: Figure) -> dict[str, Any] | None:
             return None
     if not figure.axes:
         return None
-    columns, width = _PixelColumns(), float(figure.get_size_inches()[0])
+    columns, width = _DataColumns(), float(figure.get_size_inches()[0])
     lefts = sorted({round(_axes_position(figure, axes)[0], 3) for axes in figure.axes})
     edges = [0.0, *(left - lefts[0] for left in lefts[1:]), width]
     panels = []
@@ -84,7 +84,7 @@ def _axes_position(figure: Figure, axes: Any) -> list[float]:
     return [float(v) for v in (box.x0 * width, (1.0 - box.y1) * height, box.width * width, box.height * height)]
 
 
-class _PixelColumns:
+class _DataColumns:
     """Collection of different columns of numbers.
 
     The plots of a page refer to the columns by their indices.
@@ -97,7 +97,7 @@ class _PixelColumns:
     def add(self, values: FloatArray, *, is_log: bool = False) -> int:
         """Add a column of numbers if it is new, and return its index.
 
-        Evenly spaced numbers become first value, step and count. Other numbers are rounded to the digits that an
+        Equidistant numbers are stored as first value, step and count. Other numbers are rounded to the digits that an
         enlarged plot can show; NaN becomes None.
         """
         key = values.tobytes() + bytes([is_log])
@@ -123,7 +123,7 @@ class _PixelColumns:
         return self._indices[key]
 
 
-def _panel(axes: Any, columns: _PixelColumns) -> dict[str, Any]:
+def _panel(axes: Any, columns: _DataColumns) -> dict[str, Any]:
     panels: list[Any] = axes.figure.axes
     # Index of the first panel that shares the horizontal axis.
     group = min(panels.index(panel) for panel in axes.get_shared_x_axes().get_siblings(axes) if panel in panels)
@@ -187,8 +187,8 @@ def _colour(value: Any, alpha: float | None = None) -> dict[str, Any]:
     return {"colour": to_hex(value)} | ({"alpha": round(float(opacity), 3)} if opacity < 1.0 else {})
 
 
-def _curves_and_lines(axes: Any, columns: _PixelColumns) -> tuple[list[dict[str, Any]], list[dict[str, Any]]]:
-    """Return the curves of a panel, and straight lines that cross the whole panel."""
+def _curves_and_lines(axes: Any, columns: _DataColumns) -> tuple[list[dict[str, Any]], list[dict[str, Any]]]:
+    """Return the curves of a panel, and the horizontal or vertical lines that cross it."""
     lines, rules = [], []
     for line in axes.lines:
         stroke = line.get_linestyle()
@@ -220,10 +220,10 @@ def _curves_and_lines(axes: Any, columns: _PixelColumns) -> tuple[list[dict[str,
     return lines, rules
 
 
-def _filled_shapes(axes: Any, columns: _PixelColumns) -> tuple[list[Any], list[Any], list[Any]]:
-    """Return filled shapes of a panel, and its separate line segments.
+def _filled_shapes(axes: Any, columns: _DataColumns) -> tuple[list[Any], list[Any], list[Any]]:
+    """Return the bands, the boxes and the separate line segments of a panel.
 
-    The shapes are bands between two lines, and boxes.
+    A band is the area between two curves.
     """
     from matplotlib.collections import LineCollection
     from matplotlib.patches import Rectangle

@@ -63,8 +63,8 @@ class Verdict(enum.Enum):
 class Statement:
     """Statement of the paper, with the result of its check.
 
-    `holds` is True if the statement holds, and None if it cannot be checked. `facts` contains the values in the text of
-    the finding, in the units of that text.
+    `holds` is True if the statement holds, False if not, and None if it cannot be checked. `facts` contains the values
+    in the text of the finding, in the units of that text.
     """
 
     code: str
@@ -78,7 +78,7 @@ class Statement:
 
     @property
     def text(self) -> str:
-        """Text of the statement."""
+        """Text of the statement in the report."""
         return sentence(f"{self.code}.text", {})
 
     @property
@@ -88,16 +88,13 @@ class Statement:
 
     @property
     def finding(self) -> str:
-        """Text on the simulation result from which the verdict follows."""
+        """Sentence on the simulation result from which the verdict follows."""
         return sentence(f"{self.code}.finding", self.facts)
 
 
 @dataclass(frozen=True)
 class PaperResult:
-    """Result of a reproduction of the paper by `write_paper`.
-
-    It contains findings, tables, statements and written files.
-    """
+    """Result of `write_paper`: findings, tables, statements and written files."""
 
     folder: Path
     files: tuple[Path, ...]  # `report.html` first
@@ -109,7 +106,7 @@ class PaperResult:
         """Return all tables and statements of the reproduction as text for a terminal."""
         tables = [f"{table.caption}\n\n{table.text()}" for name, table in self.tables.items() if name != "statements"]
         width = max(len(item.verdict.value) for item in self.statements)
-        lines = [f"{item.verdict.value:<{width}}  {item.text} ({item.place})" for item in self.statements]
+        lines = [f"{item.verdict.value:<{width}}  {item.text} {item.place}" for item in self.statements]
         return "\n\n".join([*tables, "Statements of the paper\n\n" + "\n".join(lines), f"Read {self.files[0]}"])
 
 
@@ -139,7 +136,7 @@ def write_paper(folder: str | Path = FOLDER, progress: Callable[[str], Any] = la
             target.mkdir(parents=True, exist_ok=True)
         except OSError as problem:
             raise InputError("paper.folder", path=str(target), why=problem.strerror or str(problem)) from problem
-        results = runs.find(progress)
+        results = runs.run_simulations(progress)
         progress("figures")
         checked = tuple(statements(results))
         tables = {table.name: table for table in _tables(results, checked)}
@@ -248,9 +245,10 @@ def statements(results: runs.Findings) -> Iterator[Statement]:
 
 
 def _pressure_range_and_error(results: runs.Findings) -> tuple[float, float, float]:
-    """Return smallest and largest pressure [bar], and the largest setpoint error, of a run.
+    """Return minimum and maximum tank pressure [bar] and the setpoint error in fig. 6.
 
-    The error is the relative difference from the setpoint at the end of a step. All tanks are included.
+    The error is the largest relative difference from the setpoint at the end of a step. The tanks with all thermal laws
+    are included.
     """
     run = results.staircase
     required = run["required.pressure"]
@@ -308,24 +306,6 @@ def _tables(results: runs.Findings, checked: Sequence[Statement]) -> Iterator[Re
 # --- Page ---
 
 
-def _first_paragraphs(results: runs.Findings, checked: Sequence[Statement]) -> str:
-    """Return the first paragraphs of the report as HTML.
-
-    They contain the number of statements for each verdict, and the main results.
-    """
-    counts, times = Counter(item.verdict for item in checked), results.fillings
-    tally = {"holds": counts[Verdict.HOLDS], "fails": counts[Verdict.FAILS], "unknown": counts[Verdict.OPEN]}
-    facts = {
-        "isentrope": times["isentrope"].time,
-        "adiabatic": times["adiabatic"].time,
-        "walled": times["wall of the peak"].time,
-        "reported": runs.REPORTED_RISE,
-        "share": 100.0 * results.conductances[0] / results.largest[1],
-    }
-    counts_text = sentence("paper.page.headline", {"count": len(checked), **tally})
-    return paragraph(counts_text, css_class="headline") + paragraph(sentence("paper.page.main", facts))
-
-
 def _report_html(
     results: runs.Findings,
     pictures: Mapping[str, Figure],
@@ -344,8 +324,21 @@ def _report_html(
         name: picture(figure, name, sentence(f"paper.caption.{name}", {}), kind="narrow" if name in _NARROW else "")
         for name, figure in pictures.items()
     }
+    counts, times = Counter(item.verdict for item in checked), results.fillings
+    tally = {"holds": counts[Verdict.HOLDS], "fails": counts[Verdict.FAILS], "unknown": counts[Verdict.OPEN]}
+    facts = {
+        "isentrope": times["isentrope"].time,
+        "adiabatic": times["adiabatic"].time,
+        "walled": times["wall of the peak"].time,
+        "reported": runs.REPORTED_RISE,
+        "share": 100.0 * results.conductances[0] / results.largest[1],
+    }
+    counts_text = sentence("paper.page.headline", {"count": len(checked), **tally})
+    main_results = paragraph(sentence("paper.page.main", facts))
     sections = [
-        Section("", head(texts["title"], texts["source"]) + _first_paragraphs(results, checked)),
+        Section(
+            "", head(texts["title"], texts["source"]) + paragraph(counts_text, css_class="headline") + main_results
+        ),
         Section("The three figures of the paper", [figures["fig3"], figures["fig4"], figures["fig6"]]),
         Section("Statements of the paper", statement_table),
         Section("Flow characteristic", tables["strokes"]),
@@ -372,7 +365,7 @@ def figure_3() -> Figure:
     figure, axes = _sheet(FIG3_AXES, "sonic conductance C  [1e-8 m³/(s Pa)]")
     strokes = np.concatenate((np.linspace(0.0, 0.03e-3, 121), np.linspace(0.03e-3, 1e-3, 400)))
     printed, closed = library.characteristic("varga2012"), library.characteristic("varga2012.closed")
-    alternative = 1e8 * np.asarray(runs.suspected().sonic_conductance_at(strokes))
+    alternative = 1e8 * np.asarray(runs.suspected_characteristic().sonic_conductance_at(strokes))
     axes.plot(1e3 * strokes, alternative, color="#b9bec7", linestyle=(0, (5, 2.5)), linewidth=1.3, label="k5 changed")
     axes.plot(
         1e3 * strokes, 1e8 * printed.sonic_conductance_at(strokes), color=_BLUE, linewidth=2.0, label="as printed"
@@ -403,10 +396,7 @@ def figure_4() -> Figure:
 
 
 def figure_6(findings: runs.Findings) -> Figure:
-    """Draw the tank pressure over time as in fig. 6 of the paper.
-
-    The gas temperature is drawn below it.
-    """
+    """Draw tank pressure and gas temperature versus time, as in fig. 6 of the paper."""
     figure = new_figure(7.4, 5.9)
     upper = axes_in(figure, 0.75, 0.15, 6.45, 3.3)
     lower = axes_in(figure, 0.75, 3.65, 6.45, 1.7, sharex=upper)

@@ -60,7 +60,7 @@ class Filling:
 
 @dataclass(frozen=True)
 class WallConductance:
-    """Wall conductances that explain the reported temperature rise, for one supply pressure."""
+    """Wall conductances that explain the temperature rise in the paper, for one supply pressure."""
 
     supply: float  # absolute [Pa]
     for_peak: float  # if the rise is the maximum [W/K]
@@ -70,9 +70,9 @@ class WallConductance:
 
 @dataclass(frozen=True)
 class Findings:
-    """All values that the report on the paper states.
+    """All simulated values that the report states.
 
-    `results.json` contains most of them under the same names.
+    The file `results.json` contains most of them under the same names.
     """
 
     conductances: tuple[float, ...]  # C at `STROKES` [m^3/(s Pa)]
@@ -104,10 +104,13 @@ class Findings:
         return next(wall for wall in self.walls if wall.supply == SUPPLY)
 
 
-def find(progress: Callable[[str], Any]) -> Findings:
-    """Run all simulations of the report, and return their findings."""
+def run_simulations(progress: Callable[[str], Any]) -> Findings:
+    """Run all simulations of the report, and return their results.
+
+    The function `progress` is called with a text before each group of simulations.
+    """
     progress("tank laws")
-    polytropic = filling(thermal="polytropic", polytropic_exponent=1.1)
+    polytropic = filling_circuit(thermal="polytropic", polytropic_exponent=1.1)
 
     def excess(exponent: float) -> float:
         changed = polytropic.with_values({"tank.polytropic_exponent": exponent})
@@ -120,23 +123,40 @@ def find(progress: Callable[[str], Any]) -> Findings:
     fillings = _fillings(wall, exponent)
     # After the valve has closed at 5 bar, the gas cools to the wall.
     closing = Steps([0.0, fillings["wall of the peak"].time], [1.0, 0.0])
-    closed = BaseCircuit(filling(wall_conductance=wall).parts, {"valve.opening": closing})
+    closed = BaseCircuit(filling_circuit(wall_conductance=wall).parts, {"valve.opening": closing})
     end_pressure = closed.simulate(_LONGEST, _ROWS_EVERY, _TOLERANCE)["tank.pressure"][-1]
     progress("main stage")
     # Equilibrium stroke at 3 bar g: by eq. (5) of the paper, and with k2 (h2 - x) as in fig. 5.
-    stage = staged("paper", Steps([0.0], [4e5]))
+    stage = main_stage_circuit("paper", Steps([0.0], [4e5]))
     valve: Any = stage.parts["valve"]
     k1, h1 = float(valve.upper_spring.rate), float(valve.upper_spring.preload)
     k2, h2 = float(valve.lower_spring.rate), float(valve.lower_spring.preload)
     stroke_drawn = (float(valve.plate_area) * 3e5 - k1 * h1 - k2 * h2) / (k1 - k2)
     open_ends = [
-        staged("paper", Steps([0.0], [START + pilot]), thermal="isothermal").simulate(_LONGEST)["tank.pressure"][-1]
+        main_stage_circuit("paper", Steps([0.0], [START + pilot]), thermal="isothermal").simulate(_LONGEST)[
+            "tank.pressure"
+        ][-1]
         for pilot in (1e5, 4e5)
     ]
     # Without pilot pressure the valve empties the tank. After 1 s its plate is at rest.
     emptying = [
-        staged("paper", initial_pressure=pressure).simulate(1.0)["valve.stroke"][-1] for pressure in (2e5, 4e5, 6e5)
+        main_stage_circuit("paper", initial_pressure=pressure).simulate(1.0)["valve.stroke"][-1]
+        for pressure in (2e5, 4e5, 6e5)
     ]
+    # After the settling time, the stroke stays within 2 % of its travel from the final value.
+    run = main_stage_circuit("paper", Steps([0.0], [4e5])).simulate(0.05, 1e-5, 1e-6)
+    stroke = run["valve.stroke"]
+    is_away = np.abs(stroke - stroke[-1]) > _SETTLED * np.abs(stroke[-1] - stroke[0])
+    settling_time = float(run.time[np.flatnonzero(is_away)[-1] + 1])
+    time, series = np.zeros(0), {}
+    for name, options in TANKS.items():
+        progress(f"figure 6, {name}")
+        wall_option = {"wall_conductance": wall} if name == "wall" else {}
+        run = staircase_circuit(**options, **wall_option).simulate(STEPS_END, 0.1, 1e-6)
+        time = run.time
+        series[f"{name}.pressure [Pa]"] = run["tank.pressure"]
+        series[f"{name}.temperature [K]"] = run["tank.temperature"]
+    required = {"required.pressure [Pa]": Steps(STEP_TIMES, STEP_VALUES).evaluate(time)}
     return Findings(
         **_curve_findings(),
         downstream_error=(START_TEMPERATURE / fillings["adiabatic"].end_temperature) ** 0.5 - 1.0,
@@ -147,31 +167,33 @@ def find(progress: Callable[[str], Any]) -> Findings:
         pressure_drop=float(TARGET - end_pressure),
         slow_time=float(_simulate_filling(stroke=0.1e-3, thermal="isothermal").time[-1]),
         slow_time_constant=fillings["isothermal"].time,
-        settling_time=_stroke_settling_time(),
+        settling_time=settling_time,
         open_end=(float(open_ends[0]), float(open_ends[1])),
         exhaust_strokes=tuple(map(float, emptying)),
         stroke_printed=float(stage.simulate(0.1)["valve.stroke"][-1]),
         stroke_fig5=stroke_drawn,
-        staircase=_staircase(wall, progress),
+        staircase=Recording.from_series(time, required | series, title="Figure 6"),
     )
 
 
 # --- Circuits ---
 
 
-def filling(supply: float = SUPPLY, stroke: float = STROKE, **tank: Any) -> BaseCircuit:
-    """Return a circuit that fills a tank through a main stage.
+def filling_circuit(supply: float = SUPPLY, stroke: float = STROKE, **tank: Any) -> BaseCircuit:
+    """Return a circuit that fills a tank through a main stage with a constant stroke.
 
-    The stroke of the main stage is constant. The circuit is the right half of fig. 5 of the paper.
+    It is the right half of fig. 5 of the paper. `supply` is the pressure [Pa], and `stroke` is in m. `tank` contains
+    further fields of the tank.
     """
     valve = Orifice(from_="supply", to="tank", characteristic="varga2012", stroke=stroke)
     return _between(supply, valve, tank, "Filling at a fixed stroke")
 
 
-def staged(mode: str, pilot: Signal | None = None, **tank: Any) -> BaseCircuit:
-    """Return a circuit with a supply, a main stage with moving parts, and the tank.
+def main_stage_circuit(mode: str, pilot: Signal | None = None, **tank: Any) -> BaseCircuit:
+    """Return a circuit in which a main stage with moving parts fills the tank.
 
-    Port 3 is connected to the ambient. `mode` is the model of the moving parts, and `pilot` the pilot pressure.
+    Port 3 is connected to the ambient. `mode` is the model of the moving parts, `pilot` the signal of the pilot
+    pressure, and `tank` contains further fields of the tank.
     """
     valve = MainStage(supply="supply", outlet="tank", exhaust="ambient", data="varga2012", mode=mode)
     signals = {} if pilot is None else {"valve.pilot_pressure": pilot}
@@ -191,19 +213,20 @@ def _between(
 
 
 def staircase_circuit(**tank: Any) -> BaseCircuit:
-    """Return the circuit of fig. 6 of the paper.
+    """Return the circuit of fig. 6 of the paper, with a staircase of pilot pressures.
 
-    The pilot pressure determines the pressure that the regulator maintains.
+    The main stage regulates the tank pressure to the values of the staircase. `tank` contains further fields of the
+    tank.
     """
-    valve: Any = staged("regulator").parts["valve"]
+    valve: Any = main_stage_circuit("regulator").parts["valve"]
     springs = valve.upper_spring, valve.lower_spring
     # The pilot pressure also balances the springs: the valve closes at the required outlet pressure.
     lift = sum(float(spring.rate) * float(spring.preload) for spring in springs) / float(valve.plate_area)
-    return staged("regulator", Steps(STEP_TIMES, [value + lift for value in STEP_VALUES]), **tank)
+    return main_stage_circuit("regulator", Steps(STEP_TIMES, [value + lift for value in STEP_VALUES]), **tank)
 
 
-def suspected() -> Characteristic:
-    """Return the printed polynomials with one changed digit of the coefficient k5.
+def suspected_characteristic() -> Characteristic:
+    """Return the printed characteristic with one changed digit in the coefficient k5.
 
     The axis range of fig. 3 suggests this misprint.
     """
@@ -234,7 +257,7 @@ def _curve_findings() -> dict[str, Any]:
         "smallest_ratio": _extremum(curve.critical_ratio_at, 1.0),
         "conductance_beyond": float(polynomial(1.2e-3)),
         "zero_beyond": _root(polynomial, 1e-3, 1.2e-3),
-        "suspected_largest": _extremum(suspected().sonic_conductance_at, -1.0)[1],
+        "suspected_largest": _extremum(suspected_characteristic().sonic_conductance_at, -1.0)[1],
         "law_deviation": deviation,
     }
 
@@ -242,7 +265,7 @@ def _curve_findings() -> dict[str, Any]:
 def _extremum(curve: Callable[[FloatArray], FloatArray], sign: float) -> tuple[float, float]:
     """Return stroke [m] and value at an extremum of a curve.
 
-    The extremum is that for strokes from 0 to 1 mm: a minimum if `sign` is 1, and a maximum if it is -1.
+    The range of strokes is 0 to 1 mm. The extremum is a minimum if `sign` is 1, and a maximum if it is -1.
     """
     strokes = np.linspace(0.0, 1e-3, 100_001)
     values = np.asarray(curve(strokes))
@@ -260,8 +283,11 @@ def _root(function: Callable[[float], Any], low: float, high: float, **tolerance
 
 
 def _simulate_filling(**options: Any) -> Recording:
-    """Simulate the filling of the tank until its pressure is 5 bar."""
-    return _run_to_target(filling(**options))
+    """Simulate the filling of the tank until its pressure is 5 bar.
+
+    `options` are arguments of `filling_circuit`.
+    """
+    return _run_to_target(filling_circuit(**options))
 
 
 def _run_to_target(circuit: BaseCircuit) -> Recording:
@@ -292,7 +318,7 @@ def _filling_of(law: str, recording: Recording) -> Filling:
 
 
 def _wall_conductance(supply: float) -> WallConductance:
-    circuit = filling(supply)
+    circuit = filling_circuit(supply)
 
     @cache  # the two searches have the same limits
     def filled(wall: float) -> Filling:
@@ -307,28 +333,4 @@ def _wall_conductance(supply: float) -> WallConductance:
 # --- Main stage ---
 
 
-def _stroke_settling_time() -> float:
-    """Return the settling time of the stroke.
-
-    After this time, the stroke stays within 2 % of its travel from the final value.
-    """
-    run = staged("paper", Steps([0.0], [4e5])).simulate(0.05, 1e-5, 1e-6)
-    stroke = run["valve.stroke"]
-    away = np.abs(stroke - stroke[-1]) > _SETTLED * np.abs(stroke[-1] - stroke[0])
-    return float(run.time[np.flatnonzero(away)[-1] + 1])
-
-
 # --- Fig. 6 ---
-
-
-def _staircase(wall: float, progress: Callable[[str], Any]) -> Recording:
-    time, series = np.zeros(0), {}
-    for name, options in TANKS.items():
-        progress(f"figure 6, {name}")
-        wall_option = {"wall_conductance": wall} if name == "wall" else {}
-        run = staircase_circuit(**options, **wall_option).simulate(STEPS_END, 0.1, 1e-6)
-        time = run.time
-        series[f"{name}.pressure [Pa]"] = run["tank.pressure"]
-        series[f"{name}.temperature [K]"] = run["tank.temperature"]
-    required = Steps(STEP_TIMES, STEP_VALUES).evaluate(time)
-    return Recording.from_series(time, {"required.pressure [Pa]": required, **series}, title="Figure 6")

@@ -28,11 +28,10 @@ _MIN_RESPONSE = 3.0  # [K]
 
 
 def late_input(item: InputChannel, channels: Sequence[Channel]) -> list[Note]:
-    r"""Return a note if a recorded mass flow is late or early.
+    r"""Return a note if a recorded mass flow is late or early compared with recorded pressures.
 
-    The flow is compared with pressures. The list is empty if they agree. The check fits the pressure changes by the
-    mass flow for a series of delays d.
-
+    The list is empty if no delay is found. The check fits the changes of a pressure p by the mass flow q for a series
+    of delays d. The constants a, b, c and e are fitted for each delay.
 
     .. math:: \Delta p \approx a\, \Delta m + b\, \Delta\!\int m\,dt + c\, \Delta\!\int p\,dt + e, \qquad
         m(t) = \int q(t + d)\,dt
@@ -44,17 +43,21 @@ def late_input(item: InputChannel, channels: Sequence[Channel]) -> list[Note]:
     0.4 s in simulated tanks of 7.5 litres. The function reports delays of 5 to 39 samples. Recordings of more than
     2000 samples are averaged first.
     """
-    pressures = [
-        _averaged_channel(channel) for channel in channels if channel.unit == "Pa" and channel.time.size > 3 * _WINDOW
-    ]
+    pressures = []
+    for channel in channels:
+        if channel.unit == "Pa" and channel.time.size > 3 * _WINDOW:
+            count = -(-channel.time.size // _MAX_SAMPLES)
+            length = channel.time.size // count * count
+            time, values = (row[:length].reshape(-1, count).mean(axis=1) for row in (channel.time, channel.values))
+            pressures.append(replace(channel, time=time, values=values))
     if item.unit != "kg/s" or not pressures or not np.ptp(item.values):
         return []
     item = replace(item, time=item.time - (item.delay or 0.0))
 
     def explained_fraction(candidate: Channel) -> float:
-        """Return the fraction of the pressure changes that the flow explains.
+        """Return the fraction of the pressure changes that the flow explains at its best delay.
 
-        The delay of the flow is the one with the best fit. `candidate` is the channel of the pressure.
+        `candidate` is the channel of the pressure.
         """
         change, _, misfits = _fit_for_delays(item, candidate, stride=5)
         return 1.0 - float(np.min(misfits)) / max(float(np.mean(np.abs(change - np.median(change)))), _TINY)
@@ -82,16 +85,8 @@ def late_input(item: InputChannel, channels: Sequence[Channel]) -> list[Note]:
     return [Note("suspicion.recorded_late" if delay > 0.0 else "suspicion.recorded_early", item.address, **facts)]
 
 
-def _averaged_channel(channel: Channel) -> Channel:
-    """Average neighbouring samples of a channel, so that it has at most `_MAX_SAMPLES` samples."""
-    count = -(-channel.time.size // _MAX_SAMPLES)
-    length = channel.time.size // count * count
-    time, values = (row[:length].reshape(-1, count).mean(axis=1) for row in (channel.time, channel.values))
-    return replace(channel, time=time, values=values)
-
-
 def _fit_for_delays(item: InputChannel, channel: Channel, stride: int = 1) -> tuple[FloatArray, FloatArray, FloatArray]:
-    """Fit the pressure changes by the flow for a series of delays of the flow.
+    """Return the residuals of fits of the pressure changes by the flow, for a series of delays.
 
     `item` is the flow and `channel` the pressure. The delays are multiples of `stride` samples. The result contains the
     pressure changes, the delays [s], and the mean residual of the robust fit for each delay.
@@ -134,9 +129,10 @@ def _changes(time: FloatArray, values: FloatArray, times: FloatArray, span: floa
 
 
 def slow_sensor(channel: Channel, channels: Sequence[Channel]) -> list[Note]:
-    r"""Return a note if a temperature sensor reacts more slowly than the gas.
+    r"""Return a note if a temperature sensor reacts more slowly than the gas; otherwise an empty list.
 
-    The check uses fast changes of the pressure in `channels`, for which the gas is adiabatic.
+    `channel` is the temperature. During the fastest change of the pressure of the same gas node in `channels`, the gas
+    is assumed to be adiabatic:
 
     .. math:: \Delta T = \frac{\kappa - 1}{\kappa}\, T\, \Delta \ln p
 

@@ -11,7 +11,7 @@ from typing import Any, TypeVar
 import numpy as np
 
 from poppet.core.codes import Note
-from poppet.core.errors import ErrorCollector, InputError, UnitError, collect
+from poppet.core.errors import ErrorCollector, InputError, UnitError, raise_errors
 from poppet.core.tables import Field, missing_field, read_fields
 from poppet.core.units import Kind, check_unit, convert, same_dimension, sizes_of, with_state
 from poppet.timeseries.checks import FloatArray, split_heading
@@ -21,7 +21,7 @@ from poppet.timeseries.measurements.measurement import (
     InputChannel,
     Measurement,
     Samples,
-    from_first,
+    cut_window,
     ordered,
     quantum_of,
 )
@@ -80,8 +80,9 @@ def read_measurement(
 ) -> Measurement:  # fmt: skip
     """Read one table `[recordings.NAME]` and the data files that it names.
 
-    `other_fields` are further valid fields of the table, which error messages can suggest for a misspelt field.
-    `source` is a table that contains the columns of channels and inputs without a `file` field.
+    The keyword `other_fields` contains names that an error message can suggest for a misspelt field. The keyword
+    `source` is a data file that has already been read. It contains the columns of channels and inputs without a field
+    `file`.
 
     Notes
     -----
@@ -105,7 +106,7 @@ def read_measurement(
 
 @dataclass(frozen=True)
 class _MappedColumn:
-    """Column of a file, with the channel or input to which it is assigned.
+    """Column of a data file, and the channel or input of the model to which it belongs.
 
     `delay` or `lag` is None if it is a free parameter of a fit.
     """
@@ -127,7 +128,7 @@ class _MappedColumn:
 class _MeasurementReader:
     """Reader of one table `[recordings.NAME]`, whose address is `location`.
 
-    It continues after an error, so all errors are reported together.
+    It continues after an error, and raises all errors together at the end.
     """
 
     def __init__(
@@ -169,31 +170,38 @@ class _MeasurementReader:
             elif value == "first" and measured not in self.table:
                 self.errors.add("measured.no_first_sample", location, channel=measured)
         self._refuse_all()
-        origin, samples = from_first([column.samples for column in channels], skip, end)
-        read = tuple(self._channel(column, shifted) for column, shifted in zip(channels, samples, strict=True))
-        driving = []
+        origin, samples = cut_window([column.samples for column in channels], skip, end)
+        read, driving = [], []
+        for column, shifted in zip(channels, samples, strict=True):
+            time, values = shifted.time, shifted.values
+            if time.size < LEAST_SAMPLES:
+                self.errors.add("measured.few_samples", column.location, samples=time.size, least=LEAST_SAMPLES)
+            self._check_plausibility(column, time, values)
+            noise, (mean, offset) = self._deviation(column, "noise"), self._offset(column)
+            quantum = quantum_of(values)
+            read.append(Channel(column.address, time, values, column.unit, noise, column.lag, quantum, offset, mean))
         for column in inputs:
             time, values, fields = column.samples.time - origin, column.samples.values, column.fields
             if "before" in fields:
                 # In the unit of the column.
                 first = convert(float(fields["before"]), column.written, column.unit, ambient_pressure=self.ambient)
                 time, values = np.append(time[0] - _INSTANT, time), np.append(first, values)
-            self._refuse_slips(column, time, values)
+            self._check_plausibility(column, time, values)
             driving.append(
                 InputChannel(column.address, time, values, column.unit, column.delay, column.lag, fields["hold"])
             )
         self._refuse_all()
         gauge = frozenset(column.address for column in (*channels, *inputs) if column.is_gauge)
         return Measurement(
-            name, read, tuple(driving), start, self.ambient, tuple(self.notes),
+            name, tuple(read), tuple(driving), start, self.ambient, tuple(self.notes),
             (*self.findings, *verdicts(read, driving, self.ambient, gauge)),
             max(float(channel.time[-1]) for channel in read),
         )  # fmt: skip
 
     def recording(self, title: str) -> Recording:
-        """Return all channels as one recording with a common time base.
+        """Return all channels as one recording.
 
-        The time base contains the times of all channels. A value is NaN if a channel has no sample at that time.
+        Its times are those of all channels. A value is NaN if the channel has no sample at that time.
         """
         columns = self._columns(self.table, _OF_CHANNEL, self.location)
         self._refuse_all()
@@ -209,7 +217,7 @@ class _MeasurementReader:
 
     def _refuse_all(self) -> None:
         # An error of the shared file or time occurs once per channel.
-        collect(list({(error.code, error.address): error for error in self.errors.collected}.values()))
+        raise_errors(list({(error.code, error.address): error for error in self.errors.collected}.values()))
 
     def _attempt(self, location: str, action: Callable[[], _T]) -> _T | None:
         try:
@@ -241,7 +249,7 @@ class _MeasurementReader:
         if table is None or "column" not in fields:
             return None
         time = self._time(table, of_file.get("time", "time"), f"{owner}.time")
-        index = self._named(table, fields["column"], f"{location}.column")
+        index = self._column_index(table, fields["column"], f"{location}.column")
         if time is None or index is None:
             return None
         written = str(fields.get("unit") or table.units[index])
@@ -278,11 +286,11 @@ class _MeasurementReader:
             self.notes |= dict.fromkeys(note.within(name) for note in (read.notes if read else ()))
         return self.files[key]
 
-    def _named(self, table: Table, column: str | int, location: str) -> int | None:
-        """Return the index of the column that a field of the mapping names.
+    def _column_index(self, table: Table, column: str | int, location: str) -> int | None:
+        """Return the index of a column in a data file.
 
-        `column` is the name or the index, and `location` the address of the field. If there is no such numeric column,
-        an error is collected and the result is None.
+        `column` is the name or the index in the field at `location`. If there is no such numeric column, an error is
+        collected and the result is None.
         """
         index = self._attempt(location, lambda: table.index(column))
         if index is not None and np.isnan(table.columns[index]).all():
@@ -294,13 +302,13 @@ class _MeasurementReader:
         return index
 
     def _time(self, table: Table, value: Any, location: str) -> FloatArray | None:
-        """Return the times of all samples of a table [s].
+        """Return the times of all samples of a data file [s].
 
-        `value` is the field `time`, and `location` its address in error messages.
+        `value` is the field `time`, which names the time column, and `location` its address in error messages.
         """
         raw = value if isinstance(value, Mapping) else {"column": value}
         spec = read_fields(self.errors, raw, _OF_TIME, location, table="time column")
-        index = self._named(table, spec["column"], f"{location}.column") if "column" in spec else None
+        index = self._column_index(table, spec["column"], f"{location}.column") if "column" in spec else None
         if index is None:
             return None
         unit = str(spec.get("unit") or table.units[index])
@@ -317,18 +325,7 @@ class _MeasurementReader:
             self.findings |= dict.fromkeys(heading_verdicts(address, table.names[index], table.units[index], unit))
         return stamps
 
-    def _channel(self, column: _MappedColumn, samples: Samples) -> Channel:
-        count = samples.time.size
-        if count < LEAST_SAMPLES:
-            self.errors.add("measured.few_samples", column.location, samples=count, least=LEAST_SAMPLES)
-        self._refuse_slips(column, samples.time, samples.values)
-        noise, (mean, offset) = self._deviation(column, "noise"), self._offset(column)
-        quantum = quantum_of(samples.values)
-        return Channel(
-            column.address, samples.time, samples.values, column.unit, noise, column.lag, quantum, offset, mean
-        )
-
-    def _refuse_slips(self, column: _MappedColumn, time: FloatArray, values: FloatArray) -> None:
+    def _check_plausibility(self, column: _MappedColumn, time: FloatArray, values: FloatArray) -> None:
         """Collect an error if samples exceed the plausible range of their quantity.
 
         Such samples are typing errors or faults of the recorder, and would dominate a fit.
@@ -340,7 +337,7 @@ class _MeasurementReader:
             self.errors.add("measured.too_large", column.location, largest=largest, count=int(slips.size), **facts)
 
     def _deviation(self, column: _MappedColumn, key: str) -> float | None:
-        """Return the standard deviation that a channel states in the field `key`.
+        """Return the standard deviation in the field `key` of a channel, in the unit of the channel.
 
         The result is None if the channel has no such field.
         """
@@ -353,7 +350,7 @@ class _MeasurementReader:
     def _offset(self, column: _MappedColumn) -> tuple[float, float | None]:
         """Return mean and standard deviation of the sensor offset of a channel.
 
-        The standard deviation is None if no offset is stated, and infinite for a free offset without a prior.
+        The standard deviation is None if the channel has no offset. It is infinite if the offset is a free parameter.
         """
         raw, location = column.fields.get("offset"), f"{column.location}.offset"
         if raw == "free":
@@ -387,9 +384,9 @@ def read_recording(
         Column of the time with its unit, ``"t [ms]"``; its index; or a table with `column` and `unit`. Default: the
         column `time`. A time without a unit is in seconds.
     columns : mapping, optional
-        Address to column with its unit, ``{"tank.pressure": "p_tank [bar g]"}``, or to a table with `column` and
-        `unit`. The default is all columns whose headings are addresses. The unit in the heading of the file is used
-        if none is given here.
+        Mapping from address to the column with its unit, ``{"tank.pressure": "p_tank [bar g]"}``, or to a table with
+        `column` and `unit`. The default is all columns whose headings are addresses. Without a unit here, the unit in
+        the heading of the file is used.
     ambient_pressure : str or float, optional
         Absolute pressure to which gauge values refer [Pa].
     title : str, optional
@@ -432,10 +429,10 @@ def read_recording(
 
 
 def _column_fields(column: str | int | Mapping[str, str], source: Table) -> Mapping[str, Any]:
-    """Return the name and the unit of a column, from one text.
+    """Return the fields `column` and `unit` of a column specification.
 
-    The text `p [bar g]` means the column `p` with the unit `bar g`, unless the heading of a column in `source` is equal
-    to the complete text.
+    The text `p [bar g]` means the column `p` with the unit `bar g`, unless a heading in `source` is equal to the
+    complete text. A mapping is returned unchanged.
     """
     if not isinstance(column, str) or column in source.names:
         return column if isinstance(column, Mapping) else {"column": column}
@@ -444,10 +441,10 @@ def _column_fields(column: str | int | Mapping[str, str], source: Table) -> Mapp
 
 
 def _si_unit(address: str, written: str) -> str:
-    """Return the SI unit of a channel.
+    """Return the SI unit to which a channel is converted.
 
-    The ending of the address determines the unit, for example `.pressure`. For other endings, the unit in the file,
-    `written`, determines it.
+    The ending of the address determines it, for example `.pressure`. For other endings, `written`, the unit in the
+    file, determines it.
     """
     check_unit(written)
     ending = next((ending for ending in _SI_BY_ENDING if address.endswith(ending)), None)

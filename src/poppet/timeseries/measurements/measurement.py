@@ -51,7 +51,7 @@ class InputChannel:
 
 @dataclass(frozen=True, eq=False)
 class Measurement:
-    """Recording of one test: channels and inputs, initial values and notes."""
+    """Recording of one test: measured channels and inputs, initial values and notes."""
 
     name: str
     channels: tuple[Channel, ...]  # compared with the model
@@ -75,9 +75,9 @@ _CUT = math.sqrt(
 
 
 def quantum_of(values: FloatArray) -> float:
-    """Estimate the resolution (the smallest step) of recorded values.
+    """Estimate the resolution of recorded values: their smallest step.
 
-    The result is 0 if no common step of the values is found.
+    The result is 0 if the values are not multiples of a common step.
 
     Examples
     --------
@@ -139,7 +139,7 @@ LEAST_SAMPLES = 8  # with fewer samples, noise and curvature cannot be distingui
 
 @dataclass(frozen=True, eq=False)
 class Samples:
-    """Finite samples of a column, with notes on samples that were merged or omitted."""
+    """Samples of a column without NaN, with notes on merged and omitted samples."""
 
     time: FloatArray  # (n,), strictly increasing [s]
     values: FloatArray  # (n,)
@@ -149,7 +149,7 @@ class Samples:
 def ordered(time: FloatArray, values: FloatArray) -> Samples:
     """Return the finite samples of a column, with strictly increasing times.
 
-    Samples with equal times are replaced by their mean. Times that decrease raise an error.
+    Samples with equal times become one sample with their mean. Times that decrease raise an error.
 
     Examples
     --------
@@ -176,11 +176,11 @@ def ordered(time: FloatArray, values: FloatArray) -> Samples:
     return Samples(stamps, np.bincount(stamp_index, values) / count, tuple(notes))
 
 
-def from_first(samples: list[Samples], skip: float, end: float = math.inf) -> tuple[float, list[Samples]]:
-    """Restrict all channels to a time window, and count time from its start.
+def cut_window(samples: list[Samples], skip: float, end: float = math.inf) -> tuple[float, list[Samples]]:
+    """Return the start of a time window, and the samples of all channels in this window.
 
-    `skip` and `end` are relative to the first sample of all channels [s]. The result contains the original start time
-    and the samples.
+    The limits `skip` and `end` are relative to the first sample of all channels [s]. The start is the first sample time
+    in the window [s]. It is subtracted from the times of the samples.
     """
     first = min(float(column.time[0]) for column in samples)
     begin = first + skip

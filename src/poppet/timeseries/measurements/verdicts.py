@@ -34,7 +34,7 @@ def verdicts(
 ) -> list[Note]:
     """Check a recording for implausible values, and return notes.
 
-    `gauge` contains the addresses of the pressures that were recorded as gauge pressures.
+    `gauge` contains the addresses of channels that were recorded as gauge pressures.
     """
     notes: list[Note] = []
     doubtful: set[str] = set()
@@ -87,7 +87,7 @@ def _scale(first: str, second: str) -> float:
 def pressure_verdicts(channel: Channel, ambient_pressure: float, *, is_gauge: bool) -> list[Note]:
     """Check whether a pressure is plausible, and return notes.
 
-    A typical error is a confusion of gauge and absolute pressure.
+    For example, a gauge pressure that was read as absolute gives a note.
     """
     lowest, highest, address = float(np.min(channel.values)), float(np.max(channel.values)), channel.address
     # The median of the lowest samples is robust to single noisy samples.
@@ -108,10 +108,10 @@ def pressure_verdicts(channel: Channel, ambient_pressure: float, *, is_gauge: bo
 
 
 def is_evacuated(values: FloatArray, ambient_pressure: float) -> bool:
-    """Return True if a recording starts with a vacuum from which the pressure rises.
+    """Return True if an absolute pressure starts in a vacuum and then rises.
 
-    This is the case if the first value is too high for a gauge reading of 0, or if no value clearly exceeds the ambient
-    pressure.
+    The first value must be near the minimum. It must also be too high for a gauge reading of 0, unless all values are
+    below or near the ambient pressure.
 
     Examples
     --------
@@ -140,7 +140,7 @@ def value_verdicts(channel: Channel) -> list[Note]:
         if not runs or level == 0.0:  # zero is a regular value: no flow, or closed
             continue
         step = max(channel.quantum, 1e-6 * range_)
-        if stays_in_noise(values, level, channel.quantum) or any(cuts_a_peak(values, run, step) for run in runs):
+        if is_stuck_at(values, level, channel.quantum) or any(cuts_a_peak(values, run, step) for run in runs):
             count = max(stop - start for start, stop in runs)
             notes.append(Note("suspicion.clipped", address, which=extreme, value=level, unit=unit, samples=count))
     return notes
@@ -152,8 +152,8 @@ def _runs(values: FloatArray, level: float) -> list[tuple[int, int]]:
     return [(int(a), int(b)) for a, b in zip(edges[::2], edges[1::2], strict=True) if b - a >= shortest]
 
 
-def stays_in_noise(values: FloatArray, level: float, quantum: float) -> bool:
-    """Return True if a noisy series has exactly one value for a long time.
+def is_stuck_at(values: FloatArray, level: float, quantum: float) -> bool:
+    """Return True if a noisy series remains at exactly one value for some time.
 
     `level` is this value, and `quantum` the resolution. Such a section indicates a clipped series. The result for the
     level 0 is False, because zero is a usual value.
@@ -171,7 +171,8 @@ def stays_in_noise(values: FloatArray, level: float, quantum: float) -> bool:
 def cuts_a_peak(values: FloatArray, run: tuple[int, int], step: float) -> bool:
     """Return True if a constant section between two steep flanks indicates a clipped peak.
 
-    `run` contains the first index of the section and the index after its end. `step` is the resolution of the values.
+    `run` contains the first index of the section and the index after its last sample. `step` is the resolution of the
+    values.
     """
     start, stop = run
     if start == 0 or stop == values.size:

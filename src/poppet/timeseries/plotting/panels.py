@@ -44,7 +44,8 @@ STILL = 1e-6  # range of a series, relative to its own or usual size, below whic
 class Series:
     """One series of a recording, in the unit in which it is drawn.
 
-    `source` is the index of the recording. `rank` is the position of its physical quantity in the order of the panels.
+    `source` is the index of the recording. `rank` determines the order of the panels: it is the index of the physical
+    quantity.
     """
 
     name: str
@@ -93,7 +94,7 @@ class Panel:
 def chosen_names(recordings: Sequence[Columns], select: str | Iterable[str] | None) -> tuple[str, ...] | None:
     """Return the names of all series that match the patterns in `select`.
 
-    The result is None if `select` is None.
+    The result is None, which means all series, if `select` is None.
     """
     if select is None:
         return None
@@ -103,7 +104,7 @@ def chosen_names(recordings: Sequence[Columns], select: str | Iterable[str] | No
         matches = [name for name in names if name == pattern or fnmatchcase(name, pattern)]
         if not matches:
             near = NameSuggestion(pattern, names)
-            raise InputError("names.unknown", pattern, meaning="an output of any recording", near=near)
+            raise InputError("names.unknown", pattern, meaning="an output of any recording", suggestion=near)
         selected.update(dict.fromkeys(matches))
     return tuple(selected)
 
@@ -131,7 +132,7 @@ def shown_series(
         if index not in applied:
             candidates = {item.name if pattern else item.unit for item in series}
             near = NameSuggestion(pattern or unit, candidates)
-            raise InputError("drawing.unused_unit", name=pattern or unit, near=near)
+            raise InputError("drawing.unused_unit", name=pattern or unit, suggestion=near)
     return series
 
 
@@ -145,10 +146,10 @@ def bodies_of(recordings: Sequence[Columns]) -> set[str]:
 def panels_of(
     series: Sequence[Series], *, keep_still: bool = False, bodies: Collection[str] = ()
 ) -> tuple[list[Panel], list[Series]]:
-    """Group series of the same quantity and unit into panels.
+    """Group series of the same quantity and unit into panels, and return the omitted series too.
 
-    `bodies` are the names of moving bodies, whose positions and velocities are in the first panels. Constant series are
-    omitted unless `keep_still` is True.
+    Constant series are omitted, unless the keyword `keep_still` is True. If the keyword `bodies` contains names of
+    moving bodies, the panels of positions and velocities come first.
     """
     moving = {item.name for item in series if keep_still or not item.is_still}
     moving = moving or {item.name for item in series}  # if all series are constant, all are drawn
@@ -216,16 +217,16 @@ def draw_thinned(axes: Any, x: FloatArray, y: FloatArray, indices: NDArray[np.in
 
 
 def whole_of(line: Any) -> tuple[FloatArray, FloatArray]:
-    """Return all samples of a drawn line, including those that were not drawn."""
+    """Return all samples of a line from `draw_thinned`, including those that were not drawn."""
     samples: tuple[FloatArray, FloatArray] = getattr(line, "whole", None) or line.get_data()
     return samples
 
 
 def readable(names: Sequence[str], quantity: str) -> dict[str, str]:
-    """Return short legend labels for the series of one quantity.
+    """Return short legend labels for series of one quantity, by series name.
 
-    A label consists of the name of the part and, if necessary, the rest of the series name. Words that the axis label
-    contains are omitted.
+    A label consists of the name of the part and the rest of the series name. The name of the quantity is omitted,
+    because the axis shows it.
 
     Examples
     --------
@@ -280,7 +281,10 @@ _CONTACT_COLOURS = {-2: "#7a4b1e", -1: "#d9822b", 0: "#dfe2e7", 1: "#3d9a5f", 2:
 
 @dataclass(frozen=True)
 class CodeStyle:
-    """Text, colour and hatching with which the timeline shows a state code."""
+    """Text, colour and hatching of a state code in a figure.
+
+    A state code is an integer in a series, for example a flow regime. The timeline below the panels shows these codes.
+    """
 
     text: str
     colour: str
@@ -303,7 +307,7 @@ BANDS = (("friction", FRICTION_LOOKS), ("flow\nregime", REGIME_LOOKS), ("contact
 
 @dataclass(frozen=True)
 class Span:
-    """Time interval in which a state code is constant, with its start and width [s]."""
+    """Time interval in which a series has one state code, with start and width [s]."""
 
     start: float
     width: float
@@ -312,7 +316,7 @@ class Span:
 
 @dataclass(frozen=True)
 class Band:
-    """Row of the timeline that shows one series of state codes.
+    """Row of the timeline, which shows one series of state codes such as flow regimes.
 
     `is_thinned` is True if the codes change faster than the figure can show.
     """
@@ -325,10 +329,10 @@ class Band:
     is_thinned: bool
 
 
-def looks_of(name: str, unit: str, values: FloatArray) -> dict[int, CodeStyle] | None:
-    """Return the style of each state code in a series.
+def code_styles(name: str, unit: str, values: FloatArray) -> dict[int, CodeStyle] | None:
+    """Return the style of each state code that a series can contain.
 
-    The result is None if the values of the series are not codes.
+    The result is None if the series does not contain state codes, such as flow regimes.
     """
     last = name.rpartition(".")[2]
     styles = {"contact": CONTACT_LOOKS, "regime": REGIME_LOOKS}.get(last.rpartition("_")[2])
@@ -340,34 +344,36 @@ def looks_of(name: str, unit: str, values: FloatArray) -> dict[int, CodeStyle] |
 
 
 def bands_of(recordings: Sequence[Columns], names: tuple[str, ...] | None, columns: int) -> list[Band]:
-    """Return the rows of the timeline.
+    """Return the rows of the timeline, one for each series of state codes.
 
-    They are ordered by kind of code, series and recording. `columns` is the number of pixel columns.
+    They are ordered by kind of code, series and recording. `names` selects series; None selects all. `columns` is the
+    width of the figure in pixels.
     """
     bands = []
     for source, recording in enumerate(recordings):
         for name in recording.names if names is None else names:
             if name not in recording:
                 continue
-            styles = looks_of(name, recording.unit(name), recording[name])
+            styles = code_styles(name, recording.unit(name), recording[name])
             if styles is not None:
-                spans, is_thinned = spans_of(recording.time, at_rest(recording, name), columns)
+                spans, is_thinned = spans_of(recording.time, displayed_codes(recording, name), columns)
                 bands.append(Band(name, _label(name), source, styles, spans, is_thinned))
     order = list(dict.fromkeys(band.name for band in bands))
     ranks = [id(styles) for _, styles in BANDS]
     return sorted(bands, key=lambda band: (ranks.index(id(band.looks)), order.index(band.name), band.source))
 
 
-def at_rest(recording: Columns, name: str) -> FloatArray:
-    """Return the codes of a flow regime, in which negligible flows count as no flow.
+def displayed_codes(recording: Columns, name: str) -> FloatArray:
+    """Return the state codes of a series, in which negligible flows count as no flow.
 
-    Near equal pressures, numerical noise would otherwise switch between regimes. `name` is the name of the series.
+    Only flow regimes change: near equal pressures, numerical noise would otherwise switch between regimes. `name` is
+    the name of the series.
 
     Examples
     --------
     >>> flow, regime = [1e-3, 1e-13, -1e-13, 0.0], [2.0, 1.0, -1.0, 0.0]
     >>> series = {"valve.mass_flow_rate [kg/s]": flow, "valve.regime [1]": regime}
-    >>> at_rest(Columns.from_series([0.0, 1.0, 2.0, 3.0], series), "valve.regime").tolist()
+    >>> displayed_codes(Columns.from_series([0.0, 1.0, 2.0, 3.0], series), "valve.regime").tolist()
     [2.0, 0.0, 0.0, 0.0]
     """
     codes, flow = recording[name], f"{name.removesuffix('regime')}mass_flow_rate"
@@ -381,8 +387,8 @@ def at_rest(recording: Columns, name: str) -> FloatArray:
 def spans_of(time: FloatArray, codes: FloatArray, columns: int) -> tuple[tuple[Span, ...], bool]:
     """Convert a series of state codes to time intervals of constant code.
 
-    A code is valid from its sample to the next one. The second item of the result is True if the codes change faster
-    than `columns` pixel columns can show.
+    A code is valid from its sample to the next one. The second result is True if the codes change too fast for a figure
+    with `columns` pixel columns.
 
     Examples
     --------

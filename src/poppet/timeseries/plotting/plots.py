@@ -58,7 +58,7 @@ def plot_recordings(
     -----
     Staircase series are drawn as steps, all others with straight lines. If there are more samples than pixels, each
     pixel column shows the range of its samples, so no peak is lost. The figure omits constant series and names them
-    below, unless they are selected. It also omits internal outputs; `inner` draws them.
+    below, unless they are selected. It also omits internal outputs, unless the keyword `inner` is True.
 
     With moving bodies, the order is positions, velocities, pressures, forces. The timeline then shows sticking and
     slipping, and temperatures, heat flows and masses are omitted in the same way as internal outputs.
@@ -137,6 +137,8 @@ class Sheet:
 
     def draw(self) -> Figure:
         """Draw all panels, the timeline and the legends, and return the figure."""
+        from matplotlib.patches import Patch
+
         usual = 1.6 if len(self.panels) <= 4 else 1.25
         heights = [max(usual, _ROW * len(panel.names) + 0.1) for panel in self.panels]
         heights += [_BAND * len(self.bands)] * bool(self.bands)
@@ -176,7 +178,16 @@ class Sheet:
         if self.limits[0] < self.limits[1]:  # a single sample has no span, for which Matplotlib warns
             axes.set_xlim(*self.limits)
         axes.set_xlabel(f"time [{self.time_name}]")
-        self._foot(top - _GAP + _TIME_AXIS, keys, notes)
+        top = top - _GAP + _TIME_AXIS
+        page_height = self.figure.get_size_inches()[1]
+        for row in keys:
+            patches = [Patch(**_fill_options(style)) for style in row]
+            self._row(patches, [style.text for style in row], 1.0 - top / page_height, handlelength=1.6)
+            top += _KEY_ROW
+        for note in notes:
+            options = {"x": _LEFT / self.across, "y": 1.0 - top / page_height, "va": "top"}
+            self.figure.text(**options, s=note, fontsize=_SMALL_TEXT, color=GREY, parse_math=False)
+            top += _NOTE_ROW
         return self.figure
 
     @property
@@ -208,25 +219,13 @@ class Sheet:
             top += _KEY_ROW
 
     def _row(self, handles: Sequence[Any], texts: Sequence[str], y: float, handlelength: float) -> None:
-        """Draw a legend outside the axes, with all entries in one row at the height `y`.
+        """Draw a legend outside the axes, with all entries in one row.
 
-        `handles` are the drawn symbols, `texts` their labels, and `handlelength` is the length of a symbol.
+        `y` is its height as a fraction of the figure height. `handles` are the drawn symbols, `texts` their labels, and
+        `handlelength` is the length of a symbol in multiples of the font size.
         """
         options = {"bbox_to_anchor": (_LEFT / self.across, y), "handlelength": handlelength}
         _legend(self.figure, handles, texts, **options, ncols=len(texts), columnspacing=1.4)
-
-    def _foot(self, top: float, keys: Sequence[Sequence[CodeStyle]], notes: Sequence[str]) -> None:
-        from matplotlib.patches import Patch
-
-        height = self.figure.get_size_inches()[1]
-        for styles in keys:
-            patches = [Patch(**_fill_options(style)) for style in styles]
-            self._row(patches, [style.text for style in styles], 1.0 - top / height, handlelength=1.6)
-            top += _KEY_ROW
-        for note in notes:
-            options = {"x": _LEFT / self.across, "y": 1.0 - top / height, "va": "top"}
-            self.figure.text(**options, s=note, fontsize=_SMALL_TEXT, color=GREY, parse_math=False)
-            top += _NOTE_ROW
 
     def _notes(self) -> list[str]:
         notes = []
@@ -308,9 +307,9 @@ class Sheet:
 
 
 def home_colours(panels: Sequence[Panel]) -> dict[str, str]:
-    """Assign a colour to each part of the circuit.
+    """Assign a colour to each part of the circuit, and return the colours by part.
 
-    The part keeps its colour in all panels, and the parts of one panel have different colours.
+    A part has the same colour in all panels, and the parts of one panel have different colours.
     """
     together = [dict.fromkeys(name.partition(".")[0] for name in panel.names) for panel in panels]
     homes: dict[str, str] = {}
@@ -324,8 +323,8 @@ def home_colours(panels: Sequence[Panel]) -> dict[str, str]:
 def panel_colours(panel: Panel, homes: Mapping[str, str]) -> dict[str, str]:
     """Return the colour of each series in a panel.
 
-    `homes` contains the colour of each part. The first series of a part has this colour, and its other series have
-    unused colours.
+    `homes` contains the colour of each part of the circuit. The first series of a part has this colour, and its other
+    series have unused colours.
     """
     colours: dict[str, str] = {}
     remaining = []
@@ -345,7 +344,7 @@ def _legend(owner: Any, handles: Sequence[Any], texts: Sequence[str], **options:
 
 
 def _fill_options(style: CodeStyle) -> dict[str, Any]:
-    """Return the Matplotlib options for the area of a state code in the timeline."""
+    """Return the Matplotlib options of the coloured area for a state code, such as a flow regime."""
     if style.is_hatched:
         return {"facecolor": style.colour, "edgecolor": "white", "linewidth": 0.0, "hatch": "////"}
     return {"facecolor": style.colour, "edgecolor": "none", "linewidth": 0.0}

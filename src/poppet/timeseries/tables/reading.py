@@ -32,9 +32,9 @@ _UNIT_PROPERTIES = ("unit_string", "NI_UnitDescription", "Unit", "unit")
 
 
 def read_tdms(path: Path, *, group: str | int | None = None) -> Table:
-    """Read the channels of a TDMS file.
+    """Read the channels of a TDMS file as columns.
 
-    `group` is the name or index of a group; the default is all groups.
+    The keyword `group` is the name or index of a group; by default, all groups are read.
     """
     with needed("npTDMS", "A TDMS file", "measured"):
         from nptdms import TdmsFile
@@ -72,9 +72,9 @@ def read_tdms(path: Path, *, group: str | int | None = None) -> Table:
 
 
 def read_mdf(path: Path, *, group: str | int | None = None) -> Table:
-    """Read the channels of an MDF file.
+    """Read the channels of a MDF file as columns.
 
-    `group` is the name or index of a group; the default is all groups.
+    The keyword `group` is the name or index of a group; by default, all groups are read.
     """
     with needed("asammdf", "An MDF file", "measured"):
         from asammdf import MDF
@@ -104,8 +104,8 @@ def read_mdf(path: Path, *, group: str | int | None = None) -> Table:
     return table_of(selected, units | stamps, notes)
 
 
-def known(metadata: Any) -> dict[str, Any]:
-    """Return the metadata of a recording that poppet has written, as a dictionary.
+def stored_metadata(metadata: Any) -> dict[str, Any]:
+    """Return the metadata that poppet has stored in a file, from its JSON text.
 
     The result is empty if another program wrote the file.
     """
@@ -129,7 +129,7 @@ def read_mat(path: Path) -> Table:
             import h5py
         with h5py.File(path, "r") as file:
             content = {name: _hdf5_item(item) for name, item in file.items() if not name.startswith("#")}
-    meta = known(content.pop(METADATA, ""))
+    meta = stored_metadata(content.pop(METADATA, ""))
     columns = dict(_vectors(content))
     if any(values.size > 1 for values in columns.values()):
         # Single numbers in a file with vectors are settings.
@@ -161,7 +161,7 @@ def _vectors(content: Mapping[str, Any], prefix: str = "") -> Iterator[tuple[str
 
 
 def arrow() -> ModuleType:
-    """Import the package pyarrow, and return it."""
+    """Import pyarrow with its Parquet functions, and return the package."""
     with needed("pyarrow", "A Parquet file", "data"):
         import pyarrow
         import pyarrow.parquet
@@ -172,7 +172,7 @@ def arrow() -> ModuleType:
 def table_in(path: Path, columns: list[str] | None = None) -> pyarrow.Table:
     """Return the content of a Parquet file as a pyarrow table.
 
-    `columns` selects columns. The default is all columns.
+    `columns` selects columns; by default, the result contains all columns.
     """
     package = arrow()
     path.open("rb").close()  # gives the usual error for a missing file
@@ -185,7 +185,7 @@ def table_in(path: Path, columns: list[str] | None = None) -> pyarrow.Table:
 def read_parquet(path: Path) -> Table:
     """Read the numeric columns of a Parquet file."""
     content = table_in(path)
-    meta = known((content.schema.metadata or {}).get(METADATA.encode(), b"").decode())
+    meta = stored_metadata((content.schema.metadata or {}).get(METADATA.encode(), b"").decode())
     columns: dict[str, FloatArray] = {}
     units, notes = {}, []
     for field, column in zip(content.schema, content.columns, strict=True):

@@ -37,7 +37,7 @@ _SPELLINGS = {
 
 
 def unit_of(spelling: str) -> str:
-    """Convert a unit as written by an instrument, such as `PSI`, for poppet.
+    """Convert the spelling of a unit by an instrument, such as `PSI`, to that of poppet.
 
     The result is empty if the text is not a unit.
 
@@ -85,7 +85,7 @@ class Table:
     lines: Sequence[int] = ()  # of a text file: line of each sample, counted from 1
 
     def index(self, column: str | int) -> int:
-        """Return the index of the column with a given heading or index.
+        """Return the index of a column; `column` is its heading or its index.
 
         A column that does not exist raises an error.
         """
@@ -101,7 +101,7 @@ class Table:
             raise InputError("table.ambiguous", column=column, places=tuple(indices))
         suggestion = NameSuggestion(column, self.names)
         code = "table.misspelt" if suggestion.names else "table.unknown"  # if unknown, `near` lists all names
-        raise InputError(code, column=column, near=suggestion, names=self.names)
+        raise InputError(code, column=column, suggestion=suggestion, names=self.names)
 
 
 def table_of(
@@ -150,10 +150,10 @@ def seconds(column: np.ndarray[tuple[int, ...], np.dtype[np.datetime64]]) -> Flo
 
 
 def groups_of(groups: Mapping[str, Mapping[str, FloatArray]], group: str | int | None) -> dict[str, FloatArray]:
-    """Return the columns of one group of a file.
+    """Return the columns of one group, or of all groups, of a file.
 
-    `group` is the name or the index of the group. If it is None and the file has several groups, the result contains
-    all columns, and each name begins with the name of the group.
+    `groups` contains all groups of the file. `group` is the name or the index of one of them. If it is None and the
+    file has several groups, the result contains all columns, and each name begins with the name of the group.
 
     Examples
     --------
@@ -165,7 +165,7 @@ def groups_of(groups: Mapping[str, Mapping[str, FloatArray]], group: str | int |
         group = names[group]
     if group is not None and group not in groups:
         near = NameSuggestion(str(group), names)
-        raise InputError("fields.not_an_option", "group", value=group, meaning="group of the file", near=near)
+        raise InputError("fields.not_an_option", "group", value=group, meaning="group of the file", suggestion=near)
     if isinstance(group, str) or len(names) == 1:
         return dict(groups[group if isinstance(group, str) else names[0]])
     return {f"{name}/{column}": values for name in names for column, values in groups[name].items()}

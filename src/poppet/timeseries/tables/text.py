@@ -58,9 +58,8 @@ class _TextLayout:
     def is_sample(self, text: str) -> bool:
         """Return True if a line contains a sample, and False for a heading.
 
-        A sample has a number in its first cell, or in all numeric columns.
-
-        A line that begins with a number and continues with text is an invalid sample, not a heading.
+        A line with the right number of cells is a sample if its first cell is a number. Otherwise, all cells of numeric
+        columns must be numbers or empty.
         """
         cells = self.cells(text)
         kinds = [self.is_number(cell) for cell in cells]
@@ -77,7 +76,8 @@ def read(
 ) -> Table:
     """Read the columns of a text file.
 
-    Options that are None are detected from the text, and notes report the detected values.
+    The keywords `separator`, `decimal` and `header_rows` describe the file. Those that are None are detected, and notes
+    report the result.
     """
     text, bad_line = _decoded_text(path)
     notes = [Note("table.latin_1")] if bad_line else []
@@ -157,9 +157,9 @@ def read_exact(path: Path) -> Table:
 
 
 def _decoded_text(path: Path) -> tuple[str, int]:
-    """Return the text of a file, and its first line that is not UTF-8.
+    """Return the text of a file, and the number of its first line that is not UTF-8.
 
-    The line number is 0 if the whole file is UTF-8 or UTF-16. Otherwise the text is decoded as Latin-1.
+    The number is 0 if the whole file is UTF-8 or UTF-16. Otherwise the text is decoded as Latin-1.
     """
     with path.open("rb") as file:
         content = file.read(LARGEST_TEXT + 1)  # a device has no size and can be endless
@@ -182,10 +182,10 @@ def _lines(text: str) -> list[Line]:
 
 
 def _guess_layout(lines: Sequence[Line], separators: Sequence[str], decimals: Sequence[str]) -> _TextLayout:
-    """Return the layout with which most cells of the lines are numbers.
+    """Return the column separator and decimal sign with which most cells are numbers.
 
-    A layout consists of column separator and decimal sign, from `separators` and `decimals`. If several are equally
-    good, the one with the most columns is returned.
+    `separators` and `decimals` contain the candidates. Of equally good pairs, the one with the most columns is
+    returned.
     """
     sample = [text for _, text in (*lines[:: 1 + len(lines) // _BETWEEN], *lines[-_LAST:])]
     choices = [(s, d) for s in separators for d in decimals if s != d]
@@ -219,8 +219,8 @@ def _column_headings(
 ) -> tuple[list[str], list[str], list[Note]]:
     """Return the names and the units of all columns, with notes.
 
-    The names are in the last line above the values (`body`). If that line contains only units, the names are in the
-    line above it. Without such lines, the names come from a comment, or are generated.
+    The names are in the last line above the values, `body`. If this line contains only units, the names are in the line
+    above it. Without headings, the names come from a comment or are `column 0` and so on.
     """
     rows = [layout.cells(text) for _, text in head]
     units = [unit_of(cell.strip("[]()")) for cell in rows[-1]] if len(rows) > 1 else []
@@ -263,7 +263,7 @@ def _columns(body: list[Line], layout: _TextLayout, names: list[str]) -> tuple[l
 
 
 def _all_numbers(texts: list[str], delimiter: str | None, width: int) -> FloatArray | None:
-    """Convert lines that contain only numbers to columns, (width, n).
+    """Convert lines that contain only numbers to an array of the columns, (width, n_lines).
 
     This fast function is tried first. The result is None if a cell is empty or is not a number, or if a line does not
     have `width` cells.

@@ -37,7 +37,7 @@ def convert_stamps(lines: Sequence[tuple[int, str]]) -> tuple[list[tuple[int, st
     Returns
     -------
     lines : list of tuple
-        Line numbers and texts; the texts are unchanged if most of the last lines contain no time stamp.
+        Line numbers and texts. If most of the last lines contain no time stamp, the texts are unchanged.
     first : str
         First time stamp; empty if there is none.
     """
@@ -58,9 +58,9 @@ def convert_stamps(lines: Sequence[tuple[int, str]]) -> tuple[list[tuple[int, st
 
 
 def _time_in_nanoseconds(match: re.Match[str]) -> int | None:
-    """Return the time of a stamp since 1970 [ns].
+    """Return the time of a time stamp since 1970 [ns].
 
-    `match` is the match of the stamp with its pattern. The result is None if the date does not exist.
+    `match` is the result of the regular expression for time stamps. The result is None if the date does not exist.
     """
     year, month, day = (
         int(match[name] or match[other])
@@ -83,9 +83,7 @@ def _time_in_nanoseconds(match: re.Match[str]) -> int | None:
 
 
 def is_serial(column: FloatArray) -> bool:
-    """Return True if a column of times seems to contain day numbers of Excel.
-
-    Such a column has no unit.
+    """Return True if a column without a unit seems to contain day numbers of Excel.
 
     Examples
     --------

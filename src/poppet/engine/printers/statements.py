@@ -1,0 +1,286 @@
+"""Printer of traced functions as readable statements, for all languages with expressions and variables.
+
+A value that is used once becomes part of the statement that uses it. Other values become variables. Labelled values
+keep their labels as names; the other variables are numbered, with the name of the labelled value or result that they
+belong to. A comment states the meaning of each labelled value.
+"""
+
+from __future__ import annotations
+
+import re
+from collections import Counter
+from collections.abc import Callable, Mapping, Sequence
+from typing import NamedTuple
+
+from poppet.engine.printers.instructions import Instruction
+
+_NAME = re.compile(r"[A-Za-z_][\w.\[\]]*(->[\w.]+)?")
+
+
+class UnsupportedOperationError(ValueError):
+    """Error of an operation or constant that a language does not support."""
+
+
+class Language(NamedTuple):
+    """Syntax of a language. Each form contains its arguments as `{0}` and `{1}`."""
+
+    operations: Mapping[str, str]  # forms of operations with a number as result
+    comparisons: Mapping[str, str]  # forms of comparisons of numbers
+    logic: Mapping[str, str]  # forms of operations on conditions
+    literal: Callable[[float], str]  # text of a constant
+    choice: str  # form of a choice: {0} condition, {1} value if it is true, {2} value if it is false
+    non_zero: str  # form of the condition that the number {0} is not zero
+    types: tuple[str, str]  # of a number and of a condition
+    declaration: str  # line of a new variable: {name}, {type}, {text}
+    assignment: str  # line that assigns {text} to {name}
+    comment: str  # line of a comment: {text}
+    longest: int = 100  # maximum length of an expression inside another one, in characters
+
+
+class Value(NamedTuple):
+    """Expression. If it is not an atom, such as a name or a call, it needs parentheses inside other expressions."""
+
+    text: str
+    is_flag: bool = False
+    is_atom: bool = True
+    # of a choice with zero: condition, True if the condition is negated, value
+    choice: tuple[str, bool, str] | None = None
+    negated: str = ""  # argument of a `not`
+
+    @property
+    def operand(self) -> str:
+        """Expression as an operand of another expression, in parentheses if necessary."""
+        return self.text if self.is_atom else f"({self.text})"
+
+
+class ResultVariable(NamedTuple):
+    """Variable to which a result of a function is assigned."""
+
+    name: str
+    is_flag: bool = False
+
+
+class Statements:
+    """Statements and variables of one function.
+
+    Parameters
+    ----------
+    language : Language
+        Syntax.
+    inputs : sequence of sequence of Value
+        Text of each element of each argument.
+    outputs : sequence of sequence of Result
+        Variables of the elements of each result, without the labels.
+    new_name : callable
+        Returns a valid and unused name that resembles a text.
+    labels : sequence of (str, str), optional
+        Name and meaning of each element of the last result, whose values are labelled and not assigned.
+    constants : mapping, optional
+        Names of constants.
+    is_in_place : bool, optional
+        True if results overwrite arguments; the values that read them are then computed first.
+    unchanged : mapping, optional
+        Expression of each result that has its value already and needs no assignment (default: its name).
+    """
+
+    def __init__(
+        self,
+        language: Language,
+        inputs: Sequence[Sequence[Value]],
+        outputs: Sequence[Sequence[ResultVariable]],
+        new_name: Callable[[str], str],
+        *,
+        labels: Sequence[tuple[str, str]] = (),
+        constants: Mapping[float, str] | None = None,
+        is_in_place: bool = False,
+        unchanged: Mapping[str, str] | None = None,
+    ) -> None:
+        self.unchanged = unchanged or {}
+        self.counts: Counter[str] = Counter()
+        self.language, self.inputs, self.outputs, self.new_name = language, inputs, outputs, new_name
+        self.labels, self.constants, self.is_in_place = labels, constants or {}, is_in_place
+        self.lines: list[str] = []
+        self.variables: list[tuple[str, bool]] = []  # name, and True for a condition
+
+    def read(self, function: Sequence[Instruction]) -> None:
+        """Add statements for the instructions of the function."""
+        uses, names, owners, needed, ends = self._plan(function)
+        slots: dict[int, Value] = {}
+        results: list[tuple[ResultVariable, Value]] = []
+        comment = ""
+        for k, instruction in enumerate(function):
+            vector, element = instruction.place
+            if instruction.operation == "output":
+                if vector < len(self.outputs):
+                    results.append((self.outputs[vector][element], slots[instruction.arguments[0]]))
+                continue
+            if k not in needed:
+                continue
+            value = self._value(instruction, [slots[slot] for slot in instruction.arguments])
+            # Names, constants and negations need no variable.
+            is_simple = instruction.operation in ("const", "input", "assign", "not") or _NAME.fullmatch(value.text)
+            is_long = len(value.text) > self.language.longest and not ends[k]
+            if not is_simple and (uses[k] != 1 or k in names or is_long):
+                owner = owners[k]
+                meaning = dict(self.labels).get(owner, "")
+                if meaning and meaning != comment:
+                    self.lines.append(self.language.comment.format(text=meaning))
+                    comment = meaning
+                value = self._variable(value, owner, is_label=k in names)
+            slots[instruction.result] = value
+        self._assign(results)
+
+    def _plan(
+        self, function: Sequence[Instruction]
+    ) -> tuple[list[int], dict[int, str], list[str], set[int], list[bool]]:
+        """Return data on the use of each instruction, by its index.
+
+        The results are the number of uses of its value; its label, if it has one; and the name of the result or label
+        for which it is computed. The set of needed instructions follows. The last list is True for values whose
+        expression can be long, because they are results or halves of a choice.
+        """
+        uses, names, consumers = [0] * len(function), dict[int, str](), [list[int]() for _ in function]
+        last: dict[int, int] = {}
+        for k, instruction in enumerate(function):
+            vector, element = instruction.place
+            is_label = instruction.operation == "output" and vector >= len(self.outputs)
+            for slot in instruction.arguments:
+                if is_label:
+                    names.setdefault(last[slot], self.labels[element][0])
+                else:
+                    uses[last[slot]] += 1
+                    consumers[last[slot]].append(k)
+            if instruction.operation == "assign":
+                last[instruction.result] = last[instruction.arguments[0]]
+            elif instruction.operation != "output":
+                last[instruction.result] = k
+        owners, needed = [""] * len(function), set[int]()
+        for k in reversed(range(len(function))):
+            instruction = function[k]
+            vector, element = instruction.place
+            if instruction.operation == "output":
+                if vector < len(self.outputs):
+                    owners[k] = re.split(r"\W+", self.outputs[vector][element].name)[-1]
+                    needed.add(k)
+                continue
+            needing = [consumer for consumer in consumers[k] if consumer in needed]
+            if needing or instruction.operation == "assign":
+                needed.add(k)
+            owners[k] = names.get(k) or next((owners[consumer] for consumer in needing), "")
+        ends = [
+            all(function[c].operation == "output" for c in consumers[k])
+            or (instruction.operation == "if_else_zero" and all(function[c].operation == "add" for c in consumers[k]))
+            for k, instruction in enumerate(function)
+        ]
+        return uses, names, owners, needed, ends
+
+    def _assign(self, results: Sequence[tuple[ResultVariable, Value]]) -> None:
+        """Add the statements that assign the results, except results that keep their values."""
+        texts = {
+            result.name: self._flag(value) if result.is_flag else self._number(value, is_operand=False)
+            for result, value in results
+        }
+        remaining = {name: text for name, text in texts.items() if text != self.unchanged.get(name, name)}
+        values = {result.name: value for result, value in results}
+        reads = {name: set(re.findall(r"[\w.]+", text)) & {*remaining} - {name} for name, text in remaining.items()}
+        while remaining:
+            # A result that no other expression reads can be overwritten.
+            free = [name for name in remaining if not any(name in reads[other] for other in remaining)]
+            if self.is_in_place and not free:
+                name = next(iter(remaining))
+                variable = self._variable(values[name], name)
+                remaining[name], reads[name] = variable.text, set()
+                continue
+            for name in free if self.is_in_place else [*remaining]:
+                self.lines.append(self.language.assignment.format(name=name, text=remaining.pop(name)))
+
+    def _number(self, value: Value, *, is_operand: bool = True) -> str:
+        """Return an expression as a number; a condition becomes 0 or 1."""
+        if not value.is_flag:
+            return value.operand if is_operand else value.text
+        one, zero = (self.language.literal(number) for number in (1.0, 0.0))
+        text = self.language.choice.format(value.operand, one, zero)
+        return text if (text.endswith(")") and not text.startswith("(")) or not is_operand else f"({text})"
+
+    def _flag(self, value: Value) -> str:
+        """Return an expression as a condition; a number is compared with zero."""
+        if value.is_flag:
+            return value.text
+        if value.text == self.language.literal(1.0) or value.text == self.language.literal(0.0):
+            return self.language.logic["true" if value.text == self.language.literal(1.0) else "false"]
+        return self.language.non_zero.format(value.operand)
+
+    def _operand_flag(self, value: Value) -> str:
+        return value.operand if value.is_flag else f"({self._flag(value)})"
+
+    def _value(self, instruction: Instruction, arguments: list[Value]) -> Value:
+        name, language = instruction.operation, self.language
+        if name == "const":
+            return Value(self.constants.get(instruction.constant) or language.literal(instruction.constant))
+        if name == "input":
+            return self.inputs[instruction.place[0]][instruction.place[1]]
+        if name == "assign":
+            return arguments[0]
+        if name in ("lt", "le") and arguments[1].is_flag and arguments[0].text in self._thresholds:
+            return arguments[1]
+        if name in ("and", "or", "not"):
+            # A condition that is always true, such as the first of a chain, adds nothing.
+            true = language.literal(1.0)
+            if name == "and" and true in (arguments[0].text, arguments[1].text):
+                other = arguments[1] if arguments[0].text == true else arguments[0]
+                return other if other.is_flag else Value(self._flag(other), True, False)
+            text = language.logic[name].format(*(self._operand_flag(argument) for argument in arguments))
+            return Value(text, True, False, negated=self._operand_flag(arguments[0]) if name == "not" else "")
+        if name in language.comparisons:
+            text = language.comparisons[name].format(*(self._number(argument) for argument in arguments))
+            return Value(text, True, False)
+        if name == "if_else_zero":
+            condition, value = arguments
+            flag = self._operand_flag(condition)
+            chosen = self._number(value, is_operand="?" in language.choice)
+            choice = condition.negated or flag, bool(condition.negated), chosen
+            if value.is_flag:
+                return Value(language.logic["and"].format(flag, value.operand), True, False, choice)
+            if value.text == language.literal(1.0):
+                return Value(flag, True, True, choice)
+            text = language.choice.format(flag, chosen, language.literal(0.0))
+            return Value(text, is_atom="?" not in language.choice, choice=choice)
+        if name == "add" and (merged := self._merge(*arguments)):
+            return merged
+        if name not in language.operations:
+            raise UnsupportedOperationError(name)
+        form = language.operations[name]
+        if form.count("{0}") > 1 and not _NAME.fullmatch(arguments[0].text):
+            arguments = [self._variable(arguments[0], "value"), *arguments[1:]]
+        # An argument in the parentheses of a call needs no parentheses.
+        is_call = re.fullmatch(r"\w+\(\{0\}(, \{1\})?\)", form) is not None
+        return Value(form.format(*(self._number(a, is_operand=not is_call) for a in arguments)), is_atom=is_call)
+
+    @property
+    def _thresholds(self) -> tuple[str, ...]:
+        """Constants below a true condition and above a false one."""
+        return self.language.literal(0.0), self.language.literal(0.5)
+
+    def _merge(self, a: Value, b: Value) -> Value | None:
+        """Return the sum of two choices with opposite conditions as one choice; None for other values."""
+        if a.choice is None or b.choice is None or a.choice[0] != b.choice[0] or a.choice[1] == b.choice[1]:
+            return None
+        if a.is_flag and b.is_flag:
+            return Value(self.language.logic["or"].format(a.operand, b.operand), True, False)
+        yes, no = (b, a) if a.choice[1] else (a, b)
+        assert yes.choice is not None
+        assert no.choice is not None
+        text = self.language.choice.format(yes.choice[0], yes.choice[2], no.choice[2])
+        return Value(text, is_atom="?" not in self.language.choice)
+
+    def _variable(self, value: Value, name: str, *, is_label: bool = False) -> Value:
+        """Assign an expression to a new variable, and return the variable.
+
+        The variable has the given name if it is a label, otherwise this name with a number.
+        """
+        self.counts[name] += not is_label
+        name = self.new_name(name if is_label else f"{name}_{self.counts[name]}")
+        self.variables.append((name, value.is_flag))
+        kind = self.language.types[value.is_flag]
+        self.lines.append(self.language.declaration.format(name=name, text=value.text, type=kind))
+        return Value(name, value.is_flag, negated=value.negated if re.fullmatch(r"\w+", value.negated) else "")

@@ -1,0 +1,55 @@
+"""Reasons for the verdicts on estimates, as text for a report."""
+
+from __future__ import annotations
+
+from poppet.core.message_format import sentence
+from poppet.core.number_format import interval, readable_unit, with_unit
+from poppet.identify.fit.statistics import OF_RATIOS
+from poppet.identify.methods import METHODS
+from poppet.identify.result import DETERMINED, WEAK, Estimate, Result
+
+WIDTH_CODES = ("finding.number.not_determined", "finding.number.weak", "flow.ratio_open")
+"""Codes of the findings that state only that an interval is wide."""
+CODES = (
+    "finding.choking.throughout",
+    "flow.choked_only",
+    "flow.at_bound",
+    "finding.number.bound",
+    *WIDTH_CODES,
+    "flow.scatter_only",
+)
+"""Codes of the findings that give the reason for a verdict, the most specific first."""
+
+
+def verdict_limits(result: Result) -> dict[str, float]:
+    """Return the limits of the verdicts in %, for parameters and for ratios such as b."""
+    method = METHODS.get(result.method)
+    ratios = OF_RATIOS if method and method.is_fit else (DETERMINED, WEAK)
+    limits = {"determined": DETERMINED, "weak": WEAK, "ratio_determined": ratios[0], "ratio_weak": ratios[1]}
+    return {name: 100.0 * limit for name, limit in limits.items()}
+
+
+def verdict_reasons(result: Result) -> list[str]:
+    """Return a text for each verdict other than `determined`."""
+    return [_reason(result, name, e) for name, e in result.parameters.items() if e.verdict != "determined"]
+
+
+def _reason(result: Result, name: str, estimate: Estimate) -> str:
+    """Return the finding that explains a verdict; without such a finding, the 95 % interval."""
+    capping = result.conditions.get("capped", {}).get(name, ())
+    for code in (*capping, *CODES):
+        for note in result.remarks:
+            is_related = note.address == name or code in capping or name in note.facts.get("names", ())
+            if note.code == code and is_related:
+                return f"{note}{_ratio_limit(result, name, estimate) if code in WIDTH_CODES else ''}"
+    unit = readable_unit(estimate.unit, estimate.value)
+    width = with_unit(interval(estimate.low, estimate.high, estimate.unit, unit), unit)
+    return f"{name}: the 95 % interval is {width}.{_ratio_limit(result, name, estimate)}"
+
+
+def _ratio_limit(result: Result, name: str, estimate: Estimate) -> str:
+    """Return a sentence on the limit of the verdict on a critical ratio; empty for other parameters."""
+    half, limit = 0.5 * (estimate.high - estimate.low), verdict_limits(result)["ratio_determined"]
+    if not name.endswith("critical_ratio") or estimate.verdict == "at bound" or half <= 0.01 * limit:
+        return ""
+    return f" {sentence('identification.ratio', {'percent': limit, 'half': half})}"

@@ -1,0 +1,277 @@
+"""Exported controllers with invalid inputs, wrong times and wrong parameters, on all targets.
+
+The targets are C in double and single precision, structured text by the evaluator of the tests and by two compilers,
+and the traced program, which contains the equations of the simulation.
+"""
+
+from __future__ import annotations
+
+from functools import cache
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from controller_targets import (
+    calls_of,
+    compile_c_export,
+    compile_with_matiec,
+    compile_with_strucpp,
+    run_evaluator,
+    run_library,
+    run_program,
+)
+from poppet import load
+from poppet.deploy.controller import controller_program
+from poppet.deploy.controller_program import STATUS
+
+EXAMPLES = Path(__file__).parents[2] / "examples"
+CONTROLLERS = {
+    "pid": ("pressure_control", ()),
+    "schedule": ("pressure_control_scheduled", ()),
+    "feedback linearisation": ("pressure_control_linearising", ()),
+    "position": ("position_control", ()),
+    "electronics": ("pressure_regulator", ()),
+    "cascade": ("muscle_joint", ("position", "inverse", "valve")),
+}
+HELD, SAFE, SATURATED, LATE, PARAMETER = (1 << k for k in range(len(STATUS)))
+TARGETS = ("double", "single", "evaluator", "matiec", "strucpp")
+
+
+@cache
+def circuit_of(case):
+    return load(EXAMPLES / f"{CONTROLLERS[case][0]}.toml")
+
+
+@cache
+def program_of(case):
+    return controller_program(circuit_of(case), CONTROLLERS[case][1])
+
+
+def usual_inputs(case, n, seed=5):
+    """Inputs that wander about their values, with steps: every branch of a controller is taken."""
+    generator = np.random.default_rng(seed)
+    values = np.array([item.value for item in program_of(case).inputs])
+    slow = np.repeat(generator.uniform(0.6, 1.6, (-(-n // 40), values.size)), 40, axis=0)[:n]
+    inputs = np.where(values == 0.0, generator.uniform(-0.05, 0.05, (n, values.size)), values * slow)
+    for k, item in enumerate(program_of(case).inputs):
+        if item.address in program_of(case).flags:
+            inputs[:, k] = item.value
+    return inputs.astype(np.float32).astype(float)
+
+
+@cache
+def library_of(target, case, folder):
+    """Compile a target once for all tests of this process."""
+    folder = folder / f"{target}_{case.replace(' ', '_')}"
+    if target in ("double", "single"):
+        return compile_c_export(circuit_of(case), CONTROLLERS[case][1], folder, target)
+    return {"matiec": compile_with_matiec, "strucpp": compile_with_strucpp}[target](program_of(case), folder)
+
+
+@pytest.fixture(scope="session")
+def folder(tmp_path_factory):
+    return tmp_path_factory.mktemp("controllers")
+
+
+def run_on(target, case, calls, folder):
+    if target == "evaluator":
+        return run_evaluator(program_of(case), calls)
+    return run_library(library_of(target, case, folder), program_of(case), calls)
+
+
+def check_equal(target, case, calls, folder):
+    """Compare a target with the traced program: outputs and status of each call."""
+    expected, bits = run_program(program_of(case), calls)
+    outputs, status = run_on(target, case, calls, folder)
+    size = np.abs(expected).max(axis=0)
+    tolerance = {"single": 2e-4, "matiec": 1e-13, "strucpp": 1e-13}.get(target, 1e-15)
+    differences = np.abs(outputs - expected).max(axis=1) if not size.any() else np.abs(outputs - expected)
+    assert np.isfinite(outputs).all()
+    assert (differences <= tolerance * np.where(size > 0.0, size, 1.0)).all(), np.max(
+        differences / np.maximum(size, 1e-300)
+    )
+    if target == "single":
+        # A command at the border of its limits can be cut in one precision only.
+        assert np.mean((status | SATURATED) == (bits | SATURATED)) == 1.0
+        assert np.mean(status == bits) > 0.98
+    else:
+        assert np.array_equal(status, bits)
+    return expected, bits
+
+
+def numeric(case):
+    return [k for k, item in enumerate(program_of(case).inputs) if item.address not in program_of(case).flags]
+
+
+def fault_calls(case, name):
+    """Return the calls of a fault by its name."""
+    program = program_of(case)
+    n = 300
+    inputs, generator = usual_inputs(case, n), np.random.default_rng(11)
+    parameters = np.tile([parameter.value for parameter in program.parameters], (n, 1))
+    intervals = np.full(n, program.cycle)
+    if name == "inputs":
+        # Each input is invalid for a short and for a long time, and one from the first call.
+        inputs[:3, numeric(case)[0]] = np.nan
+        for place, k in enumerate(numeric(case)):
+            invalid = (np.nan, np.inf, -np.inf, 1e30)[place % 4]
+            inputs[20 + 30 * place : 22 + 30 * place, k] = invalid
+        inputs[180:280, numeric(case)[-1]] = np.nan
+    elif name == "jitter":
+        instants = program.cycle * (np.arange(n) + generator.uniform(-0.5, 0.5, n))
+        intervals = np.diff(instants, prepend=0.0)
+    elif name == "times":
+        intervals[0], intervals[40], intervals[80], intervals[120] = 1e3, 10.0, -1.0, np.nan
+        intervals[160:170], intervals[200:220] = 0.0, 1.29 * program.cycle
+    elif name == "parameters":
+        for k, parameter in enumerate(program.parameters):
+            if k % 3 == 0:
+                parameters[10 + 5 * k : 13 + 5 * k, k] = (np.nan, parameter.low - 1.0, parameter.high * 2.0 + 1.0)
+    elif name == "random":
+        n = 2000
+        inputs = usual_inputs(case, n, 7)
+        scale = 10.0 ** generator.uniform(-2, 8, (n, inputs.shape[1])) * generator.choice([-1.0, 1.0], inputs.shape)
+        wild = generator.random(inputs.shape) < 0.02
+        inputs = np.where(wild, scale * (1.0 + np.abs(inputs)), inputs)
+        inputs[generator.random(inputs.shape) < 0.02] = np.nan
+        for k, item in enumerate(program.inputs):
+            if item.address in program.flags:
+                inputs[:, k] = np.repeat(generator.integers(0, 2, -(-n // 25)), 25)[:n]
+        inputs = inputs.astype(np.float32).astype(float)
+        parameters = np.tile(parameters[0], (n, 1))
+        intervals = program.cycle * generator.choice([0.5, 1.0, 1.0, 1.0, 1.5, 3.0], n)
+    return calls_of(program, inputs, parameters, intervals)
+
+
+FAULTS = {"inputs": HELD | SAFE, "jitter": 0, "times": LATE, "parameters": PARAMETER, "random": HELD}
+"""Bits that each fault must set in some call."""
+
+
+@pytest.mark.parametrize("case", CONTROLLERS)
+@pytest.mark.parametrize("target", TARGETS)
+def test_target_reacts_to_faults_like_the_program(target, case, folder):
+    for fault, expected in FAULTS.items():
+        if target == "single" and fault == "random":
+            continue  # decisions near a threshold differ in single precision; the bounds are tested below
+        _, bits = check_equal(target, case, fault_calls(case, fault), folder)
+        assert (np.bitwise_or.reduce(bits) & expected) == expected, fault
+
+
+@pytest.mark.parametrize("target", ["double", "single", "evaluator", "matiec", "strucpp"])
+def test_restart_resets_the_memory(target, folder):
+    program = program_of("pid")
+    inputs = usual_inputs("pid", 60)
+    restarts = np.arange(60) == 30
+    outputs, status = run_on(target, "pid", calls_of(program, inputs, restarts=restarts), folder)
+    fresh, bits = run_program(program, calls_of(program, inputs[30:]))
+    tolerance = 1e-5 if target == "single" else 1e-13
+    assert np.allclose(outputs[30:], fresh, rtol=0.0, atol=tolerance * np.abs(fresh).max())
+    assert np.array_equal(status[30:], bits)
+
+
+@pytest.mark.parametrize("precision", ["double", "single"])
+@pytest.mark.parametrize("case", CONTROLLERS)
+def test_no_valve_opens_without_reason(case, precision, folder):
+    """Random and invalid inputs: commands are finite and within limits, and safe commands close the valves."""
+    calls = fault_calls(case, "random")
+    outputs, status = run_on(precision, case, calls, folder)
+    assert np.isfinite(outputs).all()
+    names = [output.address.rpartition(".")[2] for output in program_of(case).outputs]
+    for k, name in enumerate(names):
+        if name in ("fill_command", "vent_command", "fill_duty", "vent_duty"):
+            assert outputs[:, k].min() >= 0.0
+            assert outputs[:, k].max() <= 1.0
+    # All controllers have had an invalid input for the fault time: every valve is closed.
+    longest = 0.1 + 2.0 * program_of(case).cycle
+    invalid = calls_of(program_of(case), np.where(np.arange(400)[:, None] > 50, np.nan, usual_inputs(case, 400)))
+    outputs, status = run_on(precision, case, invalid, folder)
+    late = 52 + int(np.ceil(longest / program_of(case).cycle))
+    assert (status[late:] & SAFE).all()
+    for k, name in enumerate(names):
+        if name in ("fill_command", "vent_command", "fill_duty", "vent_duty"):
+            assert not outputs[late:, k].any()
+
+
+@pytest.mark.parametrize("case", CONTROLLERS)
+def test_held_inputs_equal_their_last_valid_values(case):
+    """A short fault acts as the last valid value with the flag `input_fault`; it never acts as zero or as a jump."""
+    program = program_of(case)
+    inputs = usual_inputs(case, 200)
+    repeated = inputs.copy()
+    flag = [k for k, item in enumerate(program.inputs) if item.address.endswith("input_fault")]
+    for k in numeric(case):
+        inputs[60:64, k] = np.nan
+        repeated[60:64, k] = repeated[59, k]
+    repeated[60:64, flag] = 1.0
+    outputs, status = program.run(inputs)
+    assert np.array_equal(outputs, program.run(repeated).outputs)
+    assert [*np.flatnonzero(status & HELD)] == [60, 61, 62, 63]
+
+
+@pytest.mark.parametrize(("case", "command", "measurement"), [("pid", 0, 1), ("position", 0, 1)])
+def test_recovery_is_bumpless(case, command, measurement):
+    """After a long fault, the command starts at the safe command and moves by one increment of the integral."""
+    program = program_of(case)
+    values = np.array([item.value for item in program.inputs])
+    inputs = np.tile(values, (400, 1))
+    inputs[:, 0] = values[0] * 1.2 if values[0] else 0.02
+    inputs[100:300, measurement] = np.nan
+    # Meanwhile the measurement has changed.
+    inputs[300:, measurement] = values[measurement] * 1.1 if values[measurement] else 0.015
+    outputs, status = program.run(inputs)
+    safe = outputs[298, command]
+    assert status[298] & SAFE
+    assert not status[300] & (HELD | SAFE)
+    before = np.abs(np.diff(outputs[1:100, command])).max()
+    assert abs(outputs[300, command] - safe) <= 1e-12 + before
+
+
+def manual_inputs(n):
+    """Inputs of the PID in manual mode: each sample has another command, which acts in the next sample."""
+    program = program_of("pid")
+    names = [item.address.rpartition(".")[2] for item in program.inputs]
+    inputs = np.tile([item.value for item in program.inputs], (n, 1))
+    inputs[:, names.index("automatic")] = 0.0
+    inputs[:, names.index("manual_command")] = (np.arange(n) % 97 + 1.0) / 200.0
+    return inputs
+
+
+@pytest.mark.parametrize("precision", ["double", "single"])
+def test_clock_follows_the_grid_with_jitter(precision, folder):
+    """10^6 calls whose instants jitter by half a cycle about a grid: as many samples as instants of the grid."""
+    n, program = 1_000_000, program_of("pid")
+    instants = program.cycle * (np.arange(n) + np.random.default_rng(3).uniform(-0.5, 0.5, n))
+    calls = calls_of(program, manual_inputs(n), intervals=np.diff(instants, prepend=0.0))
+    outputs, _ = run_on(precision, "pid", calls, folder)
+    # The first two samples give zero: the command acts one sample later.
+    executed = 1 + np.cumsum(np.diff(outputs[:, 0], prepend=0.0) != 0.0)
+    due = np.floor((instants - instants[0]) / program.cycle + 1e-9) + 1.0
+    assert abs(executed[-1] - n) <= 1
+    assert (due - executed).max() <= 1.0
+    assert (executed - due).max() <= 1.0
+
+
+@pytest.mark.parametrize("interval", [0.0021, 0.0019])
+def test_one_wrong_interval_neither_freezes_nor_bursts(interval, folder):
+    """After 200 s, one cycle is reported wrongly: every later call still executes a sample, or the next one does."""
+    program = program_of("pid")
+    n = 100_500
+    inputs = manual_inputs(n)
+    intervals = np.full(n, program.cycle)
+    intervals[100_000] = interval
+    outputs, status = run_on("double", "pid", calls_of(program, inputs, intervals=intervals), folder)
+    changes = np.diff(outputs[:, 0]) != 0.0
+    assert np.count_nonzero(~changes[1:]) <= 1
+    assert not (status & LATE).any()
+
+
+def test_late_first_call_and_long_pause_execute_one_sample(folder):
+    """A first call with a long time, and a pause of 10 s, do not cause a burst of samples."""
+    program, n = program_of("pid"), 60
+    intervals = np.full(n, program.cycle)
+    intervals[0], intervals[30] = 1e3, 10.0
+    outputs, status = run_on("double", "pid", calls_of(program, manual_inputs(n), intervals=intervals), folder)
+    # The command of each call is that of the call before: exactly one sample in each call.
+    assert np.array_equal(outputs[1:, 0], manual_inputs(n)[:-1, -1])
+    assert [*np.flatnonzero(status & LATE)] == [30]
