@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Hashable, Iterator, Mapping
 from dataclasses import InitVar, dataclass, field, fields, replace
 from functools import cached_property
@@ -249,7 +250,32 @@ class BaseCircuit(HtmlMixin):
                     item = self.inputs[address]
                     value = self.parameters[f"{name}.{item.default}"] if isinstance(item.default, str) else item.default
                     notes.append(Note("circuit.uncontrolled", address, value=value, unit=item.unit))
+        # Connected outputs whose range exceeds the limits of the input.
+        for target, source, low, high in self._limited_connections():
+            name, _, local = source.rpartition(".")
+            ends = self.parts[name].output_ranges().get(local) if name in self.parts else None
+            if ends is not None:
+                lowest, highest = (
+                    (-1.0 if end[0] == "-" else 1.0) * self.parameters[f"{name}.{end.lstrip('-')}"]
+                    if isinstance(end, str)
+                    else end
+                    for end in ends
+                )
+                if lowest < low or highest > high:
+                    facts = {"source": source, "lowest": lowest, "highest": highest, "low": low, "high": high}
+                    notes.append(Note("circuit.limited_input", target, unit=self.inputs[target].unit, **facts))
         return tuple(notes)
+
+    def _limited_connections(self) -> Iterator[tuple[str, str, float, float]]:
+        """Yield target, source and limits of each connection to an input with limits."""
+        for target, source in self.connections.items():
+            item, owner = self.inputs[target], target.rpartition(".")[0]
+            low, high = (
+                self.parameters.get(f"{owner}.{end}", math.nan) if isinstance(end, str) else end
+                for end in (item.low, item.high)
+            )
+            if low > -math.inf or high < math.inf:
+                yield target, source, low, high
 
     def _real_gas_notes(self, series: Series) -> Iterator[Note]:
         """Yield notes on volumes in which the gas deviates considerably from an ideal gas.
@@ -391,6 +417,17 @@ class BaseCircuit(HtmlMixin):
             Function from the address of an output, or `time`, to its values at the rows of the run.
         """
         yield from self._real_gas_notes(series)
+        outputs = {name for name, _ in self.model.outputs}
+        for target, source, low, high in self._limited_connections():
+            if source in outputs:
+                values = series(source)
+                excess = np.maximum(low - values, values - high)
+                size = max(abs(end) for end in (low, high) if math.isfinite(end)) or 1.0
+                rows = np.flatnonzero(excess > 1e-9 * size)
+                if rows.size:
+                    time, k = float(series("time")[rows[0]]), int(np.nanargmax(excess))
+                    facts = {"source": source, "time": time, "value": float(values[k]), "low": low, "high": high}
+                    yield Note("circuit.saturated", target, unit=self.inputs[target].unit, **facts)
         for name, part in self.parts.items():
             for remark in part.remarks(name, series):
                 yield remark.within(name)

@@ -5,6 +5,7 @@ Parameters remain symbols, so one model is valid for all parameter values.
 
 from __future__ import annotations
 
+import math
 from collections import defaultdict
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
@@ -58,10 +59,10 @@ def trace(
 def trace_program(
     parts: Mapping[str, Part], parameters: tuple[str, ...], connections: Mapping[str, str]
 ) -> tuple[Model, dict[str, tuple[Any, str]]]:
-    """Return the model of sampled controllers with relative time, and the labels of intermediate values.
+    """Return the model of sampled controllers, and the labels of their intermediate values.
 
-    A timer contains the time that remains until its instant. A label maps the address of a value at a sample instant to
-    its expression and meaning (`Scope.label`).
+    The model has relative time: the state of a timer is the time until it is due. A label maps the address of a value
+    at a sample instant to its expression and meaning (`Scope.label`).
     """
     tracer = _Tracer(parts, connections, parameters, has_relative_time=True)
     model = tracer.model()
@@ -305,7 +306,8 @@ class _Tracer:
                     address = f"connections.{self._shown(target)}"
                     near = NameSuggestion(source, shown)
                     errors.add("fields.not_an_option", address, value=source, meaning="output", suggestion=near)
-        connected = self._resolve({t: self.ca.SX(all_outputs[source][0]) for t, source in self.connections.items()})
+        expressions = {t: self._limited(t, all_outputs[source][0]) for t, source in self.connections.items()}
+        connected = self._resolve(expressions)
         with ErrorCollector() as errors:
             for target, source in self.connections.items():
                 # All values are in SI: equal quantities have equal units.
@@ -323,6 +325,25 @@ class _Tracer:
                 raise InputError("wiring.no_slope", f"connections.{self._shown(base)}", source=self.connections[base])
             slopes[address] = self._substitute(self.ca.jtimes(expressions[base], x, rates), connected)
         return [*connected, *self._resolve(slopes)]
+
+    def _limited(self, target: str, output: Any) -> casadi.SX:
+        """Return the value of a connected input, clipped to the limits of the input.
+
+        A limit that the source cannot exceed is omitted.
+        """
+        (name, _, local), (owner, _, own) = (end.rpartition(".") for end in (self.connections[target], target))
+        lowest, highest = self.parts[name].output_ranges().get(local, (-math.inf, math.inf))
+        item = next(item for item in self.parts[owner].inputs() if item.name == own)
+        value: casadi.SX = self.ca.SX(output)
+        if isinstance(item.low, str):
+            value = self.ca.fmax(value, self.number[f"{owner}.{item.low}"])
+        elif item.low > (lowest if isinstance(lowest, float) else -math.inf):
+            value = self.ca.fmax(value, item.low)
+        if isinstance(item.high, str):
+            value = self.ca.fmin(value, self.number[f"{owner}.{item.high}"])
+        elif item.high < (highest if isinstance(highest, float) else math.inf):
+            value = self.ca.fmin(value, item.high)
+        return value
 
     def _resolve(self, expressions: Mapping[str, Any]) -> list[tuple[Any, Any]]:
         """Substitute symbols of connected inputs in expressions until none of these symbols remains."""

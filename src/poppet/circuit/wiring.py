@@ -80,7 +80,10 @@ def check_kinds(circuit: Any) -> None:
 
 
 def check_count(parts: Any) -> None:
-    """Raise InputError if a circuit file has too many parts; this check precedes their creation."""
+    """Raise InputError if a circuit file has too many parts.
+
+    The check takes place before the parts are created.
+    """
     if isinstance(parts, Mapping) and len(parts) > MOST_PARTS:
         raise InputError("wiring.too_many", "parts", value=len(parts), most=MOST_PARTS)
 

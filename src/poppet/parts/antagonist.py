@@ -51,6 +51,9 @@ class _InverseMuscleLaw(MuscleLawPart, Controller):
             raise InputError("muscle.no_range", "lowest_pressure", low=low, high=high, ambient=ambient.pressure)
         return values
 
+    def output_ranges(self) -> dict[str, tuple[str | float, str | float]]:
+        return dict.fromkeys(self.pressures, ("lowest_pressure", "highest_pressure"))
+
     @abstractmethod
     def compute_outputs(self, scope: Scope) -> Quantities:
         """Return the outputs of the controller by name, each with its unit.

@@ -437,6 +437,14 @@ class Part(ABC):
         """Return the declarations of the inputs of the part, which signals or other parts can drive."""
         return ()
 
+    def output_ranges(self) -> dict[str, tuple[str | float, str | float]]:
+        """Return the ranges of outputs that are limited, by name.
+
+        A limit is a number in SI units or the name of a parameter, with a minus sign for its negative value. Outputs
+        that are not in the result can have any value.
+        """
+        return {}
+
     def memory(self) -> tuple[DiscreteState, ...]:
         """Return the declarations of the discrete states of the part, without its timers."""
         return ()
@@ -479,6 +487,9 @@ class Store(Part):
 
     def stores(self) -> tuple[str, ...]:
         return ("",)
+
+    def output_ranges(self) -> dict[str, tuple[str | float, str | float]]:
+        return {"pressure": (0.0, float("inf")), "temperature": (1.0, float("inf"))}
 
     @abstractmethod
     def gas(self, scope: Scope) -> GasState:

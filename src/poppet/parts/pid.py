@@ -168,6 +168,9 @@ class PID(SampledLoop):
     def structure(self) -> Hashable:
         return super().structure(), None if self.schedule is None else self.schedule.structure()
 
+    def output_ranges(self) -> dict[str, tuple[str | float, str | float]]:
+        return super().output_ranges() if self.is_of_openings else {"command": _LIMITS}
+
     def inputs(self) -> tuple[Input, ...]:
         unit, command = self.command_unit, COMMANDS[command_of(self)]
         manual = Input("manual_command", unit, "bias", kind=command.kind, low=command.low, is_command=True)

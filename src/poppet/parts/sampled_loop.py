@@ -151,6 +151,9 @@ class SampledLoop(Controller):
         setpoint = Input("setpoint", measured.unit, "setpoint", is_command=True, **options)
         return setpoint, Input("measurement", measured.unit, "measurement", **options), FAULT_INPUT
 
+    def output_ranges(self) -> dict[str, tuple[str | float, str | float]]:
+        return dict.fromkeys(("fill_command", "vent_command"), (0.0, 1.0)) | {"command": ("-vent_limit", "fill_limit")}
+
     def sensors(self) -> dict[str, tuple[str, str]]:
         return {self._sensor_state: ("measurement", "sensor")}
 

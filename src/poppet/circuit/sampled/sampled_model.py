@@ -41,7 +41,7 @@ class SampledModel(LinearModel):
     notes : tuple of Note
         Kinks that limit the validity of the model.
     phases : tuple of Phase
-        Instants and intervals of a sample, in units of `sizes`.
+        Linear maps of each instant in a sample with the time after it, in units of `sizes`.
     sizes : (n,) array
         Typical sizes of v, SI.
     output_slopes : pair of arrays

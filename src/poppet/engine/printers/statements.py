@@ -133,10 +133,11 @@ class Statements:
     def _plan(
         self, function: Sequence[Instruction]
     ) -> tuple[list[int], dict[int, str], list[str], set[int], list[bool]]:
-        """Return the use of each instruction.
+        """Return data on the use of each instruction, by its index.
 
-        The results are the number of uses; the labels; the name of the value that it belongs to; the needed
-        instructions; and True if the value can be long, because it is a result or one of two halves of a choice.
+        The results are the number of uses of its value; its label, if it has one; and the name of the result or label
+        for which it is computed. The set of needed instructions follows. The last list is True for values whose
+        expression can be long, because they are results or halves of a choice.
         """
         uses, names, consumers = [0] * len(function), dict[int, str](), [list[int]() for _ in function]
         last: dict[int, int] = {}
