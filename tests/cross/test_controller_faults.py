@@ -232,10 +232,10 @@ def index_of(items, name):
 
 
 def interrupted(program, measurement, *, n_faulty, change):
-    """Inputs of 200 calls: from call 100, a measurement is invalid, and afterwards it has changed."""
+    """Inputs of 300 calls: from call 100, a measurement is invalid, and afterwards it has changed."""
     values = np.array([item.value for item in program.inputs])
     k = index_of(program.inputs, measurement)
-    inputs = np.tile(values, (200, 1))
+    inputs = np.tile(values, (300, 1))
     inputs[100 : 100 + n_faulty, k] = np.nan
     inputs[100 + n_faulty :, k] = values[k] + change
     return inputs

@@ -211,7 +211,7 @@ class Electronics(Controller):
 
     def memory(self) -> tuple[DiscreteState, ...]:
         pressures = ("integral", "pilot_setpoint", "last_pressure", "derivative", "actual_pressure")
-        flags = ("vent_ready", "is_last_valid", "is_limited")
+        flags = ("vent_ready", "is_last_faulty", "is_limited")
         names = ("fill_duty", "vent_duty", "vent_wanted", "outer_count", "inner_count", *flags)
         fractions = (DiscreteState(name, "1") for name in names)
         return *(DiscreteState(name, "Pa") for name in pressures), *fractions, *FAULT_MEMORY
@@ -313,7 +313,8 @@ class Electronics(Controller):
         is_faulty = scope.inputs["input_fault"] > 0.5
         is_safe = where(is_faulty, memory["is_safe"], 0.0)
         # Neither the first sample nor the first one after a fault has a valid previous pressure.
-        has_last = maximum(memory["is_last_valid"], where(is_faulty, memory["outer_count"], 0.0))
+        follows_fault = where(is_faulty, 0.0, memory["is_last_faulty"])
+        has_last = where(follows_fault > 0.5, 0.0, memory["outer_count"])
         last = where(has_last > 0.0, memory["last_pressure"], pressure)
         # Of the pressure, not of the error: a setpoint step causes no kick. The backward difference is always stable.
         change = gain * derivative_time * (last - pressure)
@@ -338,7 +339,7 @@ class Electronics(Controller):
             "integral": where(is_on, integral, memory["integral"]),
             "derivative": derivative,
             "last_pressure": pressure,
-            "is_last_valid": where(is_faulty, 0.0, 1.0),
+            "is_last_faulty": where(is_faulty, 1.0, 0.0),
             "pilot_setpoint": where(is_idle, ambient, pilot),
             "actual_pressure": pressure,
             "is_limited": where(limited > scope["outer.pilot_limit"], 1.0, 0.0),
