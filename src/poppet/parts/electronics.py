@@ -306,6 +306,8 @@ class Electronics(Controller):
         memory, time = scope.memory, scope["outer.sample_time"]
         ambient, target = scope.surroundings.pressure, self._target(scope)
         pressure = self._read(scope, "outlet")
+        scope.label("target", target, "target of the outlet pressure [Pa]")
+        scope.label("outlet_reading", pressure, "measured outlet pressure after conversion [Pa]")
         band, gain = scope["outer.dead_band"], scope["outer.gain"]
         error = target - pressure
         error = maximum(error - band, 0.0) - maximum(-error - band, 0.0)
@@ -319,7 +321,9 @@ class Electronics(Controller):
         # Of the pressure, not of the error: a setpoint step causes no kick. The backward difference is always stable.
         change = gain * derivative_time * (last - pressure)
         derivative = (filter_time * memory["derivative"] + change) / (filter_time + time)
+        scope.label("new_derivative", derivative, "derivative part of the pilot pressure [Pa]")
         forward = ambient + scope["outer.feed_forward"] * (target - ambient) + scope["outer.bias"]
+        scope.label("forward", forward, "feed-forward of the pilot pressure [Pa]")
         # Crosses the dead zone of the seats over a second dead band of the error; without this ramp it would be a
         # relay.
         crossing = scope["outer.dead_zone"] * clip(error / maximum(band, MIN_DEAD_BAND), -1.0, 1.0)
@@ -331,9 +335,12 @@ class Electronics(Controller):
         # The derivative is outside this limit: it acts on a small volume early and on a large one little.
         limited = forward + clip(correction, -limit, limit) + derivative
         pilot = clip(limited, ambient, scope["outer.pilot_limit"])
+        scope.label("unlimited", limited, "setpoint of the pilot pressure before its limits [Pa]")
+        scope.label("limited", pilot, "setpoint of the pilot pressure within its limits [Pa]")
         excess = pilot - forward - derivative - correction
         is_idle = self._is_suppressed(scope)
         is_on = scope.inputs["power"] * (1.0 - is_safe) > 0.5
+        scope.label("is_idle", is_idle, "true below the zero-point suppression")
         integral = where(is_idle, 0.0, self._integral(scope, error, excess))
         return {
             "integral": where(is_on, integral, memory["integral"]),
@@ -368,7 +375,9 @@ class Electronics(Controller):
     def _inner(self, scope: Scope) -> dict[str, Any]:
         error = scope.memory["pilot_setpoint"] - self._read(scope, "pilot")
         minimum, band = scope["inner.minimum_duty"], scope["inner.hold_band"]
+        scope.label("pilot_error", error, "error of the pilot pressure [Pa]")
         proportional = scope["inner.gain"] * error
+        scope.label("proportional", proportional, "proportional part of the duty")
         fill = where(error > band, clip(proportional + minimum, 0.0, 1.0), 0.0)
         vent = where(error < -band, clip(minimum - proportional, 0.0, 1.0), 0.0)
         is_idle, is_on = self._is_suppressed(scope), scope.inputs["power"] > 0.5
@@ -378,10 +387,13 @@ class Electronics(Controller):
         fill = where(is_safe > 0.5, maximum(scope["safe_command"], 0.0), where(is_idle, 0.0, fill))
         vent = where(is_safe > 0.5, maximum(-scope["safe_command"], 0.0), where(is_idle, 1.0, vent))
         # The vent solenoid opens after its delay. A request that continues keeps the end of its delay.
+        scope.label("fill", fill, "requested duty of the fill solenoid")
         memory, delay, duty = scope.memory, scope["inner.vent_delay"], where(is_on, vent, 0.0)
+        scope.label("duty", duty, "requested duty of the vent solenoid")
         continues = memory["vent_wanted"] > 0.0
         opening_time = where(delay > 0.0, scope.time + delay, NEVER)
         ready = where(continues, memory["vent_ready"], where(delay > 0.0, 0.0, 1.0))
+        scope.label("ready", ready, "1 if the delay of venting is over")
         return {
             **fault,
             "is_saturated": where(is_on, where(is_safe > 0.5, 0.0, is_cut), 0.0),
