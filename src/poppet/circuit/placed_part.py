@@ -113,8 +113,8 @@ def volume_flow_note(text: str, value: float, unit: str) -> Iterator[Note]:
 def signal_notes(signals: Mapping[str, Signal], inputs: Mapping[str, Input]) -> Iterator[Note]:
     """Yield notes on the signals of a circuit.
 
-    These are the notes from reading the signals. Further notes concern pressures and temperatures whose maximum is
-    unusually low.
+    They contain the notes made when the signals were read, and a note for each pressure or temperature whose maximum is
+    so low that its unit is probably wrong. `inputs` maps addresses to inputs.
     """
     for address, signal in signals.items():
         yield from (note.within(f"signals.{address}") for note in signal.remarks)
