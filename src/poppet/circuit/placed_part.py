@@ -54,7 +54,8 @@ class PlacedPart:
     def of(cls, name: str, part: Part, surroundings: Surroundings) -> PlacedPart:
         """Return a part with the addresses and values of its parameters in a circuit.
 
-        The addresses begin with the name of the part; gauge pressures become absolute. A gauge value below vacuum raises InputError.
+        The addresses begin with the name of the part; gauge pressures become absolute. A gauge value below vacuum
+        raises InputError.
         """
         numbers = {f"{name}.{key}": number for key, number in part.numbers().items()}
         parameters = {f"{name}.{key}": value for key, value in part.parameters(surroundings).items()}
