@@ -72,7 +72,7 @@ def test_link_in_the_archive(poppet, tanks, temporary, tmp_path, kind):
     assert rejected(poppet, tanks, temporary) == ["deploy.fmu.entry_link"]
 
 
-@pytest.mark.parametrize("identifier", ["../../evil", "/tmp/evil", "a/b", "a.b", "a\\b", "", "ä", "a b", "m&#10;"])
+@pytest.mark.parametrize("identifier", ["../../evil", "/evil/m", "a/b", "a.b", "a\\b", "", "ä", "a b", "m&#10;"])
 def test_model_identifier_is_no_path(poppet, tanks, temporary, tmp_path, identifier):
     write_fmu(tmp_path / "m.fmu", identifier=identifier)
     assert rejected(poppet, tanks, temporary) == ["deploy.fmu.identifier"]

@@ -47,13 +47,14 @@ def check_archive(path: Path) -> int:
         If the file cannot be read, is no FMU, or is not safe.
     """
     with open_archive(path) as archive:
-        _check_entries(archive, path.name)
+        check_entries(archive, path.name)
         if DESCRIPTION not in archive.namelist():
             raise InputError("deploy.fmu.no_fmu", name=path.name)
         return _check_description(archive.read(DESCRIPTION), path.name)
 
 
-def _check_entries(archive: zipfile.ZipFile, name: str) -> None:
+def check_entries(archive: zipfile.ZipFile, name: str) -> None:
+    """Check the names, sizes and checksums of all entries of the archive with the file name `name`."""
     entries = archive.infolist()
     size = sum(entry.file_size for entry in entries)
     if size > MAX_SIZE or len(entries) > MAX_ENTRIES:

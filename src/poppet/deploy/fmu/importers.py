@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 
 from poppet.core.errors import InputError, needed
 from poppet.core.toml_file import LARGEST, TomlFile
-from poppet.deploy.fmu.archive import check_archive, open_archive
+from poppet.deploy.fmu.archive import check_entries, open_archive
 from poppet.deploy.fmu.fmu_layout import FOLLOWS
 
 if TYPE_CHECKING:
@@ -136,8 +136,8 @@ def read_circuit(path: Path) -> BaseCircuit:
     from poppet.circuit.file import loads
     from poppet.identify.parameter_file import with_numbers
 
-    check_archive(path)
     with open_archive(path) as archive:
+        check_entries(archive, path.name)
         names = set(archive.namelist())
         if CIRCUIT not in names:
             raise InputError("deploy.fmu.no_circuit", name=path.name)
