@@ -74,44 +74,63 @@ class Precision(NamedTuple):
 DOUBLE, SINGLE = Precision(), Precision("float", "f")
 
 
-def prelude(precision: Precision = DOUBLE) -> str:
-    """Return the C text of all helper functions for printed code."""
-    real, e = precision
-    unity, zero = precision.literal(1.0), precision.literal(0.0)
-    return f"""/* The exponent of the flow law is a number like others, and nearly always 1/2. */
+_POWER = """\
+/* The exponent of the flow law is a number like others, and nearly always 1/2. */
+static double power(double x, double e) {
+  if (e == 0.5) return sqrt(x);
+  if (e == (-0.5)) return 1.0 / sqrt(x);
+  return pow(x, e);
+}"""
+_WITH_SIGN = """\
+static double with_sign(double x, double s) {
+  double size = fabs(x);
+  return s < 0.0 || (s == 0.0 && 1.0 / s < 0.0) ? -size : size;
+}"""
+_STATEMENT_HELPERS = {
+    "smaller": """\
+static {real} smaller({real} a, {real} b) {{
+  return (a < b) ? a : b;
+}}""",
+    "larger": """\
+static {real} larger({real} a, {real} b) {{
+  return (a > b) ? a : b;
+}}""",
+    "power": """\
+/* The exponent is nearly always 1/2. */
 static {real} power({real} x, {real} e) {{
-  if (e == {precision.literal(0.5)}) return sqrt{e}(x);
-  if (e == {precision.literal(-0.5)}) return {unity} / sqrt{e}(x);
-  return pow{e}(x, e);
-}}
-
+  {real} result;
+  if (e == {half}) {{
+    result = sqrt{ending}(x);
+  }} else if (e == {minus_half}) {{
+    result = {one} / sqrt{ending}(x);
+  }} else {{
+    result = pow{ending}(x, e);
+  }}
+  return result;
+}}""",
+    "with_sign": """\
 static {real} with_sign({real} x, {real} s) {{
-  {real} size = fabs{e}(x);
-  return s < {zero} || (s == {zero} && {unity} / s < {zero}) ? -size : size;
-}}
-"""
+  const {real} size = fabs{ending}(x);
+  return ((s < {zero}) || ((s == {zero}) && (({one} / s) < {zero}))) ? (-size) : size;
+}}""",
+}
+"""Functions that readable statements call, by name. They have one exit and braces, as MISRA C requires."""
 
 
 def statement_helpers(text: str, precision: Precision) -> str:
     """Return the C text of the helper functions that readable statements call."""
-    real = precision.real
-    helpers = [
-        f"static {real} {name}({real} a, {real} b) {{\n  return (a {sign} b) ? a : b;\n}}"
-        for name, sign in (("smaller", "<"), ("larger", ">"))
-        if f"{name}(" in text
-    ]
-    return "\n\n".join([*helpers, *filter(None, [used_prelude(text, precision)])])
+    numbers = {"half": 0.5, "minus_half": -0.5, "one": 1.0, "zero": 0.0}
+    fields = {name: precision.literal(number) for name, number in numbers.items()}
+    fields |= {"real": precision.real, "ending": precision.ending}
+    return "\n\n".join(form.format(**fields) for name, form in _STATEMENT_HELPERS.items() if f"{name}(" in text)
 
 
-def used_prelude(text: str, precision: Precision = DOUBLE) -> str:
+def used_prelude(text: str) -> str:
     """Return the C text of those helper functions that a text calls.
 
     Compilers would warn about unused functions.
     """
-    first, second = prelude(precision).split("\n\n", 1)
-    return "\n\n".join(
-        f for f, name in ((first, "power("), (second.rstrip(), "with_sign(")) if name in text
-    )  # fmt: skip
+    return "\n\n".join(f for f, name in ((_POWER, "power("), (_WITH_SIGN, "with_sign(")) if name in text)
 
 
 def statement_language(precision: Precision) -> Language:
