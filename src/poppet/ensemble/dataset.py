@@ -108,6 +108,8 @@ class Dataset:
         content = json.loads(_text(content))
         of_runs = {k: v for k, v in content["poppet ensemble"].items() if k not in _NOT_OF_RUNS}
         content["sha256"] = hashlib.sha256(json.dumps(of_runs, sort_keys=True).encode()).hexdigest()
+        if plan.python_functions:
+            content["python"] = list(plan.python_functions)
         path, stored = folder / MANIFEST, None
         if path.exists():
             stored = _read_manifest(path, content)

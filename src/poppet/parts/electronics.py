@@ -22,7 +22,7 @@ from poppet.parts.part import (
     advance_clock,
 )
 from poppet.parts.quantities import difference_properties
-from poppet.parts.safe_state import FAULT_INPUT, FAULT_MEMORY, NEVER_VALID, fault_state, recovers
+from poppet.parts.safe_state import FAULT_INPUT, FAULT_MEMORY, NEVER_VALID, fault_state
 
 MIN_LAG = 1e-6
 """Lower bound of the lag of a sensor [s], which avoids a division by zero."""
@@ -179,7 +179,6 @@ class Electronics(Controller):
     )
 
     resume: ClassVar[dict[str, str]] = {"integral": "initial_integral"}
-    ascending: ClassVar[tuple[tuple[str, str], ...]] = (("scaling.low", "scaling.high"),)
     measured: ClassVar[tuple[str, ...]] = ("outlet_pressure", "pilot_pressure")
 
     def caption(self, numbers: CaptionNumbers) -> list[str]:
@@ -200,6 +199,9 @@ class Electronics(Controller):
         values["outlet_pressure"] = values["pilot_pressure"] = ambient.pressure
         return values
 
+    def ascending_parameters(self) -> tuple[tuple[str, str], ...]:
+        return (("scaling.low", "scaling.high"),)
+
     def options(self) -> dict[str, str]:
         # A preset is a set of numbers and does not change the model.
         return {name: choice for name, choice in super().options().items() if name != "preset"}
@@ -209,8 +211,9 @@ class Electronics(Controller):
 
     def memory(self) -> tuple[DiscreteState, ...]:
         pressures = ("integral", "pilot_setpoint", "last_pressure", "derivative", "actual_pressure")
-        flags = ("fill_duty", "vent_duty", "vent_wanted", "vent_ready", "outer_count", "inner_count", "is_limited")
-        fractions = (DiscreteState(name, "1") for name in flags)
+        flags = ("vent_ready", "is_last_faulty", "is_limited")
+        names = ("fill_duty", "vent_duty", "vent_wanted", "outer_count", "inner_count", *flags)
+        fractions = (DiscreteState(name, "1") for name in names)
         return *(DiscreteState(name, "Pa") for name in pressures), *fractions, *FAULT_MEMORY
 
     def timers(self) -> tuple[Timer, ...]:
@@ -303,18 +306,24 @@ class Electronics(Controller):
         memory, time = scope.memory, scope["outer.sample_time"]
         ambient, target = scope.surroundings.pressure, self._target(scope)
         pressure = self._read(scope, "outlet")
+        scope.label("target", target, "target of the outlet pressure [Pa]")
+        scope.label("outlet_reading", pressure, "measured outlet pressure after conversion [Pa]")
         band, gain = scope["outer.dead_band"], scope["outer.gain"]
         error = target - pressure
         error = maximum(error - band, 0.0) - maximum(-error - band, 0.0)
         filter_time, derivative_time = scope["outer.derivative_filter"], scope["outer.derivative_time"]
-        is_safe = memory["is_safe"] * scope.inputs["input_fault"]
-        # Neither the first sample nor the first one after a safe state has a previous pressure.
-        has_last = where(recovers(scope, is_safe) > 0.5, 0.0, memory["outer_count"])
+        is_faulty = scope.inputs["input_fault"] > 0.5
+        is_safe = where(is_faulty, memory["is_safe"], 0.0)
+        # Neither the first sample nor the first one after a fault has a valid previous pressure.
+        follows_fault = where(is_faulty, 0.0, memory["is_last_faulty"])
+        has_last = where(follows_fault > 0.5, 0.0, memory["outer_count"])
         last = where(has_last > 0.0, memory["last_pressure"], pressure)
         # Of the pressure, not of the error: a setpoint step causes no kick. The backward difference is always stable.
         change = gain * derivative_time * (last - pressure)
         derivative = (filter_time * memory["derivative"] + change) / (filter_time + time)
+        scope.label("new_derivative", derivative, "derivative part of the pilot pressure [Pa]")
         forward = ambient + scope["outer.feed_forward"] * (target - ambient) + scope["outer.bias"]
+        scope.label("forward", forward, "feed-forward of the pilot pressure [Pa]")
         # Crosses the dead zone of the seats over a second dead band of the error; without this ramp it would be a
         # relay.
         crossing = scope["outer.dead_zone"] * clip(error / maximum(band, MIN_DEAD_BAND), -1.0, 1.0)
@@ -326,14 +335,18 @@ class Electronics(Controller):
         # The derivative is outside this limit: it acts on a small volume early and on a large one little.
         limited = forward + clip(correction, -limit, limit) + derivative
         pilot = clip(limited, ambient, scope["outer.pilot_limit"])
+        scope.label("unlimited", limited, "setpoint of the pilot pressure before its limits [Pa]")
+        scope.label("limited", pilot, "setpoint of the pilot pressure within its limits [Pa]")
         excess = pilot - forward - derivative - correction
         is_idle = self._is_suppressed(scope)
         is_on = scope.inputs["power"] * (1.0 - is_safe) > 0.5
+        scope.label("is_idle", is_idle, "true below the zero-point suppression")
         integral = where(is_idle, 0.0, self._integral(scope, error, excess))
         return {
             "integral": where(is_on, integral, memory["integral"]),
             "derivative": derivative,
             "last_pressure": pressure,
+            "is_last_faulty": where(is_faulty, 1.0, 0.0),
             "pilot_setpoint": where(is_idle, ambient, pilot),
             "actual_pressure": pressure,
             "is_limited": where(limited > scope["outer.pilot_limit"], 1.0, 0.0),
@@ -362,7 +375,9 @@ class Electronics(Controller):
     def _inner(self, scope: Scope) -> dict[str, Any]:
         error = scope.memory["pilot_setpoint"] - self._read(scope, "pilot")
         minimum, band = scope["inner.minimum_duty"], scope["inner.hold_band"]
+        scope.label("pilot_error", error, "error of the pilot pressure [Pa]")
         proportional = scope["inner.gain"] * error
+        scope.label("proportional", proportional, "proportional part of the duty")
         fill = where(error > band, clip(proportional + minimum, 0.0, 1.0), 0.0)
         vent = where(error < -band, clip(minimum - proportional, 0.0, 1.0), 0.0)
         is_idle, is_on = self._is_suppressed(scope), scope.inputs["power"] > 0.5
@@ -372,10 +387,13 @@ class Electronics(Controller):
         fill = where(is_safe > 0.5, maximum(scope["safe_command"], 0.0), where(is_idle, 0.0, fill))
         vent = where(is_safe > 0.5, maximum(-scope["safe_command"], 0.0), where(is_idle, 1.0, vent))
         # The vent solenoid opens after its delay. A request that continues keeps the end of its delay.
+        scope.label("fill", fill, "requested duty of the fill solenoid")
         memory, delay, duty = scope.memory, scope["inner.vent_delay"], where(is_on, vent, 0.0)
+        scope.label("duty", duty, "requested duty of the vent solenoid")
         continues = memory["vent_wanted"] > 0.0
         opening_time = where(delay > 0.0, scope.time + delay, NEVER)
         ready = where(continues, memory["vent_ready"], where(delay > 0.0, 0.0, 1.0))
+        scope.label("ready", ready, "1 if the delay of venting is over")
         return {
             **fault,
             "is_saturated": where(is_on, where(is_safe > 0.5, 0.0, is_cut), 0.0),

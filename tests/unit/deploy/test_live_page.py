@@ -5,6 +5,7 @@ from __future__ import annotations
 import base64
 import json
 import re
+import shlex
 import subprocess
 import sys
 import tomllib
@@ -421,8 +422,6 @@ def test_all_controls_are_reachable_by_keyboard(browser, tmp_path):
     browser.settle()
     assert browser("live.state.changed.get('tank.volume')") == pytest.approx(0.15)
     assert differs(browser, circuit, circuit.with_values({"tank.volume": 0.15}).simulate()) < 1e-6
-    typed(browser, "n-tank.volume", "-1")
-    assert browser("document.activeElement.ariaInvalid") == "true"
     focus(browser, "tank.volume as in the file")
     browser.press("Enter")
     browser.settle()
@@ -430,7 +429,7 @@ def test_all_controls_are_reachable_by_keyboard(browser, tmp_path):
     for name in (
         "Keep as A",
         "Copy link",
-        "Numbers as TOML",
+        "Parameters as TOML",
         "Curves as CSV",
         "measured CSV",
         "drawing of the circuit",
@@ -464,6 +463,39 @@ def test_play_animates_the_drawing_and_can_be_paused(browser, tmp_path):
     assert told[1] == "s"
 
 
+def signals_of(text: str) -> dict:
+    """The signals that a page writes as comments, for a circuit file."""
+    return tomllib.loads(re.sub("(?m)^# ", "", text.partition("# Signals")[2].partition("\n")[2]))["signals"]
+
+
+def test_invalid_entries_are_explained_and_ignored(browser, tmp_path):
+    circuit = load(STAIRCASE)
+    opened(browser, write_live(circuit, tmp_path / "page.html"))
+    field = "document.activeElement"
+    why = "document.getElementById(document.activeElement.getAttribute('aria-describedby'))"
+    assert browser("document.querySelector('#sliders .why').ariaLive") == "polite"
+    for text, expected in (
+        ("0,15", ""),
+        ("-1", "Outside the limits: enter a number in m³, above 0 m³"),
+        ("", "Not a number: enter a number in m³"),
+        ("1 l", "Not a number: enter a number in m³"),
+    ):
+        focus(browser, "n-tank.volume")
+        browser(f"{field}.value = {json.dumps(text)}; {field}.dispatchEvent(new Event('input'))")
+        browser.settle()
+        explanation = browser(f"{why}.textContent")
+        assert explanation.startswith(expected)
+        assert browser(f"{field}.ariaInvalid") == ("true" if expected else None)
+        assert explanation.endswith("0.15 m³ stays in use." if expected else "")
+        assert browser("live.state.changed.get('tank.volume')") == pytest.approx(0.15)
+    browser(f"globalThis.last = {why}; document.activeElement.blur()")
+    assert browser("[last.textContent, document.getElementById('n-tank.volume').value]") == ["", "0.15"]
+    typed(browser, "n-supply.pressure", "x")
+    assert browser(f"{why}.textContent").endswith("7 bar stays in use.")
+    typed(browser, "n-valve.pilot_pressure", "x")
+    assert browser(f"{why}.textContent").endswith("The signal stays in use.")
+
+
 @pytest.mark.parametrize("kind", [Steps, Points])
 def test_an_input_follows_a_typed_signal(browser, tmp_path, kind):
     circuit = load(STAIRCASE)
@@ -493,7 +525,10 @@ def test_an_input_follows_a_typed_signal(browser, tmp_path, kind):
     browser.settle()
     browser.settle()
     assert browser("Array.from(live.kernel.series(5))") == before[1]
-    table = tomllib.loads(browser("live.toml()"))["signals"][address]
+    written = browser("live.toml()")
+    assert tomllib.loads(written) == {}
+    assert f'[signals."{address}"]' in written
+    table = signals_of(written)[address]
     assert table.pop("kind") == kind.__name__.lower()
     assert {key: list(getattr(signal, key)) for key in table} == table
 
@@ -502,10 +537,14 @@ def test_an_invalid_signal_is_marked_and_ignored(browser, tmp_path):
     opened(browser, write_live(load(STAIRCASE), tmp_path / "page.html"))
     focus(browser, "over time")
     browser.press("Enter")
-    for label, text in (("time 2", "50"), ("value 1", "-3"), ("time 1", "1"), ("value 2", "x")):
+    # Row 3 is before the new time of row 2.
+    for label, text, row in (("time 2", "50", 3), ("value 1", "-3", 1), ("time 1", "1", 1), ("value 2", "x", 2)):
         typed(browser, f"valve.pilot_pressure, {label}", text)
         bad = browser("Array.from(document.querySelectorAll('[aria-invalid=true]'), field => field.ariaLabel)")
         assert bad, label
+        why = browser("document.getElementById(document.activeElement.getAttribute('aria-describedby')).textContent")
+        assert why.startswith(f"Row {row}: ")
+        assert why.endswith("The last valid input stays in use.")
         browser("live.state.changed.clear(); live.update()")
     hostile = "#valve.pilot_pressure=steps;0:1e5;0:2e5&supply.pressure=points;0:NaN&tank.volume=steps;0:1"
     browser(f"location.hash = {json.dumps(hostile)}")
@@ -536,10 +575,10 @@ def test_exports_of_a_page_equal_those_of_the_command_line(browser, tmp_path):
     opened(browser, write_live(load(STAIRCASE), tmp_path / "page.html"))
     browser("live.change('tank.volume', 0.11); live.change('valve.pilot_pressure', 251234.5)")
     browser.settle()
-    written = tomllib.loads(browser("live.toml()"))
     (tmp_path / "page.csv").write_text(browser("live.csv()"), encoding="utf-8")
-    options = [word for address, value in written.items() for word in ("--set", f"{address}={value}")]
-    command = [sys.executable, "-m", "poppet", "simulate", str(STAIRCASE), *options, "-o", str(tmp_path / "own.csv")]
+    (line,) = re.findall(r"# poppet (simulate FILE .*)", browser("live.toml()"))
+    words = shlex.split(line.replace("FILE", str(STAIRCASE)))
+    command = [sys.executable, "-m", "poppet", *words, "-o", str(tmp_path / "own.csv")]
     subprocess.run(command, check=True, capture_output=True)
     page, own = (Recording.read(tmp_path / f"{name}.csv") for name in ("page", "own"))
     assert page.names == own.names

@@ -203,6 +203,29 @@
   /* --- Sliders --- */
 
   const marked = (field, isBad) => isBad ? field.setAttribute("aria-invalid", "true") : field.removeAttribute("aria-invalid");
+  const numberIn = field => { const text = field.value.trim().replace(",", "."); return text === "" ? NaN : Number(text); };
+
+  /* Text of the error of a field; screen readers announce it. */
+  function explained(id, parent, ...fields) {
+    const node = make("span", "why", parent);
+    Object.assign(node, { id, role: "status" });
+    node.setAttribute("aria-live", "polite");
+    for (const field of fields) field.setAttribute("aria-describedby", id);
+    return text => { if (node.textContent !== text) node.textContent = text; };
+  }
+
+  /* Limits of a quantity in its display unit, as text. */
+  function limitsOf({ least, most, above, below, factor, shift, shown: unit }) {
+    const text = v => `${digits(v * factor + shift)}${unit ? ` ${unit}` : ""}`, isOpen = v => Math.abs(v) >= 1e300;
+    const low = isOpen(least) ? "" : above === null ? `at least ${text(least)}` : `above ${text(above)}`;
+    const high = isOpen(most) ? "" : below === null ? `at most ${text(most)}` : `below ${text(below)}`;
+    return [low, high].filter(Boolean).join(" and ");
+  }
+  function problemOf(slider, value) {
+    const limits = limitsOf(slider), unit = slider.shown ? ` in ${slider.shown}` : "";
+    if (Number.isFinite(value) && value >= slider.least && value <= slider.most) return "";
+    return `${Number.isFinite(value) ? "Outside the limits" : "Not a number"}: enter a number${unit}${limits ? `, ${limits}` : ""}.`;
+  }
   const rows = sliders.map(slider => {
     const row = make("div", "row", find("sliders")), { factor, shift, shown: unit } = slider;
     const label = make("label", "", row), out = v => v * factor + shift, back = v => (v - shift) / factor;
@@ -227,8 +250,7 @@
       if (document.activeElement !== field) field.value = isCourse || value === undefined && slider.is_driven ? "" : digits(own);
       field.placeholder = isCourse ? "course" : slider.is_driven ? "signal" : "";
       course?.(value);
-      field.setCustomValidity("");
-      marked(field, false);
+      if (document.activeElement !== field || problemOf(slider, back(numberIn(field))) === "") { marked(field, false); explain(""); }
       reset.disabled = value === undefined;
       row.classList.toggle("is-changed", value !== undefined);
       const usual = slider.is_driven ? "signal" : slider.value, before = state.kept?.get(slider.address) ?? usual;
@@ -243,11 +265,17 @@
       range.value = +range.value + way * (ends[1] - ends[0]) / 100;
       range.oninput();
     };
+    const explain = explained(`why-${slider.address}`, row, field);
     field.oninput = () => {
-      const value = back(Number(field.value.trim().replace(",", ".")));
-      const isGood = field.value.trim() !== "" && Number.isFinite(value) && value >= slider.least && value <= slider.most;
-      marked(field, !isGood);
-      if (isGood) change(slider, value);
+      const value = back(numberIn(field)), problem = problemOf(slider, value);
+      marked(field, problem !== "");
+      explain(problem && `${problem} ${lastOf()}`);
+      if (!problem) change(slider, value);
+    };
+    const lastOf = () => {
+      const value = state.changed.get(slider.address);
+      if (typeof value === "object" || value === undefined && slider.is_driven) return "The signal stays in use.";
+      return `${digits(out(value ?? slider.value))}${unit ? ` ${unit}` : ""} stays in use.`;
     };
     field.onblur = show;
     reset.onclick = () => { state.changed.delete(slider.address); later(); };
@@ -284,6 +312,7 @@
     for (const text of [`time [${timeName}]`, unit ? `value [${unit}]` : "value", ""]) make(text ? "th" : "td", "", head, text);
     const body = make("tbody", "", table), more = make("button", "", box, "Add a row");
     more.type = "button";
+    const explain = explained(`why-course-${address}`, box);
     const places = [[t => t / timeSize, t => t * timeSize], [v => v * factor + shift, v => (v - shift) / factor]];
     const start = () => {
       const { kind, times, values } = slider.course, now = state.changed.get(address);
@@ -293,16 +322,20 @@
     let own = start(), said = null;
 
     const give = () => {
-      const value = { kind: own.kind, times: own.rows.map(([t]) => t), values: own.rows.map(([, v]) => v) };
+      const value = { kind: own.kind, times: own.rows.map(([t]) => t), values: own.rows.map(([, v]) => v) }, problems = [];
       [...body.rows].forEach((line, k) => [...line.querySelectorAll("input")].forEach((field, c) => {
         const { kind, times, values } = value, others = c ? { kind: "points", times: [0], values: [values[k]] }
-          : { kind, times: times.slice(0, k + 1), values: times.slice(0, k + 1).fill(slider.value) };
-        marked(field, !isCourse(slider, others));
+          : { kind, times: times.slice(0, k + 1), values: times.slice(0, k + 1).fill(slider.value) }, isBad = !isCourse(slider, others);
+        marked(field, isBad);
+        const rule = k ? "enter a time after that of the row above" : kind === "steps" ? "the first time of steps is 0" : "enter a time of at least 0";
+        if (isBad) problems[field === document.activeElement ? "unshift" : "push"](`Row ${k + 1}: ${c ? problemOf(slider, values[k]) : `${rule}, in ${timeName}.`}`);
       }));
+      explain(problems.length ? `${problems[0]} The last valid input stays in use.` : "");
       if (isCourse(slider, value)) { said = value; change(slider, value); }
     };
     const lay = () => {
       kind.value = own.kind;
+      explain("");
       body.replaceChildren();
       own.rows.forEach((pair, k) => {
         const line = make("tr", "", body);
@@ -310,6 +343,7 @@
           const field = make("input", "", make("td", "", line));
           Object.assign(field, { type: "text", inputMode: "decimal", autocomplete: "off", value: String(+out(pair[c]).toPrecision(12)) });
           field.setAttribute("aria-label", `${address}, ${c ? "value" : "time"} ${k + 1}`);
+          field.setAttribute("aria-describedby", `why-course-${address}`);
           field.oninput = () => {
             const text = field.value.trim().replace(",", ".");
             pair[c] = text === "" ? NaN : back(Number(text));
@@ -439,18 +473,23 @@
   }
   const quoted = text => JSON.stringify(text).replace(/\x7f/g, "\\u007f");
 
-  /* Parameters as TOML, in SI for exact values, then the courses of inputs as in a circuit file. */
+  /* Parameters as TOML in SI for exact values, with a command that sets them. Signals go into a circuit file: they are
+     comments, so the file contains only pairs of address and value. */
   function toml() {
-    const lines = ["# Changed on a live page. poppet simulate FILE --set ADDRESS=VALUE takes each number;",
-                   "# a table of signals goes into the circuit file, in place of one under the same name."], tables = [];
+    const pairs = [], signals = [];
     for (const [address, value] of state.changed) {
-      const { si, factor, shift, unit } = byAddress.get(address);
-      if (typeof value === "number")
-        lines.push(`${quoted(address)} = ${quoted(si === "1" ? String(value) : `${value} ${si}`)}  # ${digits(value * factor + shift)} ${unit}`);
-      else tables.push("", `[signals.${quoted(address)}]  # values in ${si}`, `kind = "${value.kind}"`, `times = [${value.times.join(", ")}]`,
-                       `values = [${value.values.join(", ")}]`);
+      const { si, factor, shift, unit, reference, is_settable: isSettable } = byAddress.get(address), isHeld = typeof value === "number";
+      if (isHeld && isSettable) pairs.push([address, [value, ...si === "1" ? [] : [si], ...reference === "gauge" ? ["g"] : []].join(" "),
+                                            `${digits(value * factor + shift)} ${unit}`]);
+      else signals.push(`[signals.${quoted(address)}]  # values in ${si}`, `kind = "${isHeld ? "constant" : value.kind}"`,
+                        ...isHeld ? [`value = ${value}`] : [`times = [${value.times.join(", ")}]`, `values = [${value.values.join(", ")}]`], "");
     }
-    return [...lines, ...tables, ""].join("\n");
+    const lines = ["# Changed parameters of a live page. The table is an argument of Circuit.with_values."];
+    if (pairs.length) lines.push("# The same values on the command line; --set also removes a signal of the input:",
+                                 `# poppet simulate FILE ${pairs.map(([address, text]) => `--set ${quoted(`${address}=${text}`)}`).join(" ")}`, "");
+    lines.push(...pairs.map(([address, text, seen]) => `${quoted(address)} = ${quoted(text)}  # ${seen}`));
+    if (signals.length) lines.push("", "# Signals for the circuit file, in place of those under the same name:", ...signals.map(line => `# ${line}`.trimEnd()));
+    return [...lines, ""].join("\n");
   }
 
   /* Outputs as CSV in SI, in the format of recordings. */
@@ -463,7 +502,7 @@
     }
     return lines.join("\n") + "\n";
   }
-  find("toml").onclick = () => save("numbers.toml", toml());
+  find("toml").onclick = () => save("parameters.toml", toml());
   find("csv").onclick = () => save("curves.csv", csv(state.runs.now));
   find("csv-a").onclick = () => save("curves_A.csv", csv(state.runs.kept));
 

@@ -25,7 +25,7 @@ if TYPE_CHECKING:
     from poppet.circuit.circuit import BaseCircuit
     from poppet.timeseries.recording import Recording
 
-_LEAD = "The model itself runs in this page. Change a number, and curves, bars and the drawing follow; * is assumed."
+_LEAD = "The model itself runs in this page. Change a parameter, and curves, bars and the drawing follow; * is assumed."
 _CURVES = "<!-- curves -->"
 MAX_ROWS = 2001
 """Maximum number of rows that a page computes; a longer run has a larger output step on the page."""

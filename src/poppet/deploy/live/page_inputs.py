@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 from poppet.core.errors import ErrorCollector, InputError, NameSuggestion
 from poppet.core.number_format import USUAL, readable_unit
-from poppet.core.units import Kind, convert, quantity
+from poppet.core.units import Kind, convert, quantity, sizes_of
 from poppet.deploy.export_model import ExportModel
 from poppet.timeseries.signals import Points, Steps
 
@@ -50,6 +50,10 @@ class Slider:
     # Signal that the user can edit, with kind "steps" or "points"; no points if the file has no signal.
     course: dict[str, Any] | None = None
     delay: float = 0.0  # of the signal [s]
+    above: float | None = None  # the value must be greater; None if `least` is permitted
+    below: float | None = None  # the value must be less; None if `most` is permitted
+    reference: str = ""  # "gauge" if the value is a gauge pressure
+    is_settable: bool = True  # False if only a signal can set the input
 
     def scale(self, ambient_pressure: float) -> tuple[float, float]:
         """Return factor and offset that convert SI values to the display unit."""
@@ -87,7 +91,7 @@ def select_sliders(export_model: ExportModel, circuit: BaseCircuit, texts: Seque
             *candidates,
         ]
         texts = list(dict.fromkeys(ordered))[:DEFAULT_COUNT]
-    sliders = {}
+    sliders: dict[str, Slider] = {}
     with ErrorCollector() as errors:
         for text in texts:
             address, _, span = (part.strip() for part in text.partition("="))
@@ -95,8 +99,20 @@ def select_sliders(export_model: ExportModel, circuit: BaseCircuit, texts: Seque
                 slider = _slider(export_model, circuit, address)
                 if span:
                     slider = _with_range(slider, span, circuit.surroundings.pressure)
-                sliders[slider.address] = slider
+                sliders[slider.address] = replace(slider, is_settable=_is_settable(circuit, slider))
     return list(sliders.values())
+
+
+def _is_settable(circuit: BaseCircuit, slider: Slider) -> bool:
+    """Return True if the circuit accepts a value at the address of the slider.
+
+    It is False for an input that is not also a parameter.
+    """
+    try:
+        circuit.with_values({slider.address: slider.value})
+    except InputError:
+        return False
+    return True
 
 
 def _is_guided(export_model: ExportModel, address: str) -> bool:
@@ -150,6 +166,8 @@ def _slider(export_model: ExportModel, circuit: BaseCircuit, address: str) -> Sl
     return Slider(
         address, value, low, high, parameter.low, parameter.high, parameter.unit, unit, parameter.meaning,
         source, number.source.kind == "assumed", index, setters, is_driven=False,
+        # The smallest plausible value stands for a limit of 0 that is excluded.
+        above=0.0 if parameter.low == sizes_of(parameter.unit)[0] > 0.0 else parameter.above, below=parameter.below,
         **(_signal_and_delay(export_model, circuit, setters[0]) if is_input else {}),
     )  # fmt: skip
 
