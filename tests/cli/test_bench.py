@@ -112,7 +112,10 @@ def test_comparison_with_a_circuit_and_with_a_result(poppet, bench, tmp_path):
     [
         (("iso10094",), "Specify a circuit file, or --recording MAP.toml."),
         (("iso10094", VALVE, "--recording", RECORDINGS), "A circuit file and --recording are specified together"),
-        (("iso10094", VALVE, "--valve", "valv"), "valv is not the name of a pressure valve of this circuit. Did you mean valve?"),
+        (
+            ("iso10094", VALVE, "--valve", "valv"),
+            "valv is not the name of a pressure valve of this circuit. Did you mean valve?",
+        ),
         (
             ("iso10094", VALVE, "--valve", "volume"),
             "volume is not the name of a pressure valve of this circuit. Use one of: valve.",
