@@ -329,7 +329,7 @@ def test_wrong_sample_time_of_one_sample_does_not_stop_the_controller(target, fo
 
 @pytest.mark.parametrize("case", CONTROLLERS)
 def test_program_gives_the_commands_of_a_run_with_faults(case):
-    """A closed loop has a short and a long input fault; with its recorded inputs, the program gives the same outputs."""
+    """A closed loop has a short and a long input fault; with its recorded inputs, the program agrees."""
     program, cycle = program_of(case), program_of(case).cycle
     # Between two sample instants: the recorded fault at an instant is that of the sample.
     times = np.array([0.0, 0.3 + 0.5 * cycle, 0.34 + 0.5 * cycle, 0.6 + 0.5 * cycle, 0.8 + 0.5 * cycle])
