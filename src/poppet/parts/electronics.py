@@ -134,13 +134,14 @@ class Electronics(Controller):
     -----
     Inputs are `setpoint`, `outlet_pressure`, `pilot_pressure` [Pa], `power` (1 is on; at 0, both solenoids are closed
     and the pressure remains) and `input_fault` (1: an input is not valid). After `fault_time` with an input fault, the
-    duty is `safe_command`, positive to fill, and the integral is constant. `setpoint_delay` delays a signal, but not an
-    output that is connected to the setpoint. The parameter set `data` has a variant for each `preset`. If both loops
-    sample at one instant, the inner loop uses the new result of the outer loop.
+    duty is `safe_command`, positive to fill, and the integral is constant. `setpoint_delay` acts on a signal, but not
+    on an output that is connected to the setpoint. The parameter set `data` has a variant for each `preset`. If both
+    loops sample at one instant, the inner loop uses the new result of the outer loop.
 
-    For anti-windup, the integral decreases with the time constant `integral_time` by the amount that c and the limits
-    of the pilot pressure remove. The integral is constant while the error exceeds `integral_band`. A run that continues
-    another run starts with its integral; clocks restart, and the derivative starts at zero.
+    Anti-windup is by back-calculation: the part of the pilot setpoint that c or the limits of the pilot pressure cut
+    off is subtracted from the integral with the time constant `integral_time`. The integral is constant while the error
+    exceeds `integral_band`. A run that continues another run starts with the last integral of that run; its clocks
+    restart, and its derivative starts at zero.
 
     References
     ----------
