@@ -94,9 +94,9 @@ def live_page(circuit: BaseCircuit, *, parameters: Sequence[str] = ()) -> str:
     if grid.size > MAX_ROWS:
         circuit = circuit.with_values({"run.output_step": float(grid[-1]) / (MAX_ROWS - 1)})
     export_model = build_export_model(circuit)
-    sliders = select_sliders(export_model, circuit, parameters)
+    sliders, mapping = select_sliders(export_model, circuit, parameters)
     recording = circuit.simulate(throw=False)
-    header, blobs = run_data(replace(export_model.problem, most_attempts=MAX_ATTEMPTS))
+    header, blobs = run_data(replace(export_model.problem, most_attempts=MAX_ATTEMPTS), mapping)
     with style("A live page"):
         content = page_content(export_model, circuit, recording, sliders)
     data = pack_base64({**header, **content}, blobs)
