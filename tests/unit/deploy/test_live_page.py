@@ -170,6 +170,41 @@ def test_the_range_of_a_slider_has_valid_values_only():
     assert rod_slider.high < bore.value
 
 
+def defaults(circuit: Circuit) -> list[str]:
+    return list(sliders(circuit))
+
+
+def test_default_sliders_have_the_greatest_influence():
+    circuit = loads(TANK)
+    selected = defaults(circuit)
+    assert selected == defaults(circuit)
+    # Measured here by other means: runs with half and twice the value, compared in all curves.
+    base, change = circuit.simulate(), {}
+    for address in selected:
+        (slider,) = sliders(circuit, address).values()
+        runs = [circuit.with_values({address: end}).simulate() for end in (slider.low, slider.high)]
+        names = [name for name in base.names if np.ptp(base[name]) > 0.0]
+        change[address] = max(
+            float(np.sqrt(np.mean([np.mean(((run[n] - base[n]) / np.ptp(base[n])) ** 2) for n in names])))
+            for run in runs
+        )
+    assert {"tank.volume", "tank.initial_pressure", "hole.sonic_conductance"} <= set(selected[:4])
+    assert "hole.subsonic_index" not in selected[:3]
+    assert min(change[a] for a in selected[:3]) > max(change[a] for a in selected[-2:])
+
+
+def test_flags_and_coefficients_are_no_default_sliders():
+    circuit = load(EXAMPLES / "pressure_control.toml")
+    faulty = circuit.with_signals({**circuit.signals, "regulator.input_fault": Steps([0.0, 1.0], [0.0, 1.0])})
+    assert "regulator.setpoint" in defaults(faulty)
+    assert "regulator.input_fault" not in defaults(faulty)
+    assert sliders(faulty, "regulator.input_fault")["regulator.input_fault"].is_driven
+    selected = defaults(load(STAIRCASE))
+    assert len(selected) == 8
+    assert selected[0] == "valve.pilot_pressure"
+    assert not [address for address in selected if "characteristic" in address]
+
+
 # --- parameters that the page computes ---
 
 

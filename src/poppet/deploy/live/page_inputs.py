@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from contextlib import suppress
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
@@ -15,6 +16,7 @@ from poppet.core.number_format import USUAL, readable_unit
 from poppet.core.provenance import Number, Source
 from poppet.core.units import Kind, convert, quantity
 from poppet.deploy.export_model import ExportModel, next_float, parameter_specs
+from poppet.deploy.live.influence import STEP, influences
 from poppet.deploy.live.parameter_map import TOLERANCE, ParameterMap, trace_parameters
 from poppet.parts.fields import NumberSpec, attribute, specs
 from poppet.timeseries.signals import Points, Steps
@@ -26,6 +28,7 @@ DEFAULT_COUNT = 8
 """Number of sliders if none are requested."""
 MAX_POINTS = 200
 """Maximum number of points of a signal that the page shows as a table."""
+_COEFFICIENT = re.compile(r"\.[a-z]\d+$")
 _TEMPERATURES = ("K", "degC")
 _NUMBER = re.compile(r"[+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?\s*(.*)", re.DOTALL)
 _KINDS: dict[str, Kind] = {"Pa": "pressure", "K": "temperature", "kg/s": "mass_flow"}
@@ -75,29 +78,15 @@ def affine(unit: str, display_unit: str, ambient_pressure: float = 1e5) -> tuple
 
 
 def select_sliders(
-    export_model: ExportModel, circuit: BaseCircuit, texts: Sequence[str]
+    export_model: ExportModel, circuit: BaseCircuit, texts: Sequence[str], displayed: Sequence[str] = ()
 ) -> tuple[list[Slider], ParameterMap]:
     """Return the sliders that the user requested, or a default selection, and their effect on the parameters.
 
-    Each text is `ADDRESS` or `ADDRESS=LOW..HIGH`.
+    Each text is `ADDRESS` or `ADDRESS=LOW..HIGH`. `displayed` contains the addresses of the outputs that the page
+    shows, or nothing for all outputs.
     """
     if not texts:
-        # Inputs with a signal, then parameters that the user gave or that are assumed; no temperatures or start values.
-        numbers = circuit.numbers()
-        candidates = [
-            p.address for p in export_model.parameters
-            if p.is_free and p.value and p.unit not in _TEMPERATURES and p.address in numbers
-            and not re.search(r"(^|[._])(initial|ambient|gas)_?", p.address) and p.unit != "1"
-        ]  # fmt: skip
-        kinds = {address: numbers[address].source.kind for address in candidates}
-        driven = [item.address for item in export_model.inputs if item.is_driven and item.slope_of < 0][:2]
-        ordered = [
-            *(address for address in driven if not _is_guided(export_model, address)),
-            *(address for address in candidates if kinds[address] == "given"),
-            *(address for address in candidates if kinds[address] == "assumed"),
-            *candidates,
-        ]
-        texts = list(dict.fromkeys(ordered))[:DEFAULT_COUNT]
+        texts = _default_addresses(export_model, circuit, displayed)
     sliders: dict[str, Slider] = {}
     with ErrorCollector() as errors:
         for text in texts:
@@ -120,6 +109,50 @@ def select_sliders(
                 if slider.number >= 0:
                     _check_map(circuit, mapping, slider)
     return result, mapping
+
+
+def _default_addresses(export_model: ExportModel, circuit: BaseCircuit, displayed: Sequence[str]) -> list[str]:
+    """Return the addresses of the default sliders.
+
+    They are two inputs with signals, then the numbers of the parts with the greatest influence on the curves. Flags
+    such as `input_fault`, coefficients of curves, and numbers with the value 0, which gives no range, are omitted.
+    """
+    flags = {address for address, item in circuit.inputs.items() if item.is_flag}
+    driven = [
+        item.address
+        for item in export_model.inputs
+        if item.is_driven and item.slope_of < 0 and item.address not in flags
+        and not _is_guided(export_model, item.address)
+    ][:2]  # fmt: skip
+    sliders = []
+    for address, number in circuit.numbers().items():
+        is_candidate = number.value and address.partition(".")[0] in circuit.parts and not _COEFFICIENT.search(address)
+        if is_candidate and address not in driven:
+            with suppress(InputError):
+                sliders.append(_slider(export_model, circuit, address))
+    sliders = [slider for slider in sliders if slider.number >= 0]
+    outputs = [output.address for output in export_model.outputs]
+    places = [outputs.index(address) for address in displayed] or list(range(len(outputs)))
+    ranks = influences(circuit, [_neighbours(circuit, slider) for slider in sliders], places)
+    order = sorted(range(len(sliders)), key=lambda k: -ranks[k])  # stable: equal ranks have the order of the file
+    addresses = [sliders[k].address for k in order if ranks[k] > 0.0 and _is_continuous(circuit, sliders[k])]
+    return [*driven, *addresses[: DEFAULT_COUNT - len(driven)]]
+
+
+def _neighbours(circuit: BaseCircuit, slider: Slider) -> Iterator[BaseCircuit]:
+    """Yield the valid copies of a circuit with a slightly larger or smaller value of a slider."""
+    step = STEP * (slider.high - slider.low)
+    for value in (slider.value + step, slider.value - step):
+        with suppress(InputError):
+            yield changed_circuit(circuit, slider, value)
+
+
+def _is_continuous(circuit: BaseCircuit, slider: Slider) -> bool:
+    try:
+        _check_continuity(circuit, _within_valid_range(circuit, slider))
+    except InputError:
+        return False
+    return True
 
 
 def changed_circuit(circuit: BaseCircuit, slider: Slider, value: float) -> BaseCircuit:
