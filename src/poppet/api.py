@@ -204,6 +204,7 @@ class Circuit(BaseCircuit, metaclass=_ListedNames):
         workers: int | None = None,
         progress: Callable[[int, int, str], Any] | None = None,
         requirements: Mapping[str, str] | None = None,
+        allow_python: bool = False,
         **fields: Any,
     ) -> Ensemble:
         """Run the circuit many times with uncertain parameters.
@@ -224,6 +225,8 @@ class Circuit(BaseCircuit, metaclass=_ListedNames):
         requirements : mapping, optional
             Mapping from names to requirements such as `fill_time < 12 s`; default the table `requirements` of the
             circuit file.
+        allow_python : bool, optional
+            Permit metrics by Python functions in files, `FILE.py:FUNCTION`, which executes these files.
         **fields
             Fields of the table `ensemble` of a circuit file: `runs`, `seed`, `sampling`, `parameters`, `metrics`,
             `keep`, `curves`, `indices`, `levels`, `file`. They override the fields of the circuit file.
@@ -255,8 +258,9 @@ class Circuit(BaseCircuit, metaclass=_ListedNames):
         from poppet.ensemble.ensemble_result import run_ensemble
 
         return run_ensemble(
-            self, output, executor=executor, workers=workers, progress=progress, requirements=requirements, **fields
-        )
+            self, output, executor=executor, workers=workers, progress=progress, requirements=requirements,
+            allow_python=allow_python, **fields,
+        )  # fmt: skip
 
     def to_ode(self, duration: Any = None) -> Ode:
         r"""Return the circuit with its signals as functions of a differential equation.

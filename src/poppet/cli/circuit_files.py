@@ -13,6 +13,7 @@ from pathlib import Path
 from poppet.cli.assignments import load_circuit
 from poppet.cli.parser import output_path
 from poppet.cli.summary import print_notes
+from poppet.core.codes import Note
 from poppet.core.errors import InputError, NameSuggestion, raise_errors
 from poppet.core.number_format import aligned
 from poppet.core.provenance import LEAST_CERTAIN_FIRST as KINDS
@@ -48,7 +49,9 @@ def check_files(options: argparse.Namespace) -> None:
             if "ensemble" in circuit.origin[0]:
                 from poppet.ensemble import plan_of
 
-                notes += plan_of(circuit).notes
+                plan = plan_of(circuit, allow_python=True)  # executes nothing
+                functions = plan.python_functions
+                notes += [*plan.notes, *([Note("ensemble.executes", functions=functions)] if functions else ())]
         except InputError as error:
             problems.append(TomlFile.read(file).located(error))
             continue

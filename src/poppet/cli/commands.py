@@ -25,6 +25,7 @@ REPORT = Option("--report FILE", "write an HTML report", (".html",))
 UNITS = Option("--units LIST", 'units of the results: "bar,degC,l/min ANR" or ADDRESS=UNIT')
 SELECT = Option("--select LIST", 'outputs of the results: "tank.*,valve.stroke"')
 ALL = Option("--all", "include internal outputs of the parts: sensors, integrals, duties")
+PYTHON = Option("--allow-python", "execute the Python functions in files that the circuit file uses as metrics")
 TUNE, COMPARE = ("tune",), ("compare",)
 
 _COMMANDS = {
@@ -95,6 +96,7 @@ _COMMANDS = {
             SET,
             Option("-o, --output FOLDER", "folder of the dataset (default: NAME.ensemble beside NAME.toml)"),
             REPORT,
+            PYTHON,
             Option("--worst FOLDER", "write the worst runs of each requirement as circuit files"),
             Option("--runs N", "number of runs", keywords={"type": int}),
             Option("--seed N", "seed of the random numbers", keywords={"type": int}),
@@ -126,6 +128,7 @@ _COMMANDS = {
             Option("--meet NAME ...", "requirement of the file (default: all); may be repeated"),
             Option("--between LOW HIGH", "search range, with units", keywords={"nargs": 2, "metavar": ("LOW", "HIGH")}),
             Option("--largest", "find the largest value instead of the smallest"),
+            PYTHON,
             Option("--yield SHARE", "required fraction of runs that meet the requirements: 95 % or 0.95"),
             Option("--size SIZE ...", "standard size; reports the next that meets the requirements; may be repeated"),
             RESULT,

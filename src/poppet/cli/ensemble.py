@@ -30,7 +30,7 @@ def run_ensemble(options: argparse.Namespace) -> int:
     circuit, notes = load_circuit(options)
     settings = {key: getattr(options, key) for key in ("runs", "seed") if getattr(options, key) is not None}
     try:
-        plan = plan_of(circuit, **settings)
+        plan = plan_of(circuit, allow_python=options.allow_python, **settings)
     except InputError as error:
         raise TomlFile.read(options.file).located(error) from None
     # The notes of the nominal run are likely to apply to the other runs.
@@ -90,6 +90,7 @@ def find_size(options: argparse.Namespace) -> int:
                 largest=options.largest,
                 share=share,
                 sizes=options.size,
+                allow_python=options.allow_python,
                 progress=progress,
             )
     except InputError as error:

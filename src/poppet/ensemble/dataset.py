@@ -20,7 +20,7 @@ from numpy.typing import NDArray
 
 from poppet.circuit.circuit import BaseCircuit
 from poppet.core.errors import InputError
-from poppet.core.files import write_whole
+from poppet.core.files import make_folder, open_input, write_whole
 from poppet.core.version import __version__
 from poppet.engine.lane_kernel import kernel_of_this_machine
 from poppet.ensemble.ensemble_plan import EnsemblePlan
@@ -108,15 +108,14 @@ class Dataset:
         content = json.loads(_text(content))
         of_runs = {k: v for k, v in content["poppet ensemble"].items() if k not in _NOT_OF_RUNS}
         content["sha256"] = hashlib.sha256(json.dumps(of_runs, sort_keys=True).encode()).hexdigest()
+        if plan.python_functions:
+            content["python"] = list(plan.python_functions)
         path, stored = folder / MANIFEST, None
         if path.exists():
             stored = _read_manifest(path, content)
         elif folder.exists() and (not folder.is_dir() or any(folder.iterdir())):
             raise InputError("ensemble.folder_taken", path=str(folder))
-        try:
-            folder.mkdir(parents=True, exist_ok=True)
-        except OSError as problem:
-            raise InputError("files.unwritable", path=str(folder), why=problem.strerror or str(problem)) from problem
+        make_folder(folder)
         if stored is None:
             dataset = Dataset(folder, content)
         elif stored["poppet ensemble"] == content["poppet ensemble"]:
@@ -173,7 +172,7 @@ class Dataset:
         """
         path = self.folder / kind / _name(number)
         expected = self.hashes.get(f"{kind}/{_name(number)}")
-        if not path.exists() or (expected and _digest(path) != expected):
+        if not path.is_file() or (expected and _digest(path) != expected):
             return -1
         with suppress(OSError, arrow().ArrowException):
             return int(arrow().parquet.read_metadata(path).num_rows)
@@ -187,7 +186,7 @@ class Dataset:
         """
         for name, content in files.items():
             path = self.folder / name
-            path.parent.mkdir(exist_ok=True)
+            make_folder(path.parent)
             write_whole(path, lambda stream, content=content: stream.write(content))  # type: ignore[misc]
 
     def shards(self, kind: str, columns: list[str] | None = None) -> Iterator[dict[str, NDArray[Any]]]:
@@ -229,7 +228,8 @@ def _read_manifest(path: Path, content: Mapping[str, Any]) -> dict[str, Any]:
     the ensemble or the software versions differ.
     """
     try:
-        stored = json.loads(path.read_text(encoding="utf-8"))
+        with open_input(path) as stream:
+            stored = json.loads(stream.read())
         stored_plan = stored["poppet ensemble"]
     except (OSError, ValueError, KeyError, TypeError):
         raise InputError("ensemble.folder_taken", path=str(path.parent)) from None

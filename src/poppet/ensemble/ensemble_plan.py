@@ -196,6 +196,11 @@ class EnsemblePlan:
         k = self.joint.index(address)
         return float(_normal(self.joint_normal.mean[k], self.joint_normal.sigma[k]).quantile(np.array([u]))[0])
 
+    @property
+    def python_functions(self) -> tuple[str, ...]:
+        """Locations of all Python functions in files that compute metrics, such as `ripple.py:ripple`."""
+        return tuple(dict.fromkeys(metric.python_location for metric in self.metrics if metric.python_location))
+
     @cached_property
     def shard(self) -> int:
         """Number of runs in each shard, which is a power of two.
@@ -214,10 +219,13 @@ class EnsemblePlan:
         return tuple(dict.fromkeys([*addresses, *self.curves]))
 
 
-def read_plan(circuit: BaseCircuit, ensemble: Any, requirements: Any, folder: Path) -> EnsemblePlan:
+def read_plan(
+    circuit: BaseCircuit, ensemble: Any, requirements: Any, folder: Path, *, allow_python: bool = False
+) -> EnsemblePlan:
     """Read the tables `ensemble` and `requirements` of a circuit, and report all errors together.
 
-    `folder` is the folder to which file names in the tables refer.
+    `folder` is the folder to which file names in the tables refer. Without `allow_python`, Python functions in files
+    raise an error. Reading a plan executes none of them.
     """
     outputs = dict(circuit.model.outputs)
     ambient = circuit.surroundings.pressure
@@ -236,7 +244,7 @@ def read_plan(circuit: BaseCircuit, ensemble: Any, requirements: Any, folder: Pa
             with errors.collecting():
                 address = f"ensemble.metrics.{name}"
                 identifier = _identifier(name, address, RESERVED)
-                metric = read_metric(identifier, raw, outputs, ambient, address, str(folder))
+                metric = read_metric(identifier, raw, outputs, ambient, address, str(folder), allow_python=allow_python)
                 if grid.size:
                     window: dict[str, Any] = {"begin": metric.begin, "end": metric.end, "duration": float(grid[-1])}
                     if math.isfinite(metric.end) and metric.end > grid[-1] * (1.0 + 1e-9):

@@ -19,7 +19,7 @@ from poppet.circuit.circuit import BaseCircuit
 from poppet.circuit.file import ABOVE, loads
 from poppet.core.codes import Note
 from poppet.core.errors import InputError, needed
-from poppet.core.files import write_whole
+from poppet.core.files import make_folder, write_whole
 from poppet.core.notebook import HtmlMixin
 from poppet.core.toml import toml_text
 from poppet.ensemble.bands import Bands
@@ -108,7 +108,8 @@ class Ensemble(HtmlMixin):
     def remarks(self) -> tuple[Note, ...]:
         """Return notes on the ensemble tables, on failed runs and on missing metric values.
 
-        They include runs in which the solver stalled, and completed runs without a value of a metric.
+        They include the executed Python functions, runs in which the solver stalled, and completed runs without a value
+        of a metric.
         """
         runs, fine = self.done, ("run.done", "run.stopped")
         failed = [(code, count) for code, count in self.outcomes().items() if code not in fine]
@@ -117,8 +118,10 @@ class Ensemble(HtmlMixin):
         for shard in self.dataset.shards("runs", ["done", *without]):
             for name in without:
                 without[name] += int(np.count_nonzero(shard["done"] & np.isnan(shard[name])))
+        functions = self.plan.python_functions
         return (
             *self.plan.notes,
+            *([Note("ensemble.executed", functions=functions)] if functions else ()),
             *(Note("ensemble.failed", count=count, runs=runs, outcome=code) for code, count in failed),
             *(Note("ensemble.undefined", count=n, runs=runs, metric=name) for name, n in without.items() if n),
             *(Note("ensemble.noted", count=count, runs=runs, said=code) for code, count in self.noted().items()),
@@ -262,7 +265,7 @@ class Ensemble(HtmlMixin):
         target = Path(folder)
         if not self.plan.requirements:
             raise InputError("ensemble.no_requirements")
-        target.mkdir(parents=True, exist_ok=True)
+        make_folder(target)
         circuit, paths = self.plan.circuit, []
         for worst in self.worst(count).values():
             for k, case in enumerate(worst, 1):
@@ -326,13 +329,14 @@ def run_ensemble(
     workers: int | None = None,
     progress: Callable[[int, int, str], Any] | None = None,
     requirements: Mapping[str, str] | None = None,
+    allow_python: bool = False,
     **fields: Any,
 ) -> Ensemble:
     """Run a circuit many times with uncertain parameters, and return the stored results.
 
     The public method `Circuit.ensemble` describes the arguments.
     """
-    plan = plan_of(circuit, requirements=requirements, **fields)
+    plan = plan_of(circuit, requirements=requirements, allow_python=allow_python, **fields)
     if output is not None:
         return run_plan(plan, Path(output), executor, workers, progress)
     folder = tempfile.mkdtemp(prefix="poppet-")
@@ -346,10 +350,13 @@ def run_ensemble(
     return ensemble
 
 
-def plan_of(circuit: BaseCircuit, *, requirements: Mapping[str, str] | None = None, **fields: Any) -> EnsemblePlan:
+def plan_of(
+    circuit: BaseCircuit, *, requirements: Mapping[str, str] | None = None, allow_python: bool = False, **fields: Any
+) -> EnsemblePlan:
     """Return the settings of an ensemble from the tables of a circuit.
 
-    Keyword arguments replace fields of the table `ensemble`.
+    Keyword arguments replace fields of the table `ensemble`. `allow_python` permits Python functions in files; they are
+    executed by the runs, not by this function.
     """
     tables, folder = circuit.origin
     table = tables.get("ensemble", {})
@@ -359,7 +366,9 @@ def plan_of(circuit: BaseCircuit, *, requirements: Mapping[str, str] | None = No
         omitted = {"file"} if fields.get("sampling", "file") != "file" else set()
         omitted |= {"numbers", "parameters"} if "parameters" in fields else set()
         table = {key: value for key, value in table.items() if key not in omitted} | fields
-    return read_plan(circuit, table, tables.get("requirements", {}) if requirements is None else requirements, folder)
+    if requirements is None:
+        requirements = tables.get("requirements", {})
+    return read_plan(circuit, table, requirements, folder, allow_python=allow_python)
 
 
 def with_parameters(fields: Mapping[str, Any]) -> dict[str, Any]:

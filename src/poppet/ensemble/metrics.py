@@ -8,6 +8,7 @@ from __future__ import annotations
 import hashlib
 import inspect
 import operator
+import os
 import re
 import runpy
 from collections.abc import Callable, Mapping
@@ -52,6 +53,11 @@ class Metric:
     folder: str = ""  # of the location
 
     @property
+    def python_location(self) -> str:
+        """Location of the Python function in a file, `ripple.py:ripple`; empty if there is none."""
+        return self.function if isinstance(self.function, str) else ""
+
+    @property
     def outputs(self) -> tuple[str, ...]:
         """Addresses of all outputs from which the metric is computed."""
         return (*self.of, self.target) if isinstance(self.target, str) else self.of
@@ -66,7 +72,7 @@ class Metric:
             return facts
         function = self.callable()
         if isinstance(self.function, str):
-            text = (Path(self.folder) / self.function.rpartition(":")[0]).read_text(encoding="utf-8")
+            text = python_file(self.folder, self.function).read_text(encoding="utf-8")
         else:
             try:
                 text = inspect.getsource(function)
@@ -77,7 +83,13 @@ class Metric:
 
     def callable(self) -> Function:
         """Return the user's function that computes the metric, loaded from its file if necessary."""
-        return _load_function(self.folder, self.function) if isinstance(self.function, str) else self.function
+        if not isinstance(self.function, str):
+            return self.function
+        path, name = python_file(self.folder, self.function), self.function.rpartition(":")[2]
+        if not path.is_file():
+            raise InputError("ensemble.no_function", self.function, path=str(path), name=name)
+        status = path.stat()
+        return _load_function(os.path.realpath(path), name, self.function, (status.st_mtime_ns, status.st_size))
 
     def values(self, time: Array, series: Mapping[str, Array]) -> Array:
         """Return the values of the metric for m runs with equal output times, (m,).
@@ -100,13 +112,14 @@ class Metric:
             # Without a step or a crossing, the result is NaN or infinite.
             with np.errstate(divide="ignore", invalid="ignore"):
                 return np.asarray(self.in_unit(METRIC_KINDS[self.kind].compute(t, y, aim, self)), dtype=np.float64)
+        function = self.callable()
         for k in range(len(y)):
             arguments = [t, *(rows[address][k] for address in self.of)]
             for view in arguments:
                 # Other metrics use the same rows.
                 view.flags.writeable = False
             try:
-                values[k] = float(self.callable()(*arguments))
+                values[k] = float(function(*arguments))
             except InputError:
                 raise
             except Exception as error:
@@ -227,11 +240,21 @@ METRIC_KINDS = {
 """Kinds of metrics by name. Times are counted from the first evaluated time; integrals use the trapezoidal rule."""
 
 
-def read_metric(name: str, raw: Any, outputs: Mapping[str, str], ambient: float, address: str, folder: str) -> Metric:
+def read_metric(
+    name: str,
+    raw: Any,
+    outputs: Mapping[str, str],
+    ambient: float,
+    address: str,
+    folder: str,
+    *,
+    allow_python: bool = False,
+) -> Metric:
     """Read one metric from its table in the circuit file.
 
     `raw` is the table, and `address` its address. `outputs` maps the address of each output of the circuit to its SI
-    unit. `ambient` is the ambient pressure [Pa], and `folder` the folder of files with Python functions.
+    unit. `ambient` is the ambient pressure [Pa], and `folder` the folder of files with Python functions. Without
+    `allow_python`, such a file raises an error. This function does not execute it.
     """
     if callable(raw):
         raw = {"metric": raw}
@@ -241,6 +264,11 @@ def read_metric(name: str, raw: Any, outputs: Mapping[str, str], ambient: float,
         kind, is_own = read.get("metric", ""), False
         if callable(kind) or (isinstance(kind, str) and ":" in kind):
             is_own = True
+            if isinstance(kind, str):
+                with errors.collecting():
+                    python_file(folder, kind, f"{address}.metric")
+                    if not allow_python:
+                        raise InputError("ensemble.python_forbidden", f"{address}.metric", location=kind)
         elif kind not in METRIC_KINDS:
             near = NameSuggestion(str(kind), METRIC_KINDS)
             errors.add("fields.not_an_option", f"{address}.metric", value=str(kind), meaning="metric", suggestion=near)
@@ -296,22 +324,31 @@ def _check_unit(metric: Metric, address: str) -> None:
         raise error.at(f"{address}.unit") from None
 
 
-@lru_cache(maxsize=64)
-def _load_function(folder: str, location: str) -> Function:
-    """Load a Python function from a file in the folder of the circuit.
+def python_file(folder: str, location: str, address: str = "") -> Path:
+    """Return the path of a Python file in the folder of the circuit or below it.
 
-    `location` has the form `FILE.py:FUNCTION`.
+    `location` has the form `FILE.py:FUNCTION`. A file elsewhere, also by a symbolic link, raises an error.
     """
-    file, _, name = location.rpartition(":")
-    path = Path(folder) / file
-    if not path.is_file():
-        raise InputError("ensemble.no_function", location, path=str(path), name=name)
+    path = Path(folder) / location.rpartition(":")[0]
+    real = Path(os.path.realpath(path))
+    if not real.is_relative_to(os.path.realpath(folder)):
+        raise InputError("ensemble.python_elsewhere", address or location, location=location)
+    return path
+
+
+@lru_cache(maxsize=64)
+def _load_function(path: str, name: str, location: str, version: tuple[int, int]) -> Function:
+    """Load the Python function `name` from a file.
+
+    `location` is the text of the circuit file. `version` contains time and size of the file: a changed file is loaded
+    again.
+    """
     try:
-        function = runpy.run_path(str(path)).get(name)
+        function = runpy.run_path(path).get(name)
     except Exception as error:
         raise InputError("ensemble.function_failed", location, cause=f"{type(error).__name__}: {error}") from error
     if not callable(function):
-        raise InputError("ensemble.no_function", location, path=str(path), name=name)
+        raise InputError("ensemble.no_function", location, path=path, name=name)
     return function  # type: ignore[no-any-return]
 
 

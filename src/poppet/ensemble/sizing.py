@@ -143,6 +143,7 @@ def size(
     share: float | None = None,
     sizes: Sequence[Any] = (),
     progress: Progress | None = None,
+    allow_python: bool = False,
     **fields: Any,
 ) -> Sizing:
     """Find the smallest or largest value of a parameter that meets the requirements.
@@ -166,6 +167,8 @@ def size(
         Standard sizes; the result contains the next one that is valid.
     progress : callable, optional
         Called with the completed rounds, the total, and a description.
+    allow_python : bool, optional
+        Permit metrics by Python functions in files, `FILE.py:FUNCTION`, which executes these files.
     **fields
         Fields of the table `ensemble`, and `requirements`; they override those of the file.
 
@@ -207,6 +210,7 @@ def size(
     low, high = _search_range(
         between, nominal, (max(spec.low, spec.above), min(spec.high, spec.below)), read_value, free
     )
+    fields["allow_python"] = allow_python
     uncertain = plan_of(circuit, **fields) if share is not None else None
     if share is not None:
         Field(unit="1", above=0.0, below=1.0, meaning="required fraction").read(share, "share")
@@ -397,7 +401,8 @@ def _make_sizing(
     bounds: dict[str, tuple[float, ...]] = {}
     for r in evaluator.requirements:
         bounds[r.metric] = (*bounds.get(r.metric, ()), *(bound for _, bound in r.bounds))
-    remarks: list[Note] = []
+    functions = plan.python_functions
+    remarks = [Note("ensemble.executed", functions=functions)] if functions else []
     value = resolution = standard_size = math.nan
     margins = dict.fromkeys((requirement.name for requirement in evaluator.requirements), math.nan)
     limiting, interval = "", (math.nan, math.nan)

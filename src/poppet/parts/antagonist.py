@@ -51,6 +51,9 @@ class _InverseMuscleLaw(MuscleLawPart, Controller):
             raise InputError("muscle.no_range", "lowest_pressure", low=low, high=high, ambient=ambient.pressure)
         return values
 
+    def ascending_parameters(self) -> tuple[tuple[str, str], ...]:
+        return (("lowest_pressure", "highest_pressure"),)
+
     def output_ranges(self) -> dict[str, tuple[str | float, str | float]]:
         return dict.fromkeys(self.pressures, ("lowest_pressure", "highest_pressure"))
 

@@ -555,8 +555,13 @@ class Controller(Part):
 
     measured: ClassVar[tuple[str, ...]] = ()
     """Inputs that the controller needs; a run notes each of them that is not connected."""
-    ascending: ClassVar[tuple[tuple[str, str], ...]] = ()
-    """Pairs of parameters of which the first must be below the second; checked in exported programs."""
+
+    def ascending_parameters(self) -> tuple[tuple[str, str], ...]:
+        """Return pairs of parameters of which the first must be below the second.
+
+        Exported programs check them, because their parameters can change at run time.
+        """
+        return ()
 
     def sensors(self) -> dict[str, tuple[str, str]]:
         """Return the measured input and the parameter group of each sensor, by the name of its state.

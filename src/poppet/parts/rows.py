@@ -81,6 +81,16 @@ class NumberTable:
         """
         return {f"{name}_{k}": n for name, column in self.columns.items() for k, n in enumerate(column, 1)}
 
+    def number_specs(self) -> dict[str, NumberSpec]:
+        """Return the declaration of each number, under the names that `numbers` returns."""
+        specs = self.column_specs(*self.form)
+        return {f"{name}_{k}": specs[name] for name in self.columns for k in range(1, len(self.columns[name]) + 1)}
+
+    def ascending_numbers(self) -> tuple[tuple[str, str], ...]:
+        """Return the pairs of names of consecutive numbers in the first column."""
+        first = next(iter(self.columns))
+        return tuple(pairwise(f"{first}_{k}" for k in range(1, len(self.columns[first]) + 1)))
+
     def parameters(self, ambient_pressure: float) -> dict[str, float]:
         """Return the values of all numbers of the table in SI units, with absolute pressures.
 

@@ -184,15 +184,91 @@ def test_parameters_change_at_run_time(tmp_path):
     assert np.max(np.abs(outputs[8:] - expected) / (np.abs(expected) + 1e-9)) < 1e-6
 
 
-def test_an_input_of_nan_ends_a_step(tmp_path):
+INVALID, LIMITED = 5, 16
+
+
+def test_values_that_are_not_finite_are_rejected_and_change_nothing(tmp_path):
+    """An input, its slope, the time, a parameter, and a time that runs backwards; then the run continues as without."""
     circuit = check_and_relief()
     index = circuit.instance.input_names.index("line.pressure")
-    body = f"""it_fixed_begin(&m); m.by_host[{index}] = 1; m.u[{index}] = 2e5; it_fixed_step(&m, 0.01);
-      m.u[{index}] = HUGE_VAL - HUGE_VAL; printf("%d ", it_fixed_step(&m, 0.02)); for (k = 0; k < IT_STATES; k++)
-      printf("%.17g ", m.x[k]);"""
-    status, *states = driven(circuit, tmp_path, body)
-    assert status == 1
-    assert np.all(np.isfinite(states))
+    values = "HUGE_VAL - HUGE_VAL", "HUGE_VAL", "-HUGE_VAL"
+    wrong = [f'm.u[{index}] = {value}; printf("%d ", it_fixed_step(&m, 0.02));' for value in values]
+    wrong += [f"m.slopes[{index}] = {v}; printf(\"%d \", it_fixed_step(&m, 0.02)); m.slopes[{index}] = 0.0;"
+              for v in values]  # fmt: skip
+    wrong += [f'printf("%d ", it_fixed_step(&m, {value}));' for value in (*values, "0.005")]
+    wrong += [f'{{ double p = m.p[0]; m.p[0] = {v}; printf("%d ", it_fixed_step(&m, 0.02)); m.p[0] = p; }}'
+              for v in values]  # fmt: skip
+    begin = f"it_fixed_begin(&m); m.by_host[{index}] = 1; m.u[{index}] = 3e5; it_fixed_step(&m, 0.01);"
+    state = f'it_fixed_outputs(&m, y); printf("%.17g %.17g ", m.t, m.u[{index}]);' + END
+    last = 'printf("%d ", it_fixed_step(&m, 0.02));' + END
+    outputs = driven(circuit, tmp_path, begin + state + "".join(wrong) + state + last)
+    n = (len(outputs) - len(wrong) - 1 - len(circuit.model.outputs)) // 2
+    before, statuses, after = outputs[:n], outputs[n : n + len(wrong)], outputs[n + len(wrong) : 2 * n + len(wrong)]
+    assert statuses.tolist() == [INVALID] * len(wrong)
+    assert np.array_equal(after, before)
+    assert before[:2].tolist() == [0.01, 3e5]
+    undisturbed = driven(circuit, tmp_path, begin + last)
+    assert undisturbed[0] == 0
+    assert np.array_equal(outputs[2 * n + len(wrong) :], undisturbed)
+
+
+def test_inputs_outside_their_limits_saturate_and_are_reported(tmp_path):
+    """Openings of -5 and 1e6 act as 0 and 1; the status has a bit, and a flag names the input."""
+    circuit = example("fill_staircase", "3 s")
+    index = circuit.instance.input_names.index("bleed.opening")
+    other = circuit.instance.input_names.index("valve.pilot_pressure")
+    flags = f'printf("%d %d %d %.17g ", status, m.limited[{index}], m.limited[{other}], m.u[{index}]);'
+    run = f"""it_fixed_begin(&m); m.by_host[{index}] = 1;
+      {{ int status = 0; for (k = 1; k <= 50; k++) {{ m.u[{index}] = VALUE; m.slopes[{index}] = SLOPE;
+      status |= it_fixed_step(&m, k * 1e-2); }} {flags} {END} }}"""
+    cases = [
+        ("1.0", "0.0"), ("1e6", "0.0"), ("1.0", "7.0"), ("1.0000000000000002", "0.0"),
+        ("0.0", "0.0"), ("-5.0", "0.0"), ("-1e-17", "0.0"),
+    ]  # fmt: skip
+    body = "\n".join(run.replace("VALUE", value).replace("SLOPE", slope) for value, slope in cases)
+    rows = driven(circuit, tmp_path, body).reshape(len(cases), -1)
+    assert rows[:, 0].tolist() == [0, LIMITED, LIMITED, 0, 0, LIMITED, 0]
+    assert np.array_equal(rows[:, 1], rows[:, 0] / LIMITED)
+    assert np.all(rows[:, 2] == 0)
+    assert rows[:, 3].tolist() == [1.0] * 4 + [0.0] * 3
+    assert np.all(rows[1:4, 4:] == rows[0, 4:])
+    assert np.all(rows[5:, 4:] == rows[4, 4:])
+    assert np.any(rows[4, 4:] != rows[0, 4:])
+
+
+def test_a_slope_ends_at_the_limit_of_its_input(tmp_path):
+    """A slope that would leave the limits within a step is the slope that ends at the limit."""
+    circuit = example("fill_staircase", "3 s")
+    index = circuit.instance.input_names.index("bleed.opening")
+    run = f"""it_fixed_begin(&m); m.by_host[{index}] = 1; m.u[{index}] = 0.5; m.slopes[{index}] = SLOPE;
+      printf("%d ", it_fixed_step(&m, 0.25)); printf("%g %.17g ", m.slopes[{index}], m.u[{index}]); {END}"""
+    within, beyond = driven(circuit, tmp_path, run.replace("SLOPE", "2.0") + run.replace("SLOPE", "8.0")).reshape(2, -1)
+    assert (within[:3].tolist(), beyond[:3].tolist()) == ([0, 2, 1], [LIMITED, 8, 1])
+    assert np.array_equal(beyond[3:], within[3:])
+
+
+def test_the_adaptive_run_limits_inputs_and_rejects_invalid_times(tmp_path):
+    circuit = example("fill_staircase", "3 s")
+    number = circuit.model.parameters.index("bleed.opening")
+    begin, end = "it_adaptive_begin(&a);", 'printf("%d ", (int)it_adaptive_run(&a, times, 2, table));'
+    values = 'for (k = 0; k < IT_OUTPUTS; k++) printf("%.17g ", table[2 * k + 1]);'
+    changed = f"{begin} a.p[{number}] = VALUE; {end} {values}"
+    wrong = f"{begin} times[1] = VALUE; {end} times[1] = 3.0;"
+    body = "double times[2] = {0.0, 3.0}, table[2 * IT_OUTPUTS];"
+    body += "".join(changed.replace("VALUE", value) for value in ("1.0", "1e6", "1.0000000000000002"))
+    body += "".join(wrong.replace("VALUE", value) for value in ("HUGE_VAL", "HUGE_VAL - HUGE_VAL", "-1.0"))
+    body += f"{begin} a.p[{number}] = HUGE_VAL - HUGE_VAL; {end}"
+    outputs = driven(circuit, tmp_path, f"{{ {body} }}")
+    rows = outputs[:-4].reshape(3, -1)
+    assert rows[:, 0].tolist() == [0, LIMITED, 0]
+    assert np.all(rows[1:, 1:] == rows[0, 1:])
+    assert outputs[-4:].tolist() == [INVALID] * 4
+
+
+@pytest.mark.parametrize("name", ["staircase", "regulator"])
+def test_exported_c_compiles_without_conversion_and_shadow_warnings(name, tmp_path):
+    files = c_project(TEN[name](), "it", substeps=3)
+    compile_c(files, tmp_path, "-std=c99", "-O0", "-Wconversion", "-Wshadow")
 
 
 def test_an_input_of_the_host_replaces_its_signal(tmp_path):

@@ -256,11 +256,73 @@ def test_inputs_of_the_host(fmi: int) -> None:
         host.set("bleed.opening", 0.0)
         assert host.get("bleed.mass_flow_rate")[0] == 0.0
         with pytest.raises(Exception, match="status 3"):
-            host.set("bleed.opening", 1.5)
-        with pytest.raises(Exception, match="status 3"):
             host.set("valve.pilot_pressure", float("nan"))
     assert old_pressure == pytest.approx(circuit.parameters["tank.initial_pressure"])
     assert filling > resting + 1000.0
+
+
+@FMI
+@pytest.mark.parametrize("kind", ["CoSimulation", "ModelExchange"])
+def test_inputs_outside_their_limits_saturate(fmi: int, kind: str) -> None:
+    """Rounding errors saturate silently, larger deviations with one warning; only non-finite values are rejected."""
+    path = built("fill_staircase", fmi, 3.0, ("tank.volume", "bleed.opening"))
+    with Host(path, kind, follows=False).begin() as host:
+        for value, limit in ((1.0000000000000002, 1.0), (-1e-17, 0.0), (1.0 + 9e-7, 1.0), (-9e-7, 0.0)):
+            host.set("bleed.opening", value)
+            assert host.get("bleed.opening") == [limit]
+        assert host.log == []
+        for value, limit in ((1.00001, 1.0), (1e6, 1.0), (-5.0, 0.0)):
+            host.set("bleed.opening", value)
+            assert host.get("bleed.opening") == [limit]
+        assert [(status, "bleed.opening" in text) for status, text in host.log] == [(1, True)]
+        host.set("valve.pilot_pressure", -1e5)
+        assert host.get("valve.pilot_pressure") == [0.0]
+        assert [status for status, _ in host.log] == [1, 1]
+        for value in (float("nan"), float("inf"), -float("inf")):
+            with pytest.raises(Exception, match="status 3"):
+                host.set("bleed.opening", value)
+        assert "bleed.opening" in host.log[-1][1]
+        assert host.get("bleed.opening") == [0.0]
+        volume = host.get("tank.volume")[0]
+        host.set("tank.volume", -1.0)  # a parameter that is an input of this FMU
+        assert 0.0 < host.get("tank.volume")[0] < 1e-9
+        assert "tank.volume" in host.log[-1][1]
+        host.set("tank.volume", volume)
+        if kind == "CoSimulation":
+            host.step(0.0, 0.1)
+            assert host.get("time") == [pytest.approx(0.1)]
+        n_messages = len(host.log)
+        host.fmu.reset()
+        host.set("bleed.opening", 7.0)
+        assert len(host.log) == n_messages + 1
+
+
+def test_a_saturated_input_gives_the_run_of_its_limit() -> None:
+    """Co-simulation with an opening of 3, and with a slope that leaves the limits, as with an opening of 1."""
+    path = built("fill_staircase", 2, 3.0, ("tank.volume", "bleed.opening"))
+    ends = []
+    for opening, slope in ((1.0, 0.0), (3.0, 0.0), (1.0, 5.0)):
+        with Host(path, follows=False).begin() as host:
+            host.set("bleed.opening", opening)
+            host.fmu.setRealInputDerivatives([host.references["bleed.opening"]], [1], [slope])
+            host.step(0.0, 1.0)
+            ends.append(host.get("tank.pressure", "bleed.opening"))
+            assert len(host.log) == (opening > 1.0 or slope > 0.0)
+    assert ends[1] == ends[2] == ends[0]
+
+
+def test_a_slope_ends_at_the_limit_of_its_input() -> None:
+    """A slope that would leave the limits within a step is the slope that ends at the limit."""
+    path = built("fill_staircase", 2, 3.0, ("tank.volume", "bleed.opening"))
+    ends = []
+    for slope in (0.5, 2.0):
+        with Host(path, follows=False).begin() as host:
+            host.set("bleed.opening", 0.5)
+            host.fmu.setRealInputDerivatives([host.references["bleed.opening"]], [1], [slope])
+            host.step(0.0, 1.0)
+            ends.append(host.get("tank.pressure", "bleed.opening"))
+    assert ends[0] == ends[1]
+    assert ends[0][1] == 1.0
 
 
 @FMI

@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 from circuits_of_ensembles import tank
+from poppet.ensemble import size
 from poppet.ensemble.metrics import METRIC_KINDS, read_metric, read_requirement
 from refusals import refused
 
@@ -16,7 +17,8 @@ TIME = np.linspace(0.0, 10.0, 10_001)
 
 
 def metric(name="m", ambient=1e5, **fields):
-    return read_metric(name, {"of": "tank.pressure", **fields}, OUTPUTS, ambient, f"ensemble.metrics.{name}", ".")
+    table = {"of": "tank.pressure", **fields}
+    return read_metric(name, table, OUTPUTS, ambient, f"ensemble.metrics.{name}", ".", allow_python=True)
 
 
 def value(rows, **fields):
@@ -87,7 +89,7 @@ def test_functions_of_the_user(tmp_path):
     assert read.values(TIME, {"tank.pressure": FIRST_ORDER[np.newaxis]})[0] == pytest.approx(4e5, rel=1e-2)
     (tmp_path / "ripple.py").write_text("def ripple(time, p, q):\n    return float((p * q).max())\n", encoding="utf-8")
     fields = {"of": ["tank.pressure", "valve.opening"], "metric": "ripple.py:ripple", "unit": "Pa"}
-    read = read_metric("m", fields, OUTPUTS, 1e5, "m", str(tmp_path))
+    read = read_metric("m", fields, OUTPUTS, 1e5, "m", str(tmp_path), allow_python=True)
     rows = {"tank.pressure": FIRST_ORDER[np.newaxis], "valve.opening": 0.0 * TIME[np.newaxis] + 0.5}
     assert read.values(TIME, rows)[0] == 0.5 * FIRST_ORDER.max()
     first_hash = read.facts()["function"]
@@ -95,6 +97,36 @@ def test_functions_of_the_user(tmp_path):
     assert read.facts()["function"] != first_hash
     with refused("ensemble.no_function", "other.py:f"):
         metric(metric="other.py:f").facts()
+
+
+def test_python_files_require_permission_in_python(tmp_path):
+    (tmp_path / "own.py").write_text("raise SystemExit('executed')", encoding="utf-8")
+    own = {"own": {"of": "tank.pressure", "metric": "own.py:f"}}
+    with refused("ensemble.python_forbidden", "ensemble.metrics.own.metric", location="own.py:f"):
+        tank(folder=tmp_path).ensemble(runs=4, metrics=own, requirements={})
+    with refused("ensemble.python_forbidden", "ensemble.metrics.own.metric", location="own.py:f"):
+        size(tank(folder=tmp_path), "tank.volume", metrics=own)
+    (tmp_path / "own.py").write_text("def f(time, p):\n    return p[-1]\n", encoding="utf-8")
+    ensemble = tank(folder=tmp_path).ensemble(runs=4, metrics=own, requirements={}, allow_python=True)
+    assert ensemble.plan.python_functions == ("own.py:f",)
+    assert [(note.code, note.facts["functions"]) for note in ensemble.remarks()] == [
+        ("ensemble.executed", ("own.py:f",))
+    ]
+    sizing = size(
+        tank(folder=tmp_path), "tank.volume", metrics=own, requirements={"low": "own < 3e5"}, allow_python=True
+    )
+    assert ("ensemble.executed", ("own.py:f",)) in [(note.code, note.facts.get("functions")) for note in sizing.remarks]
+
+
+def last_value(time, pressure):
+    return pressure[-1]
+
+
+def test_functions_of_the_caller_require_no_permission():
+    own = {"own": {"of": "tank.pressure", "metric": last_value}}
+    ensemble = tank().ensemble(runs=4, metrics=own, requirements={})
+    assert ensemble.plan.python_functions == ()
+    assert ensemble.done == 4
 
 
 @pytest.mark.parametrize(
@@ -132,7 +164,7 @@ def test_failing_function_of_the_user_is_an_input_error(tmp_path, body):
     (tmp_path / "own.py").write_text(body, encoding="utf-8")
     fields = {"of": "tank.pressure", "metric": "own.py:f"}
     with refused("ensemble.function_failed"):
-        tank(folder=tmp_path).ensemble(runs=4, metrics={"own": fields}, requirements={})
+        tank(folder=tmp_path).ensemble(runs=4, metrics={"own": fields}, requirements={}, allow_python=True)
 
 
 METRICS = {

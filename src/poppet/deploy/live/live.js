@@ -494,7 +494,8 @@
 
   /* Outputs as CSV in SI, in the format of recordings. */
   function csv({ table, rows: reached, ended }) {
-    const n = time.length, cell = text => /[",\n]/.test(text) ? `"${text.replaceAll('"', '""')}"` : text;
+    const n = time.length, safe = text => /^'*[=+\-@\t\r]/.test(text) ? `'${text}` : text;
+    const cell = text => /[",\n]/.test(text) ? `"${safe(text).replaceAll('"', '""')}"` : safe(text);
     const lines = [["time [s]", ...outputs.map(o => `${o.address} [${o.si}]`)].map(cell).join(",")];
     for (let j = 0; j < reached; j++) {
       const t = j === reached - 1 && ended.status !== "done" ? ended.reached : kernel.grid[j];
@@ -512,7 +513,7 @@
     const lines = text.replace(/^\ufeff/, "").split(/\r?\n/).filter(line => line.trim() && !line.startsWith("#"));
     if (lines.length < 3) throw new Error("fewer than two rows");
     const count = sign => lines[0].split(sign).length, sign = ["\t", ";", ","].reduce((a, b) => count(b) > count(a) ? b : a);
-    const cells = line => line.split(sign).map(cell => cell.trim().replace(/^"(.*)"$/, "$1"));
+    const cells = line => line.split(sign).map(cell => cell.trim().replace(/^"(.*)"$/, "$1").replace(/^'(?='*[=+\-@\t\r])/, ""));
     const number = cell => cell === "" ? NaN : Number(sign === "," ? cell : cell.replace(",", "."));
     const heads = cells(lines[0]).map(head => {
       const found = /^(.*?)\s*[[(]([^\])]*(?:\([^)]*\))?[^\])]*)[\])]\s*$/.exec(head);

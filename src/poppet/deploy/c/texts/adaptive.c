@@ -30,11 +30,22 @@ void model_adaptive_begin(model_adaptive *m) {
 
 int64_t model_adaptive_run(model_adaptive *m, const double *times, int64_t n_times, double *table) {
   int64_t job[@N_FIELDS@], course, k;
+  int place, status = MODEL_OK;
+  for (k = 0; k < n_times; k++) {
+    if (times[k] - times[k] != 0.0 || times[k] < (k ? times[k - 1] : 0.0)) return MODEL_INVALID;
+  }
+  for (k = 0; k < MODEL_NUMBERS; k++) {
+    if (m->p[k] - m->p[k] != 0.0) return MODEL_INVALID;
+  }
   /* An input without a signal has the value of its parameter. */
-  for (k = 0; k < MODEL_INPUTS; k++) {
-    if (model_input_list[k].number < 0 || model_input_list[k].is_driven) continue;
+  for (place = 0; place < MODEL_INPUTS; place++) {
+    double value;
+    m->limited[place] = 0;
+    if (model_input_list[place].number < 0 || model_input_list[place].is_driven) continue;
+    value = model_limit(place, m->p[model_input_list[place].number], m->limited + place);
+    if (m->limited[place]) status = MODEL_LIMITED;
     for (course = 0; course < MODEL_COURSES; course++) {
-      m->coefficients[(course * MODEL_ROOM_OF_INPUTS + k) * 7] = m->p[model_input_list[k].number];
+      m->coefficients[(course * MODEL_ROOM_OF_INPUTS + place) * 7] = value;
     }
   }
   model_start(m->p, m->x, m->p + MODEL_NUMBERS);
@@ -46,5 +57,5 @@ int64_t model_adaptive_run(model_adaptive *m, const double *times, int64_t n_tim
   m->watch[1] = 0.0;
   for (k = 0; k < 5; k++) m->counts[k] = 0;
 @JOB@
-  return model_integrate(job);
+  return model_integrate(job) | status;
 }

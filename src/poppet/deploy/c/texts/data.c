@@ -34,6 +34,18 @@ const double model_coefficients[] = {
 @COEFFICIENTS@
 };
 
+double model_limit(int place, double value, uint8_t *limited) {
+  const double low = model_input_list[place].low, high = model_input_list[place].high;
+  const double nearest = value < low ? low : value > high ? high : value;
+  const int has_range = low > -HUGE_VAL && high < HUGE_VAL;
+  double allowance = 1e-6 * (has_range ? high - low : fabs(nearest));
+  if (!has_range && allowance < 1e-12) allowance = 1e-12;
+  *limited = 0;
+  if (value - value != 0.0) return value;
+  if (fabs(value - nearest) > allowance) *limited = 1;
+  return nearest;
+}
+
 int model_set(double *p, int place, double value) {
   if (place < 0 || place >= MODEL_NUMBERS || !model_number_list[place].may_change) return 1;
   if (!(value >= model_number_list[place].low && value <= model_number_list[place].high) || value - value != 0.0)

@@ -24,6 +24,13 @@
 static const uint8_t positive[] = {@POSITIVE@};
 static const double nominal[] = {@NOMINAL@};
 
+/* Value of an input that the caller sets: within its limits, and the last one that was finite. */
+static double host_input(const model_fixed *m, int k, double t) {
+  uint8_t ignored;
+  double value = model_limit(k, m->u[k] + (t - m->t) * m->slopes[k], &ignored);
+  return value - value == 0.0 ? value : m->accepted[k];
+}
+
 /* Inputs at a time of the present segment, and their slopes; returns 0 if they are constant. */
 static int inputs_now(const model_fixed *m, double t, double *u, double *slopes) {
   double own[MODEL_ROOM_OF_INPUTS], moving[MODEL_ROOM_OF_INPUTS];
@@ -42,11 +49,15 @@ static int inputs_now(const model_fixed *m, double t, double *u, double *slopes)
   if (slopes) do_input_slopes_at(t, segment, all);
   for (k = 0; k < MODEL_INPUTS; k++) {
     if (m->by_host[k]) {
-      u[k] = m->u[k] + (t - m->t) * m->slopes[k];
+      u[k] = host_input(m, k, t);
       moves |= m->slopes[k] != 0.0;
       continue;
     }
-    u[k] = model_input_list[k].is_driven || model_input_list[k].number < 0 ? own[k] : m->p[model_input_list[k].number];
+    u[k] = own[k];
+    if (!model_input_list[k].is_driven && model_input_list[k].number >= 0) {
+      uint8_t ignored;
+      u[k] = model_limit(k, m->p[model_input_list[k].number], &ignored);
+    }
     if (slopes) {
       slopes[k] = moving[k];
       moves |= moving[k] != 0.0;
@@ -75,11 +86,15 @@ void model_fixed_begin(model_fixed *m) {
   for (k = 0; k < MODEL_NUMBERS; k++) m->p[k] = model_number_list[k].value;
   for (k = 0; k < MODEL_ROOM_OF_INPUTS; k++) {
     m->by_host[k] = 0;
+    m->limited[k] = 0;
     m->u[k] = 0.0;
+    m->accepted[k] = 0.0;
     m->slopes[k] = 0.0;
   }
   m->substeps = MODEL_SUBSTEPS;
   model_fixed_restart(m);
+  inputs_now(m, m->t, m->u, 0);
+  for (k = 0; k < MODEL_INPUTS; k++) m->accepted[k] = m->u[k];
 }
 
 void model_fixed_restart(model_fixed *m) {
@@ -90,7 +105,36 @@ void model_fixed_restart(model_fixed *m) {
   settle(m);
 }
 
-int model_fixed_step(model_fixed *m, double until) {
+/* Check the inputs of a step: limit values, and slopes so that they end at the limit; returns a status. */
+static int check_inputs(model_fixed *m, double until) {
+  int k, status = MODEL_OK;
+  for (k = 0; k < MODEL_NUMBERS; k++) {
+    if (m->p[k] - m->p[k] != 0.0) return MODEL_INVALID;
+  }
+  for (k = 0; k < MODEL_INPUTS; k++) {
+    uint8_t at_end = 0;
+    double end, limit;
+    m->limited[k] = 0;
+    if (!m->by_host[k]) {
+      if (!model_input_list[k].is_driven && model_input_list[k].number >= 0) {
+        model_limit(k, m->p[model_input_list[k].number], m->limited + k);
+      }
+    } else if (m->u[k] - m->u[k] != 0.0 || m->slopes[k] - m->slopes[k] != 0.0) {
+      status = MODEL_INVALID;
+      if (m->u[k] - m->u[k] != 0.0) m->u[k] = m->accepted[k];
+    } else {
+      m->u[k] = m->accepted[k] = model_limit(k, m->u[k], m->limited + k);
+      end = m->u[k] + (until - m->t) * m->slopes[k];
+      limit = model_limit(k, end, &at_end);
+      if (limit != end && until > m->t) m->slopes[k] = (limit - m->u[k]) / (until - m->t);
+      if (at_end) m->limited[k] = 1;
+    }
+    if (m->limited[k] && status == MODEL_OK) status = MODEL_LIMITED;
+  }
+  return status;
+}
+
+static int integrate_to(model_fixed *m, double until) {
   const long substeps = m->substeps > 1 ? m->substeps : 1;
   const double longest = (until - m->t) / (double)substeps;
   long parts = 0;
@@ -102,7 +146,7 @@ int model_fixed_step(model_fixed *m, double until) {
   while (m->t < until) {
     double end = until, even, h;
     int moves = inputs_now(m, m->t, m->u, m->slopes);
-    if (++parts > MOST_PARTS * substeps) return 2;
+    if (++parts > MOST_PARTS * substeps) return MODEL_TOO_MANY;
     if (m->segment + 1 < MODEL_SEGMENTS && model_starts[m->segment + 1] < end - do_rounding(end)) {
       end = model_starts[m->segment + 1];
     }
@@ -111,12 +155,14 @@ int model_fixed_step(model_fixed *m, double until) {
     even = floor((end - m->t) / longest + (1.0 - 1e-9));
     h = (end - m->t) * share / (even > 1.0 ? left * even : left);
     if (step(m, h, moves, halved < HALVINGS)) {
-      if (++halved > HALVINGS) return 1;
+      if (++halved > HALVINGS) return MODEL_OUTSIDE;
       share *= 0.5;
       continue;
     }
     end = share < 1.0 || left > 1 || even > 1.0 ? m->t + h : end;
-    for (k = 0; k < MODEL_INPUTS; k++) m->u[k] += m->by_host[k] ? (end - m->t) * m->slopes[k] : 0.0;
+    for (k = 0; k < MODEL_INPUTS; k++) {
+      if (m->by_host[k]) m->u[k] = m->accepted[k] = host_input(m, k, end);
+    }
     m->t = end;
     left -= left > 1;
     /* The next part is at most twice the last successful one. */
@@ -124,7 +170,19 @@ int model_fixed_step(model_fixed *m, double until) {
     halved -= halved > 0;
     settle(m);
   }
-  return 0;
+  return MODEL_OK;
+}
+
+int model_fixed_step(model_fixed *m, double until) {
+  double slopes[MODEL_ROOM_OF_INPUTS];
+  int k, status, checked;
+  if (until - until != 0.0 || until < m->t - do_rounding(m->t)) return MODEL_INVALID;
+  for (k = 0; k < MODEL_ROOM_OF_INPUTS; k++) slopes[k] = m->slopes[k];
+  checked = check_inputs(m, until);
+  if (checked == MODEL_INVALID) return checked;
+  status = integrate_to(m, until);
+  for (k = 0; k < MODEL_ROOM_OF_INPUTS; k++) m->slopes[k] = m->by_host[k] ? slopes[k] : m->slopes[k];
+  return status | checked;
 }
 
 void model_fixed_outputs(const model_fixed *m, double *y) {

@@ -72,6 +72,21 @@ extern const uint8_t model_jumps[];
 /* Change a parameter in p. Returns 0; 1 if it must not change; 2 if the value is not finite or outside its limits. */
 int model_set(double *p, int place, double value);
 
+/* Value of an input within its limits; a value that is not finite is returned unchanged. *limited becomes 1 if the value
+   is outside the limits by more than 1e-6 of their range (of the limit, if there is only one), otherwise 0. */
+double model_limit(int place, double value, uint8_t *limited);
+
+/* Results of model_fixed_step and model_adaptive_run. MODEL_LIMITED is a bit that is added to the others and is no
+   failure: an input was outside its limits, and the limit was used instead; the flags `limited` of the struct name it. */
+enum {
+  MODEL_OK = 0,
+  MODEL_OUTSIDE = 1,  /* fixed step: the state would leave the domain of the model */
+  MODEL_TOO_MANY = 2, /* fixed step: more than 256 parts per substep */
+  MODEL_INVALID = 5,  /* an input, a parameter or a time is not finite, or the time runs backwards; nothing was computed */
+  MODEL_FAILED = 7,   /* mask: (result & MODEL_FAILED) is 0 if a fixed step has reached its time */
+  MODEL_LIMITED = 16
+};
+
 /* Real time: model_fixed.c. */
 typedef struct {
   double t;                                    /* time [s] */
@@ -79,7 +94,9 @@ typedef struct {
   double p[MODEL_NUMBERS + MODEL_MEMORY + 1];  /* parameters, then the memory */
   double u[MODEL_ROOM_OF_INPUTS];              /* inputs at t; set by the caller if by_host */
   double slopes[MODEL_ROOM_OF_INPUTS];         /* slopes of the inputs [1/s]; set by the caller if by_host */
+  double accepted[MODEL_ROOM_OF_INPUTS];       /* last finite values of the inputs that the caller sets */
   uint8_t by_host[MODEL_ROOM_OF_INPUTS];       /* 1 for an input that the caller sets */
+  uint8_t limited[MODEL_ROOM_OF_INPUTS];       /* 1 for an input that was limited in the last call of model_fixed_step */
   int64_t segment;
   int has_jumped;
   int substeps; /* minimum number of equal steps per call of model_fixed_step; set by the caller */
@@ -87,8 +104,8 @@ typedef struct {
 
 void model_fixed_begin(model_fixed *m);   /* parameters of the circuit file, and the state at t = 0 */
 void model_fixed_restart(model_fixed *m); /* t = 0 with the present parameters */
-/* On to a time. 0; 1 where the state would leave the domain of the model, 2 where too much happens in one step: m then
-   stands where it got to. */
+/* Integrate to a time. Returns MODEL_OK, MODEL_OUTSIDE, MODEL_TOO_MANY or MODEL_INVALID, and the bit MODEL_LIMITED. In
+   each case, m contains the last valid state and its time, and values of u within their limits. */
 int model_fixed_step(model_fixed *m, double until);
 void model_fixed_outputs(const model_fixed *m, double *y);
 
@@ -100,11 +117,13 @@ typedef struct {
   double coefficients[MODEL_COURSES * MODEL_ROOM_OF_INPUTS * 7]; /* of the inputs */
   double limits[4], watch[2], books[3 * MODEL_INTEGRATED + 1], scratch[@SCRATCH@];
   int64_t counts[5]; /* accepted steps, attempts, rows written, stop condition that was met or -1 */
+  uint8_t limited[MODEL_ROOM_OF_INPUTS]; /* 1 for an input that was limited */
 } model_adaptive;
 
 void model_adaptive_begin(model_adaptive *m); /* parameters, signals and tolerance of the circuit file */
 /* From t = 0 to the last of the times; table has MODEL_OUTPUTS rows, output k at times[i] is table[k * n_times + i].
-   Gives back 0 done, 1 stopped by a condition, 2 stalled, 3 too many attempts, 4 not finite. */
+   Returns 0 done, 1 stopped by a condition, 2 stalled, 3 too many attempts, 4 not finite, MODEL_INVALID, and the bit
+   MODEL_LIMITED. */
 int64_t model_adaptive_run(model_adaptive *m, const double *times, int64_t n_times, double *table);
 
 /* The functions themselves, of pointers to t, x, u, p: x' = f, y. */

@@ -8,6 +8,10 @@
 #define CLOSE(span) (1e-9 * (span))
 #define ROUNDING(t) (1e-12 * (t) + 1e-10)
 #define MOST_INSTANTS 1000000
+/* An input that leaves its range by up to this fraction of the range saturates without a warning. */
+#define ALLOWANCE 1e-6
+#define LEAST_ALLOWANCE 1e-12 /* without a range: in the unit of the input */
+#define MOST_OF_A_NAME 300 /* characters of a name in a message */
 #define IS_NUMBER(v) ((v) - (v) == 0.0)
 
 enum { U_NUMBER, U_CONSTANT, U_PORT, U_DRIVEN };
@@ -49,6 +53,7 @@ static void core_reset(Core *c) {
   c->stop = HUGE_VAL;
   c->ending = -1;
   c->accepted = c->attempts = 0;
+  memset(c->warned, 0, sizeof c->warned);
 }
 
 static int core_create(Core *c, void *(*allocate)(size_t, size_t), void (*release)(void *)) {
@@ -93,6 +98,29 @@ static int core_logs(int is_on, size_t n, const char *const categories[], int *i
 }
 
 /* Inputs ---------------------------------------------------------------------------------------------------------- */
+
+/* Value of an input within its limits; the first clear violation by each variable is reported. */
+static double core_limited(Core *c, unsigned reference, double value, double low, double high) {
+  double limited = value < low ? low : value > high ? high : value, allowance;
+  unsigned char *warned = c->warned + (reference - REF_P);
+  char text[MESSAGE];
+  if (limited == value) return value;
+  /* The limits of a parameter can be many powers of ten apart. */
+  if (reference >= REF_U && low > -HUGE_VAL && high < HUGE_VAL) allowance = ALLOWANCE * (high - low);
+  else {
+    allowance = ALLOWANCE * fabs(limited);
+    if (allowance < LEAST_ALLOWANCE) allowance = LEAST_ALLOWANCE;
+  }
+  if (fabs(value - limited) <= allowance || *warned) return limited;
+  *warned = 1;
+  c->has_warned = 1;
+  strcpy(text, "The input ");
+  strncat(text, VARIABLE_NAMES[reference - REF_P], MOST_OF_A_NAME);
+  strcat(text, value < low ? " is below its minimum" : " is above its maximum");
+  strcat(text, ", and the limit is used instead. This is reported only once.");
+  if (c->warn) c->warn(c, text);
+  return limited;
+}
 
 /* Segment of the signals at a time of the model; it begins up to `close` earlier. */
 static int64_t segment_at(double t, double close) {
@@ -286,14 +314,16 @@ static int core_set(Core *c, unsigned reference, double value) {
     if (NUMBER_ROLE[k] == P_CONSTANT) return REF_CONSTANT;
     if (NUMBER_ROLE[k] == P_FIXED && runs) return REF_TOO_LATE;
     if (NUMBER_ROLE[k] == P_TUNABLE && c->state == CONTINUOUS) return REF_AT_EVENTS;
-    if (!IS_NUMBER(value) || value < NUMBER_LOW[k] || value > NUMBER_HIGH[k]) return REF_OUTSIDE;
+    if (!IS_NUMBER(value)) return REF_NOT_FINITE;
+    if (NUMBER_ROLE[k] != P_INPUT && (value < NUMBER_LOW[k] || value > NUMBER_HIGH[k])) return REF_OUTSIDE;
+    value = core_limited(c, reference, value, NUMBER_LOW[k], NUMBER_HIGH[k]);
     if (c->d[AT_P + k] != value) own[OWN_MOVED] = 1.0;
     c->d[AT_P + k] = value;
   } else {
     k = reference - REF_U;
     if (INPUT_SOURCE[k] != U_PORT && INPUT_SOURCE[k] != U_DRIVEN) return REF_CONSTANT;
-    if (!IS_NUMBER(value) || value < INPUT_LOW[k] || value > INPUT_HIGH[k]) return REF_OUTSIDE;
-    c->d[AT_U + k] = value;
+    if (!IS_NUMBER(value)) return REF_NOT_FINITE;
+    c->d[AT_U + k] = core_limited(c, reference, value, INPUT_LOW[k], INPUT_HIGH[k]);
     c->d[AT_S + k] = 0.0;
   }
   if (!runs) own[OWN_STARTED] = 0.0;
@@ -311,6 +341,7 @@ static int core_get_all(Core *c, const unsigned *references, size_t n, double *v
 static int core_set_all(Core *c, const unsigned *references, size_t n, const double *values, unsigned *at) {
   int refusal = REF_OK;
   size_t k;
+  c->has_warned = 0;
   for (k = 0; k < n && refusal == REF_OK; k++) {
     *at = references[k];
     refusal = *at == REF_FOLLOWS ? REF_NO_NUMBER : core_set(c, *at, values[k]);
@@ -322,7 +353,7 @@ static int core_set_all(Core *c, const unsigned *references, size_t n, const dou
 static const char *core_refusal(char *text, int refusal, unsigned reference) {
   static const char *const why[] = {"", "is no variable of this model", "is of another type", "cannot be set",
                                     "is fixed once the run has begun", "is set at events only in model exchange",
-                                    "is not finite, or outside its limits",
+                                    "is outside its limits", "is not finite",
                                     "has no finite value here: a number or a state is none that the model has"};
   unsigned unit = 1;
   size_t at;
@@ -330,8 +361,14 @@ static const char *core_refusal(char *text, int refusal, unsigned reference) {
   at = strlen(text);
   while (reference / unit >= 10) unit *= 10;
   for (; unit; unit /= 10) text[at++] = (char)('0' + reference / unit % 10);
-  text[at++] = ' ';
-  strcpy(text + at, why[refusal]);
+  text[at] = '\0';
+  if (reference >= REF_P && reference < REF_X && *VARIABLE_NAMES[reference - REF_P]) {
+    strcat(text, " (");
+    strncat(text, VARIABLE_NAMES[reference - REF_P], MOST_OF_A_NAME);
+    strcat(text, ")");
+  }
+  strcat(text, " ");
+  strcat(text, why[refusal]);
   return strcat(text, ".");
 }
 
@@ -415,6 +452,14 @@ static int reserve(Core *c, size_t n) {
   return c->room > 0;
 }
 
+/* Reduce the slope of an input that would leave its limits before the end of a step. */
+static void limit_slope(Core *c, int k, double *row, double span) {
+  double end = row[0] + row[1] * span, limited;
+  if (row[1] == 0.0) return;
+  limited = core_limited(c, REF_U + (unsigned)k, end, INPUT_LOW[k], INPUT_HIGH[k]);
+  if (limited != end) row[1] = (limited - row[0]) / span;
+}
+
 /* Segments of a step with their coefficients; returns their number, 0 if out of memory. */
 static size_t segments(Core *c, double until) {
   double *d = c->d, t = d[AT_OWN + OWN_TIME], span = until - t;
@@ -427,8 +472,11 @@ static size_t segments(Core *c, double until) {
     c->starts[i] = i ? SEGMENT_STARTS[first + (int64_t)i] : t;
     c->courses[i] = (int64_t)i;
     c->jumps[i] = (unsigned char)(i ? SEGMENT_JUMPS[first + (int64_t)i] : 0);
-    for (k = 0; k < N_INPUTS; k++)
-      coefficients(c, k, first + (int64_t)i, t, c->rows + (i * ROOM(N_INPUTS) + (size_t)k) * 7);
+    for (k = 0; k < N_INPUTS; k++) {
+      double *row = c->rows + (i * ROOM(N_INPUTS) + (size_t)k) * 7;
+      coefficients(c, k, first + (int64_t)i, t, row);
+      if (INPUT_SOURCE[k] == U_PORT || (INPUT_SOURCE[k] == U_DRIVEN && !follows)) limit_slope(c, k, row, span);
+    }
     if (!N_INPUTS) memset(c->rows + i * 7, 0, 7 * sizeof(double));
   }
   /* Changes by the importer since the last step, and jumps of signals. */
@@ -476,6 +524,7 @@ static int core_step(Core *c, double until) {
   int64_t next;
   size_t n;
   int k;
+  c->has_warned = 0;
   /* The first step sets the tolerances of the states. */
   next = segment_at(goal, CLOSE(span));
   if (own[OWN_FOLLOWS] != 0.0 && fabs(SEGMENT_STARTS[next] - goal) <= CLOSE(span)) goal = SEGMENT_STARTS[next];
@@ -497,7 +546,8 @@ static int core_step(Core *c, double until) {
     coefficients(c, k, (int64_t)own[OWN_SEGMENT], own[OWN_TIME], row);
     if (INPUT_SOURCE[k] == U_PORT || (INPUT_SOURCE[k] == U_DRIVEN && own[OWN_FOLLOWS] == 0.0)) {
       /* Value of the input after the importer's slope. */
-      d[AT_U + k] = value_at(c->rows + ((n - 1) * ROOM(N_INPUTS) + (size_t)k) * 7, own[OWN_TIME]);
+      double value = value_at(c->rows + ((n - 1) * ROOM(N_INPUTS) + (size_t)k) * 7, own[OWN_TIME]);
+      d[AT_U + k] = core_limited(c, REF_U + (unsigned)k, value, INPUT_LOW[k], INPUT_HIGH[k]);
       d[AT_S + k] = 0.0;
     }
     d[AT_L + k] = d[AT_U + k];

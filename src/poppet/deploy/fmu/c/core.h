@@ -10,7 +10,19 @@
 /* Results of a call of the core. */
 enum { CORE_OK, CORE_DISCARDED, CORE_ENDED, CORE_WRONG };
 /* Reasons for rejecting a value reference. */
-enum { REF_OK, REF_UNKNOWN, REF_NO_NUMBER, REF_CONSTANT, REF_TOO_LATE, REF_AT_EVENTS, REF_OUTSIDE, REF_NO_RESULT };
+enum {
+  REF_OK,
+  REF_UNKNOWN,
+  REF_NO_NUMBER,
+  REF_CONSTANT,
+  REF_TOO_LATE,
+  REF_AT_EVENTS,
+  REF_OUTSIDE,
+  REF_NOT_FINITE,
+  REF_NO_RESULT
+};
+/* Maximum length of a message. */
+#define MESSAGE 512
 /* Modes of an instance. */
 enum { INSTANTIATED = 1, INITIALISING = 2, STEPPING = 4, EVENT = 8, CONTINUOUS = 16, ENDED = 32, BROKEN = 64 };
 #define ALIVE (INSTANTIATED | INITIALISING | STEPPING | EVENT | CONTINUOUS | ENDED | BROKEN)
@@ -54,6 +66,9 @@ typedef struct {
   int ending; /* stop condition that was met, or -1 */
   int64_t status;
   int64_t accepted, attempts; /* steps since the start */
+  unsigned char warned[ROOM(N_NUMBERS + N_INPUTS)]; /* 1 for an input whose saturation was reported */
+  int has_warned;                                   /* since the call began */
+  void (*warn)(void *instance, const char *text);
   void *(*allocate)(size_t, size_t);
   void (*release)(void *);
 } Core;

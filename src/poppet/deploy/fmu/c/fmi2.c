@@ -16,6 +16,8 @@ static fmi2Status tell(const Instance *i, fmi2Status status, const char *text) {
   return status;
 }
 
+static void warn(void *instance, const char *text) { tell((const Instance *)instance, fmi2Warning, text); }
+
 static fmi2Status illegal(Instance *i, const char *function) {
   char text[128];
   if (!i) return fmi2Error;
@@ -29,7 +31,7 @@ static fmi2Status illegal(Instance *i, const char *function) {
   if (!i || !(i->core.state & (states))) return illegal(i, name)
 
 static fmi2Status refused(Instance *i, int refusal, unsigned reference) {
-  char text[160];
+  char text[MESSAGE];
   if (refusal == REF_OK) return fmi2OK;
   return tell(i, refusal == REF_NO_RESULT ? fmi2Discard : fmi2Error, core_refusal(text, refusal, reference));
 }
@@ -65,6 +67,7 @@ fmi2Component fmi2Instantiate(fmi2String name, fmi2Type type, fmi2String guid, f
     functions->freeMemory(i);
     return NULL;
   }
+  i->core.warn = warn;
   i->core.is_exchange = type == fmi2ModelExchange;
   return i;
 }
@@ -120,9 +123,11 @@ fmi2Status fmi2GetReal(fmi2Component c, const fmi2ValueReference vr[], size_t n,
 
 fmi2Status fmi2SetReal(fmi2Component c, const fmi2ValueReference vr[], size_t n, const fmi2Real value[]) {
   unsigned at = 0;
+  int refusal;
   OF(c, INSTANTIATED | INITIALISING | STEPPING | EVENT | CONTINUOUS, "fmi2SetReal");
   if (n && (!vr || !value)) return tell(i, fmi2Error, "fmi2SetReal has no values.");
-  return refused(i, core_set_all(&i->core, vr, n, value, &at), at);
+  refusal = core_set_all(&i->core, vr, n, value, &at);
+  return refusal == REF_OK && i->core.has_warned ? fmi2Warning : refused(i, refusal, at);
 }
 
 fmi2Status fmi2GetBoolean(fmi2Component c, const fmi2ValueReference vr[], size_t n, fmi2Boolean value[]) {
@@ -312,7 +317,7 @@ fmi2Status fmi2GetNominalsOfContinuousStates(fmi2Component c, fmi2Real x[], size
 /* Slope of an input over the next step. */
 static int set_slope(Core *c, unsigned reference, double slope) {
   if (reference < REF_U || reference >= REF_X) return REF_CONSTANT;
-  if (!IS_NUMBER(slope)) return REF_OUTSIDE;
+  if (!IS_NUMBER(slope)) return REF_NOT_FINITE;
   c->d[AT_S + reference - REF_U] = slope;
   return REF_OK;
 }
@@ -342,7 +347,7 @@ fmi2Status fmi2DoStep(fmi2Component c, fmi2Real point, fmi2Real step, fmi2Boolea
   why = core_no_step(&i->core, point, step);
   if (why) return tell(i, fmi2Error, why);
   switch (core_step(&i->core, point + step)) {
-    case CORE_OK: return fmi2OK;
+    case CORE_OK: return i->core.has_warned ? fmi2Warning : fmi2OK;
     case CORE_ENDED:
       tell(i, fmi2Discard, CONDITION_TEXTS[i->core.ending]);
       i->core.state = BROKEN;

@@ -16,6 +16,8 @@ static fmi3Status tell(const Instance *i, fmi3Status status, const char *text) {
   return status;
 }
 
+static void warn(void *instance, const char *text) { tell((const Instance *)instance, fmi3Warning, text); }
+
 static fmi3Status illegal(Instance *i, const char *function) {
   char text[128];
   if (!i) return fmi3Error;
@@ -29,7 +31,7 @@ static fmi3Status illegal(Instance *i, const char *function) {
   if (!i || !(i->core.state & (states))) return illegal(i, name)
 
 static fmi3Status refused(Instance *i, int refusal, unsigned reference) {
-  char text[160];
+  char text[MESSAGE];
   if (refusal == REF_OK) return fmi3OK;
   return tell(i, refusal == REF_NO_RESULT ? fmi3Discard : fmi3Error, core_refusal(text, refusal, reference));
 }
@@ -58,6 +60,7 @@ static fmi3Instance instantiated(fmi3String name, fmi3String token, fmi3Boolean 
     free(i);
     return NULL;
   }
+  i->core.warn = warn;
   i->core.is_exchange = is_exchange;
   return i;
 }
@@ -145,9 +148,11 @@ fmi3Status fmi3GetFloat64(fmi3Instance c, const fmi3ValueReference vr[], size_t 
 fmi3Status fmi3SetFloat64(fmi3Instance c, const fmi3ValueReference vr[], size_t n, const fmi3Float64 value[],
                           size_t values) {
   unsigned at = 0;
+  int refusal;
   OF(c, INSTANTIATED | INITIALISING | STEPPING | EVENT | CONTINUOUS, "fmi3SetFloat64");
   SAME(n, values);
-  return refused(i, core_set_all(&i->core, vr, n, value, &at), at);
+  refusal = core_set_all(&i->core, vr, n, value, &at);
+  return refusal == REF_OK && i->core.has_warned ? fmi3Warning : refused(i, refusal, at);
 }
 
 fmi3Status fmi3GetBoolean(fmi3Instance c, const fmi3ValueReference vr[], size_t n, fmi3Boolean value[], size_t values) {
@@ -508,7 +513,7 @@ fmi3Status fmi3DoStep(fmi3Instance c, fmi3Float64 point, fmi3Float64 step, fmi3B
   came = core_step(&i->core, point + step);
   *lastSuccessfulTime = i->core.d[AT_OWN + OWN_BEGIN] + i->core.d[AT_OWN + OWN_TIME];
   switch (came) {
-    case CORE_OK: return fmi3OK;
+    case CORE_OK: return i->core.has_warned ? fmi3Warning : fmi3OK;
     case CORE_ENDED:
       tell(i, fmi3OK, CONDITION_TEXTS[i->core.ending]);
       *terminateSimulation = fmi3True;
