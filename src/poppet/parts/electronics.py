@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from typing import Any, ClassVar
 
 from poppet.core.errors import OutOfRangeError
-from poppet.core.symbolic import clip, floor, maximum, where
+from poppet.core.symbolic import clip, floor, is_certain, maximum, where
 from poppet.parts.captions import CaptionNumbers
 from poppet.parts.fields import NumberLike, group, number, option, reference
 from poppet.parts.part import (
@@ -193,7 +193,7 @@ class Electronics(Controller):
 
     def parameters(self, ambient: Surroundings) -> dict[str, float]:
         values = super().parameters(ambient)
-        if values["scaling.low"] >= values["scaling.high"]:
+        if is_certain(values["scaling.low"] >= values["scaling.high"]):
             raise OutOfRangeError("valve.scaling_exchanged", "scaling.high", shown=self.scaling.high.display())
         first = SCALES[self.setpoint_type][1]
         values["setpoint"] = values["scaling.low"] if self.setpoint_type == "pressure" else first
