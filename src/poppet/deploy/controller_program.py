@@ -418,7 +418,10 @@ def _choose(condition: Any, if_true: Any, if_false: Any) -> Any:
 
 
 def _accepts_parameters(p: Any, interface: _Interface) -> Any:
-    """Return the condition that all parameters are finite, within their limits, and in their order."""
+    """Return a symbol that is 1 if all parameters are finite and valid.
+
+    Each parameter must be within its limits, and each lower limit below the upper limit.
+    """
     import casadi as ca
 
     addresses, conditions = [parameter.address for parameter in interface.parameters], []

@@ -4,12 +4,14 @@ from __future__ import annotations
 
 import dataclasses
 from collections.abc import Hashable, Iterable, Mapping
+from contextlib import suppress
 from typing import Any, ClassVar
 
 from poppet import library
 from poppet.core.codes import Note
 from poppet.core.errors import ErrorCollector, InputError, raise_errors
 from poppet.core.provenance import Number
+from poppet.core.symbolic import SymbolicValueError
 from poppet.parts.fields import (
     MemberSpec,
     NumberSpec,
@@ -74,7 +76,9 @@ class Compound(Part):
             error = InputError("parts.forgotten_set", "data", count=len(missing), first=addresses, set=example)
             problems = [error, *(p for p in problems if p not in missing)]
         raise_errors(problems)
-        self.check()
+        # A symbol in place of a number has no value to check.
+        with suppress(SymbolicValueError):
+            self.check()
 
     def _member_specs(self) -> Iterable[tuple[str, MemberSpec]]:
         return ((name, spec) for name, spec in specs(type(self)).items() if isinstance(spec, MemberSpec))

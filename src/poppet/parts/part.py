@@ -17,6 +17,7 @@ from __future__ import annotations
 
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Hashable, Iterable, Mapping, Sequence
+from contextlib import suppress
 from dataclasses import dataclass, field
 from typing import Any, ClassVar
 
@@ -24,6 +25,7 @@ from poppet import library
 from poppet.core.codes import Note
 from poppet.core.errors import InputError
 from poppet.core.provenance import Number
+from poppet.core.symbolic import SymbolicValueError, is_symbolic
 from poppet.laws.iso6358 import REGIMES
 from poppet.parts.captions import CaptionNumbers
 from poppet.parts.fields import (
@@ -303,7 +305,9 @@ class Part(ABC):
         except InputError as error:
             raise error.located(address="data") from None
         complete(self, library_numbers)
-        self.check()
+        # A symbol in place of a number has no value to check.
+        with suppress(SymbolicValueError):
+            self.check()
 
     def library_sets(self) -> Sequence[Mapping[str, Number]]:
         """Return the numbers of all published parameter sets for this kind of part.
@@ -367,7 +371,7 @@ class Part(ABC):
                 values[name] = value.absolute(ambient.pressure)
             except InputError as error:
                 raise error.located(address=name) from None
-            if value.reference == "gauge":
+            if value.reference == "gauge" and not is_symbolic(values[name]):
                 # The limits refer to the absolute value, which is known only here.
                 spec.check(name, values[name], f"{value.display()} ({values[name]:g} Pa absolute)")
         return values
