@@ -21,6 +21,7 @@ from poppet.core.errors import InputError
 from poppet.deploy.export_model import ExportInput, ExportModel, ExportParameter, ExportQuantity
 from poppet.engine.model_evaluation import Array, ArrayFunction
 from poppet.parts.compound import expand_compounds
+from poppet.parts.electronics import MIN_SAMPLE_TIME
 from poppet.parts.part import NEVER, Controller
 
 if TYPE_CHECKING:
@@ -366,11 +367,12 @@ def _program_functions(
         is_dropped = ca.logic_and(has_fired, update[k] <= -period)
         new_memory[k] = _choose(is_dropped, period, update[k])
         late = ca.logic_or(late, ca.logic_and(has_fired, update[k] <= -0.5 * period))
-        # Dropped samples count for the fault time.
+        # Dropped samples count for the fault time. The period of a timer that has not expired is 0.
+        divisor = ca.fmax(period, MIN_SAMPLE_TIME)
         for j, state in enumerate(states[: memory.shape[0]]):
             if state.address.endswith(".faulty_samples") and ca.depends_on(equations.update[j], equations.fired[k]):
                 continues = ca.logic_and(memory[j] > 0.5, update[j] > 0.5)
-                n_dropped = _choose(ca.logic_and(is_dropped, continues), 1.0 - update[k] / period, 0.0)
+                n_dropped = _choose(ca.logic_and(is_dropped, continues), 1.0 - update[k] / divisor, 0.0)
                 new_memory[j] = new_memory[j] + n_dropped
     after = ca.vertcat(*new_memory, held_u, held_p, flag[:3], late)
 
