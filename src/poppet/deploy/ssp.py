@@ -71,7 +71,9 @@ def export_ssp(
     starts = _start_values(circuit, system.connections)
     content: dict[str, bytes] = {}
     layouts: dict[str, FmuLayout] = {}
-    notes = [Note("deploy.ssp.no_stop", "run.stop_when")] if circuit.run.stop_texts and len(system.components) > 1 else []
+    notes = (
+        [Note("deploy.ssp.no_stop", "run.stop_when")] if circuit.run.stop_texts and len(system.components) > 1 else []
+    )
     for component in system.components:
         fmu = build_fmu(
             component.circuit, component.name, fmi=int(fmi), platforms=platforms, inputs=component.inputs,
@@ -131,9 +133,7 @@ def divide_circuit(circuit: BaseCircuit) -> System:
     def group_of(address: str) -> str:
         return part_of[address.partition(".")[0]]
 
-    between = {
-        target: source for target, source in circuit.connections.items() if group_of(target) != group_of(source)
-    }
+    between = {target: source for target, source in circuit.connections.items() if group_of(target) != group_of(source)}
     components = []
     for (group, parts), file in zip(groups.items(), identifiers(list(groups)), strict=True):
         partial = circuit if len(groups) == 1 else _circuit_of_parts(circuit, parts)
@@ -183,7 +183,9 @@ def describe_system(system: System, layouts: Mapping[str, FmuLayout], title: str
         connections.append(element("ssd:Connection", attributes, depth=3))
     body = [element("ssd:Elements", {}, elements, 2)]
     body += [element("ssd:Connections", {}, connections, 2)] if connections else []
-    unit_elements = [element("ssc:Unit", {"name": u}, [element("ssc:BaseUnit", base_unit(u), depth=3)], 2) for u in units]
+    unit_elements = [
+        element("ssc:Unit", {"name": u}, [element("ssc:BaseUnit", base_unit(u), depth=3)], 2) for u in units
+    ]
     stop = max(float(layout.export_model.problem.grid[-1]) for layout in layouts.values())
     children = [
         element("ssd:System", {"name": "system"}, body, 1),

@@ -318,8 +318,8 @@ class FmuLayout:
         variables = [Variable("time", TIME_REFERENCE, "independent", "continuous", unit="s", meaning="time")]
         if DRIVEN in self.sources:
             text = "the inputs follow the signals of the circuit, and what is set is not looked at"
-            start = self.follows_signals
-            variables.append(Variable(FOLLOWS, FOLLOWS_REFERENCE, "parameter", "fixed", "exact", start, meaning=text))
+            follows = self.follows_signals
+            variables.append(Variable(FOLLOWS, FOLLOWS_REFERENCE, "parameter", "fixed", "exact", follows, meaning=text))
         items = zip(self.export_model.inputs, self.export_model.model.inputs, self.sources, strict=True)
         for k, (item, info, source) in enumerate(items):
             if source < PORT:

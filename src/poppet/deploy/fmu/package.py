@@ -91,7 +91,9 @@ def export_fmu(
         circuit = circuit_of_controllers(circuit, selected, with_signals=True)
         name, inputs = name or "_".join(selected), [*dict.fromkeys([*free_inputs(circuit), *inputs])]
         exposed = [address for address, _ in circuit.model.outputs if address not in circuit.inputs]
-    fmu = build_fmu(circuit, name or "", fmi=int(fmi), inputs=inputs, platforms=platforms, resources=resources, exposed=exposed)
+    fmu = build_fmu(
+        circuit, name or "", fmi=int(fmi), inputs=inputs, platforms=platforms, resources=resources, exposed=exposed
+    )
     names = {
         kind: [v.name for v in fmu.layout.variables if v.causality == kind] for kind in ("input", "parameter", "output")
     }
