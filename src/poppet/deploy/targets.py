@@ -183,7 +183,7 @@ BUILT_IN = (
             Option(
                 "--parameter ADDRESS ...",
                 'parameter or input with a slider, and its range if required: tank.volume="50 l..400 l"; may be '
-                "repeated (default: inputs with signals, then the first parameters of the file)",
+                "repeated (default: inputs with signals, then the parameters with the greatest influence)",
                 keywords={"dest": "parameters"},
                 old_names=("--number",),
             ),
