@@ -24,6 +24,7 @@ from controller_targets import (
 from poppet import load
 from poppet.deploy.controller import controller_program
 from poppet.deploy.controller_program import STATUS
+from poppet.timeseries.signals import Steps
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 CONTROLLERS = {
@@ -225,6 +226,126 @@ def test_recovery_is_bumpless(case, command, measurement):
     assert not status[300] & (HELD | SAFE)
     before = np.abs(np.diff(outputs[1:100, command])).max()
     assert abs(outputs[300, command] - safe) <= 1e-12 + before
+
+
+def index_of(items, name):
+    return next(k for k, item in enumerate(items) if item.address.partition(".")[2] == name)
+
+
+def interrupted(program, measurement, *, n_faulty, change):
+    """Inputs of 300 calls: from call 100, a measurement is invalid, and afterwards it has changed."""
+    values = np.array([item.value for item in program.inputs])
+    k = index_of(program.inputs, measurement)
+    inputs = np.tile(values, (300, 1))
+    inputs[100 : 100 + n_faulty, k] = np.nan
+    inputs[100 + n_faulty :, k] = values[k] + change
+    return inputs
+
+
+@pytest.mark.parametrize(
+    ("case", "values", "output"),
+    [
+        ("pid", {"regulator.derivative_time": "20 ms"}, "derivative"),
+        ("feedback linearisation", {}, "disturbance"),
+    ],
+)
+@pytest.mark.parametrize("n_faulty", [10, 80])
+def test_change_during_a_fault_is_no_derivative(case, values, output, n_faulty):
+    """Derivative and observer do not attribute the change of a measurement during a fault to one sample."""
+    program = controller_program(circuit_of(case).with_values(values), CONTROLLERS[case][1])
+    outputs, status = program.run(interrupted(program, "measurement", n_faulty=n_faulty, change=5e4))
+    assert bool(status[99 + n_faulty] & SAFE) == (n_faulty > 50)
+    assert not status[100 + n_faulty] & HELD
+    column = outputs[:, index_of(program.outputs, output)]
+    # Without a fault, the same change has an effect.
+    plain = interrupted(program, "measurement", n_faulty=0, change=5e4)
+    kick = np.abs(np.diff(program.run(plain).outputs[:, index_of(program.outputs, output)])).max()
+    assert kick > 0.0
+    assert abs(column[100 + n_faulty] - column[99 + n_faulty]) <= 1e-9 * kick + np.abs(np.diff(column[50:100])).max()
+
+
+@pytest.mark.parametrize("outer", ["1 ms", "5 ms"])
+@pytest.mark.parametrize("n_faulty", [20, 120, 122])
+def test_change_during_a_fault_is_no_derivative_of_electronics(outer, n_faulty):
+    """The pilot setpoint after a fault does not depend on the derivative time, for any ratio of the sample times."""
+    values = {"valve.electronics.outer.sample_time": outer}
+
+    def pilot_setpoints(derivative_time, n_faulty):
+        changed = values | {"valve.electronics.outer.derivative_time": derivative_time}
+        program = controller_program(circuit_of("electronics").with_values(changed))
+        inputs = interrupted(program, "outlet_pressure", n_faulty=n_faulty, change=2e4)
+        inputs[:, index_of(program.inputs, "setpoint")] = 1.3e5
+        return program.run(inputs).outputs[:, index_of(program.outputs, "pilot_setpoint")]
+
+    assert np.array_equal(pilot_setpoints("0 ms", n_faulty), pilot_setpoints("50 ms", n_faulty))
+    # Without a fault, the same change has an effect.
+    assert not np.array_equal(pilot_setpoints("0 ms", 0), pilot_setpoints("50 ms", 0))
+
+
+@pytest.mark.parametrize("case", ["pid", "feedback linearisation"])
+@pytest.mark.parametrize(("safe", "expected"), [(1.0, 0.4), (-1.0, -0.3)])
+def test_safe_opening_is_limited(case, safe, expected):
+    """A safe command that opens a valve beyond its limit opens it to the limit. It does not open the other valve."""
+    program = program_of(case)
+    parameters = np.array([parameter.value for parameter in program.parameters])
+    for name, value in {"safe_command": safe, "fill_limit": 0.4, "vent_limit": 0.3}.items():
+        parameters[index_of(program.parameters, name)] = value
+    outputs, status = program.run(np.full((5, len(program.inputs)), np.nan), parameters)
+    assert (status & SAFE).all()
+    fill, vent = (outputs[:, index_of(program.outputs, name)] for name in ("fill_command", "vent_command"))
+    assert fill - vent == pytest.approx(np.full(5, expected), abs=1e-15)
+
+
+@pytest.mark.parametrize(
+    ("case", "name", "value"),
+    [
+        ("schedule", "schedule.vent_factor_2", 0.0),
+        ("schedule", "schedule.integral_time_1", 0.0),
+        ("schedule", "schedule.pressure_2", 2e5),
+        ("schedule", "schedule.pressure_2", 4.5e5),
+        ("cascade", "highest_pressure", 0.9e5),
+    ],
+)
+def test_parameters_of_tables_and_crossed_limits_are_checked(case, name, value):
+    """A table that is not valid, or crossed limits, have no effect."""
+    program, inputs = program_of(case), usual_inputs(case, 60)
+    parameters = np.tile([parameter.value for parameter in program.parameters], (60, 1))
+    parameters[20:40, index_of(program.parameters, name)] = value
+    outputs, status = program.run(inputs, parameters)
+    assert [*np.flatnonzero(status & PARAMETER)] == [*range(20, 40)]
+    assert np.array_equal(outputs, program.run(inputs).outputs)
+
+
+@pytest.mark.parametrize("target", TARGETS)
+def test_wrong_sample_time_of_one_sample_does_not_stop_the_controller(target, folder):
+    """After one sample with a sample time of 1000 s, the next call uses the correct sample time."""
+    program, n = program_of("pid"), 60
+    parameters = np.tile([parameter.value for parameter in program.parameters], (n, 1))
+    parameters[30, index_of(program.parameters, "sample_time")] = 1e3
+    outputs, status = run_on(target, "pid", calls_of(program, manual_inputs(n), parameters), folder)
+    assert np.allclose(outputs[1:, 0], manual_inputs(n)[:-1, -1], rtol=1e-6, atol=0.0)
+    assert not status.any()
+
+
+@pytest.mark.parametrize("case", CONTROLLERS)
+def test_program_gives_the_commands_of_a_run_with_faults(case):
+    """A closed loop has a short and a long input fault; with its recorded inputs, the program agrees."""
+    program, cycle = program_of(case), program_of(case).cycle
+    # Between two sample instants: the recorded fault at an instant is that of the sample.
+    times = np.array([0.0, 0.3 + 0.5 * cycle, 0.34 + 0.5 * cycle, 0.6 + 0.5 * cycle, 0.8 + 0.5 * cycle])
+    fault = Steps(times=times, values=np.array([0.0, 1.0, 0.0, 1.0, 0.0]))
+    circuit = circuit_of(case)
+    faults = {item.address: fault for item in program.inputs if item.address.endswith(".input_fault")}
+    circuit = circuit.with_signals({**circuit.signals, **faults}).with_values({"run.maximum_step": cycle / 2.0})
+    run = circuit.simulate(1.0, cycle)
+    sensed = [program.sensed.get(item.address, (item.address, 0.0)) for item in program.inputs]
+    outputs, status = program.run(np.array([run[address][:-1] + offset for address, offset in sensed]).T)
+    safe_times = run.time[:-1][(status & SAFE) > 0]
+    assert safe_times[0] == pytest.approx(0.7, abs=6.0 * cycle)
+    assert safe_times[-1] == pytest.approx(0.8, abs=6.0 * cycle)
+    for k, output in enumerate(program.outputs):
+        expected = run[output.address][:-1]
+        assert outputs[:, k] == pytest.approx(expected, rel=0.0, abs=1e-9 * np.abs(expected).max() + 1e-15)
 
 
 def manual_inputs(n):

@@ -189,7 +189,7 @@ def test_absent_values_have_a_reason():
     assert (figure.value, figure.bound) == (pytest.approx(3.0), "at least")
     dead = run_bench(VirtualValve(dead_zone=99.9), replace(ONE, longest_hold=1.0), ("step",))
     assert "response_time_up" not in dead.figures
-    assert Note("bench.absent.unsettled_up", "response_time_up") in dead.notes["step"]
+    assert Note("bench.absent.no_step", "response_time_up") in dead.notes["step"]
     assert "bench.step.short" in codes(dead, "step")
 
 

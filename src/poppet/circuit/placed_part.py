@@ -52,9 +52,10 @@ class PlacedPart:
 
     @classmethod
     def of(cls, name: str, part: Part, surroundings: Surroundings) -> PlacedPart:
-        """Return the properties of a part that follow from its name and the ambient conditions.
+        """Return a part with the addresses and values of its parameters in a circuit.
 
-        A gauge value below vacuum raises InputError.
+        The addresses begin with the name of the part; gauge pressures become absolute. A gauge value below vacuum
+        raises InputError.
         """
         numbers = {f"{name}.{key}": number for key, number in part.numbers().items()}
         parameters = {f"{name}.{key}": value for key, value in part.parameters(surroundings).items()}
@@ -113,8 +114,8 @@ def volume_flow_note(text: str, value: float, unit: str) -> Iterator[Note]:
 def signal_notes(signals: Mapping[str, Signal], inputs: Mapping[str, Input]) -> Iterator[Note]:
     """Yield notes on the signals of a circuit.
 
-    These are the notes from reading the signals. Further notes concern pressures and temperatures whose maximum is
-    unusually low.
+    They contain the notes made when the signals were read, and a note for each pressure or temperature whose maximum is
+    so low that its unit is probably wrong. `inputs` maps addresses to inputs.
     """
     for address, signal in signals.items():
         yield from (note.within(f"signals.{address}") for note in signal.remarks)

@@ -65,7 +65,8 @@ def check_targets(options: argparse.Namespace) -> int:
     The result is the exit code.
     """
     from poppet.circuit.file import load
-    from poppet.deploy.fmu.importers import fmi_version, read_circuit
+    from poppet.deploy.fmu.archive import check_archive
+    from poppet.deploy.fmu.importers import read_circuit
     from poppet.deploy.parity.parity_table import compare_targets, not_run_notes, results_table, write_parity
 
     changes = read_assignments(options.values)
@@ -75,7 +76,7 @@ def check_targets(options: argparse.Namespace) -> int:
     if fmu is None:
         circuit = load(options.file)
     else:
-        fmi_version(fmu)  # rejects a file that is no FMU
+        check_archive(fmu)  # before anything is unpacked or executed
         circuit = load(options.circuit) if options.circuit is not None else read_circuit(fmu)
     circuit, _ = change_circuit(circuit, changes, options.result)
     with Spinner("Every target runs the circuit", is_quiet=options.quiet):

@@ -131,12 +131,14 @@ def output_path(text: str, formats: Sequence[str]) -> Path:
     """
     from pathlib import Path
 
+    from poppet.core.files import check_folder, check_path
+
     path = Path(text)
     if path.suffix.lower() not in formats:
         code = "files.suffix" if path.suffix else "cli.output.no_suffix"
         raise InputError(code, path=str(path), suffix=path.suffix, suggestion=NameSuggestion(path.suffix, formats))
-    if not path.parent.is_dir():
-        raise InputError("files.no_folder", path=str(path), folder=str(path.parent))
+    check_folder(path, path.parent)
     if path.is_dir():
         raise InputError("cli.output.is_folder", path=str(path))
+    check_path(path)
     return path

@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 from poppet.control.extraction import plant_of
 from poppet.control.metrics import StepMetric, metrics_in, step_metrics
 from poppet.control.plant import Plant
+from poppet.core.csv_cells import csv_text
 from poppet.core.errors import ErrorCollector, InputError, NameSuggestion
 from poppet.core.files import by_suffix, write_whole
 from poppet.core.tables import NumberRange
@@ -137,8 +138,7 @@ class Comparison:
             for k in range(self.draws + 1):
                 values = [*(factor[k] for factor in self.factors.values()), *(metrics[key][k] for key in self.kinds)]
                 rows.append([name, str(k), *(f"{value:.10g}" for value in values)])
-        text = "".join(",".join(row) + "\n" for row in rows)
-        return write_whole(target, lambda stream: stream.write(text.encode()))
+        return write_whole(target, lambda stream: stream.write(csv_text(rows).encode()))
 
 
 def compare(

@@ -13,6 +13,7 @@ from pathlib import Path
 from typing import Any
 
 from poppet.core.errors import ErrorCollector, InputError, InputErrors, NameSuggestion
+from poppet.core.files import open_input
 from poppet.core.number_format import printable
 
 _HEADER = re.compile(r"\s*(\[\[?)\s*(.+?)\s*\]?\]\s*(#.*)?$")
@@ -199,11 +200,11 @@ def read_text(path: Path, table: str = "") -> str:
     If the file does not exist, the error suggests similar files that contain the table `table`.
     """
     name = str(path)
-    if "\n" in name:
+    if "\n" in name and "=" in name:
         raise InputError("toml.no_path")
     try:
-        with path.open("rb") as file:
-            data = file.read(LARGEST + 1)  # devices have no size
+        with open_input(path) as file:
+            data = file.read(LARGEST + 1)
     except FileNotFoundError:
         names = []
         for similar in path.parent.glob(f"*{path.suffix}"):

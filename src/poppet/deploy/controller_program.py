@@ -21,7 +21,7 @@ from poppet.core.errors import InputError
 from poppet.deploy.export_model import ExportInput, ExportModel, ExportParameter, ExportQuantity
 from poppet.engine.model_evaluation import Array, ArrayFunction
 from poppet.parts.compound import expand_compounds
-from poppet.parts.part import NEVER
+from poppet.parts.part import NEVER, Controller
 
 if TYPE_CHECKING:
     import casadi
@@ -250,7 +250,8 @@ def trace_controller_program(
     ascending = [
         (f"{name}.{low}", f"{name}.{high}")
         for name, part in elementary.items()
-        for low, high in getattr(part, "ascending", ())
+        if isinstance(part, Controller)
+        for low, high in part.ascending_parameters()
     ]
     interface = _Interface(inputs, flags, limits, parameters, ascending)
     functions = _program_functions(equations, interface, states, model.n_timers, cycle)
@@ -343,7 +344,7 @@ def _program_functions(
     # A time that is not finite counts as one cycle. A time that runs backwards, and that of the first call, is 0.
     has_time = ca.fabs(dt) <= LARGEST_INPUT
     elapsed = _choose(is_started, _choose(has_time, ca.fmax(dt, 0.0), cycle), 0.0)
-    remaining = memory[:n_timers] - elapsed
+    remaining = _limited_timers(equations, n_timers, held_p) - elapsed
     has_fault = ca.logic_or(has_input_fault, ca.logic_not(has_time))
     runs_backwards = ca.logic_and(ca.logic_and(dt < 0.0, has_time), is_started)
     advance = ca.vertcat(
@@ -389,6 +390,26 @@ def _program_functions(
     return functions
 
 
+def _limited_timers(equations: _Equations, n_timers: int, held_p: Any) -> Any:
+    """Return the times until the next sample instants, at most the present sample times.
+
+    Without this limit, a sample time that was wrong in one sample would stop the controller for this time. A timer
+    that is not periodic, such as a delay, has no limit.
+    """
+    import casadi as ca
+
+    memory, limited = equations.memory, []
+    fired = ca.SX.ones(n_timers)
+    for k in range(n_timers):
+        # The update adds the sample time to a timer that has expired.
+        start = ca.vertcat(*(0.0 if other == k else memory[other] for other in range(memory.shape[0])))
+        symbols = [equations.fired, memory, equations.p]
+        period = ca.substitute([equations.update[k]], symbols, [fired, start, held_p])[0]
+        is_periodic = ca.depends_on(period, held_p) and not ca.depends_on(period, memory)
+        limited.append(ca.fmin(memory[k], period) if is_periodic else memory[k])
+    return ca.vertcat(*limited)
+
+
 def _choose(condition: Any, if_true: Any, if_false: Any) -> Any:
     """Return a choice for each element of two vectors."""
     import casadi as ca
@@ -397,7 +418,10 @@ def _choose(condition: Any, if_true: Any, if_false: Any) -> Any:
 
 
 def _accepts_parameters(p: Any, interface: _Interface) -> Any:
-    """Return the condition that all parameters are finite, within their limits, and in their order."""
+    """Return a symbol that is 1 if all parameters are finite and valid.
+
+    Each parameter must be within its limits, and each lower limit below the upper limit.
+    """
     import casadi as ca
 
     addresses, conditions = [parameter.address for parameter in interface.parameters], []

@@ -14,7 +14,7 @@ from contextlib import suppress
 from pathlib import Path, PurePosixPath
 
 from poppet.core.errors import InputError
-from poppet.core.files import write_whole
+from poppet.core.files import check_characters, check_folder, unwritable, write_whole
 from poppet.core.toml import toml_text
 from poppet.core.version import __version__
 
@@ -161,9 +161,9 @@ def write_folder(folder: Path, files: Mapping[str, str | bytes], manifest: str) 
     InputError
         If the folder contains anything but an earlier export, or cannot be written.
     """
+    check_characters(folder)
     target = Path(os.path.realpath(folder))
-    if not target.parent.is_dir():
-        raise InputError("files.no_folder", path=str(folder), folder=str(target.parent))
+    check_folder(folder, target.parent)
     if target.exists() and (not target.is_dir() or (any(target.iterdir()) and not (target / MARK).is_file())):
         raise InputError("deploy.folder_taken", path=str(folder))
     contents = {MARK: manifest, **files}
@@ -189,7 +189,7 @@ def write_folder(folder: Path, files: Mapping[str, str | bytes], manifest: str) 
         else:
             temporary.rename(target)
     except OSError as problem:
-        raise InputError("files.unwritable", path=str(folder), why=problem.strerror or str(problem)) from problem
+        raise unwritable(folder, problem) from problem
     finally:
         with suppress(OSError):
             shutil.rmtree(temporary)

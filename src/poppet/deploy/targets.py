@@ -131,7 +131,7 @@ BUILT_IN = (
             Option(
                 "--precision WORD",
                 "precision of a controller",
-                choices={"double": "64 bits", "single": "32 bits, and 64 for times"},
+                choices={"double": "64 bits", "single": "32 bits"},
             ),
         ),
         (
@@ -142,6 +142,7 @@ BUILT_IN = (
         limitations=(
             "The signals of the file are constants of the code, with at most 100,000 segments.",
             "A parameter on which other parameters depend is constant.",
+            "A controller contains no signals: its inputs are members of a struct.",
         ),
         checks="poppet.deploy.parity.host_runs:c_checks",
     ),
@@ -209,7 +210,7 @@ BUILT_IN = (
             Option(
                 "--parameter ADDRESS ...",
                 'parameter or input with a slider, and its range if required: tank.volume="50 l..400 l"; may be '
-                "repeated (default: inputs with signals, then the first parameters of the file)",
+                "repeated (default: inputs with signals, then the parameters with the greatest influence)",
                 keywords={"dest": "parameters"},
                 old_names=("--number",),
             ),

@@ -113,7 +113,7 @@ class PrebuiltIntegrator(NamedTuple):
         return f"made from {', '.join(self.sources)}, sha256 {hashlib.sha256(source).hexdigest()}"
 
     def printed(self) -> str:
-        """Generate the LLVM IR of the integrator with Numba from the source files."""
+        """Return the LLVM IR of the integrator as text, which Numba generates from the source files."""
         module, name = self.maker.rsplit(".", 1)
         text: str = getattr(import_module(module), name)()
         return text

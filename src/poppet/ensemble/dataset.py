@@ -20,7 +20,7 @@ from numpy.typing import NDArray
 
 from poppet.circuit.circuit import BaseCircuit
 from poppet.core.errors import InputError
-from poppet.core.files import write_whole
+from poppet.core.files import make_folder, open_input, write_whole
 from poppet.core.version import __version__
 from poppet.engine.lane_kernel import kernel_of_this_machine
 from poppet.ensemble.ensemble_plan import EnsemblePlan
@@ -115,10 +115,7 @@ class Dataset:
             stored = _read_manifest(path, content)
         elif folder.exists() and (not folder.is_dir() or any(folder.iterdir())):
             raise InputError("ensemble.folder_taken", path=str(folder))
-        try:
-            folder.mkdir(parents=True, exist_ok=True)
-        except OSError as problem:
-            raise InputError("files.unwritable", path=str(folder), why=problem.strerror or str(problem)) from problem
+        make_folder(folder)
         if stored is None:
             dataset = Dataset(folder, content)
         elif stored["poppet ensemble"] == content["poppet ensemble"]:
@@ -175,7 +172,7 @@ class Dataset:
         """
         path = self.folder / kind / _name(number)
         expected = self.hashes.get(f"{kind}/{_name(number)}")
-        if not path.exists() or (expected and _digest(path) != expected):
+        if not path.is_file() or (expected and _digest(path) != expected):
             return -1
         with suppress(OSError, arrow().ArrowException):
             return int(arrow().parquet.read_metadata(path).num_rows)
@@ -189,7 +186,7 @@ class Dataset:
         """
         for name, content in files.items():
             path = self.folder / name
-            path.parent.mkdir(exist_ok=True)
+            make_folder(path.parent)
             write_whole(path, lambda stream, content=content: stream.write(content))  # type: ignore[misc]
 
     def shards(self, kind: str, columns: list[str] | None = None) -> Iterator[dict[str, NDArray[Any]]]:
@@ -231,7 +228,8 @@ def _read_manifest(path: Path, content: Mapping[str, Any]) -> dict[str, Any]:
     the ensemble or the software versions differ.
     """
     try:
-        stored = json.loads(path.read_text(encoding="utf-8"))
+        with open_input(path) as stream:
+            stored = json.loads(stream.read())
         stored_plan = stored["poppet ensemble"]
     except (OSError, ValueError, KeyError, TypeError):
         raise InputError("ensemble.folder_taken", path=str(path.parent)) from None

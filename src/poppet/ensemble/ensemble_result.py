@@ -19,7 +19,7 @@ from poppet.circuit.circuit import BaseCircuit
 from poppet.circuit.file import ABOVE, loads
 from poppet.core.codes import Note
 from poppet.core.errors import InputError, needed
-from poppet.core.files import write_whole
+from poppet.core.files import make_folder, write_whole
 from poppet.core.notebook import HtmlMixin
 from poppet.core.toml import toml_text
 from poppet.ensemble.bands import Bands
@@ -265,7 +265,7 @@ class Ensemble(HtmlMixin):
         target = Path(folder)
         if not self.plan.requirements:
             raise InputError("ensemble.no_requirements")
-        target.mkdir(parents=True, exist_ok=True)
+        make_folder(target)
         circuit, paths = self.plan.circuit, []
         for worst in self.worst(count).values():
             for k, case in enumerate(worst, 1):

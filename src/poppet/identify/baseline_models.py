@@ -117,9 +117,10 @@ class SecondOrderArx:
         return simulated
 
     def one_step(self, response: Response) -> tuple[FloatArray, FloatArray]:
-        """Return predictions of a recorded response over one step, and the measured values.
+        """Return one-step-ahead predictions of a recorded response, and the measured values.
 
-        Each prediction uses the two previous measured values. The times have the constant step of the model.
+        The response is first interpolated at equal intervals, the time step of the model. Each prediction uses the two
+        previous measured values.
         """
         time, _, measured = response.resample(self.step)
         predicted = self._input_terms(response, time)[2:] + self.a[0] * measured[1:-1] + self.a[1] * measured[:-2]

@@ -14,6 +14,7 @@ from poppet.core.errors import ErrorCollector, InputError, NameSuggestion, OutOf
 from poppet.core.tables import Field, read_fields
 from poppet.core.units import Kind
 from poppet.parts.fields import NumberSpec, flatten
+from poppet.parts.rows import NumberTable
 
 Role = Literal["number", "start", "lag", "input_lag", "delay", "offset", "dead_time"]
 FIELDS = ("start", "min", "max", "prior")
@@ -105,6 +106,9 @@ def number_specs(circuit: BaseCircuit) -> dict[str, NumberSpec]:
     """
     declared = {f"{name}.{key}": spec for name, part in circuit.parts.items() for key, spec, _ in flatten(part)}
     for name, part in circuit.parts.items():
+        for table in vars(part).values():
+            if isinstance(table, NumberTable):
+                declared |= {f"{name}.{table.field}.{key}": spec for key, spec in table.number_specs().items()}
         for key, number in part.numbers().items():
             # Tabulated values of C and b have limits; coefficients of polynomials have none.
             match = re.search(r"\b(sonic_conductance|critical_ratio)\.(value|y\d+)$", key)

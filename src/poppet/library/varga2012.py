@@ -70,8 +70,8 @@ def printed_characteristic(name: str = f"{NAME}.printed") -> Characteristic:
 def closed_characteristic(name: str = f"{NAME}.closed") -> Characteristic:
     """Return the printed flow characteristic with a sonic conductance C that is zero at zero stroke.
 
-    C is zero for strokes up to 0, where the printed polynomial is not zero. It increases smoothly to the value of the
-    polynomial at 0.02 mm.
+    The published polynomial is not zero at zero stroke. Here C is zero for strokes up to 0, rises smoothly between 0
+    and 0.02 mm, and equals the polynomial above.
     """
     return _polynomials(name, closing=CLOSING)
 

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from typing import Any, ClassVar
 
 from poppet.core.errors import OutOfRangeError
-from poppet.core.symbolic import clip, floor, maximum, where
+from poppet.core.symbolic import clip, floor, is_certain, maximum, where
 from poppet.parts.captions import CaptionNumbers
 from poppet.parts.fields import NumberLike, group, number, option, reference
 from poppet.parts.part import (
@@ -22,7 +22,7 @@ from poppet.parts.part import (
     advance_clock,
 )
 from poppet.parts.quantities import difference_properties
-from poppet.parts.safe_state import FAULT_INPUT, FAULT_MEMORY, NEVER_VALID, fault_state, recovers
+from poppet.parts.safe_state import FAULT_INPUT, FAULT_MEMORY, NEVER_VALID, fault_state
 
 MIN_LAG = 1e-6
 """Lower bound of the lag of a sensor [s], which avoids a division by zero."""
@@ -134,13 +134,14 @@ class Electronics(Controller):
     -----
     Inputs are `setpoint`, `outlet_pressure`, `pilot_pressure` [Pa], `power` (1 is on; at 0, both solenoids are closed
     and the pressure remains) and `input_fault` (1: an input is not valid). After `fault_time` with an input fault, the
-    duty is `safe_command`, positive to fill, and the integral is constant. `setpoint_delay` delays a signal, but not an
-    output that is connected to the setpoint. The parameter set `data` has a variant for each `preset`. If both loops
-    sample at one instant, the inner loop uses the new result of the outer loop.
+    duty is `safe_command`, positive to fill, and the integral is constant. `setpoint_delay` acts on a signal, but not
+    on an output that is connected to the setpoint. The parameter set `data` has a variant for each `preset`. If both
+    loops sample at one instant, the inner loop uses the new result of the outer loop.
 
-    For anti-windup, the integral decreases with the time constant `integral_time` by the amount that c and the limits
-    of the pilot pressure remove. The integral is constant while the error exceeds `integral_band`. A run that continues
-    another run starts with its integral; clocks restart, and the derivative starts at zero.
+    Anti-windup is by back-calculation: the part of the pilot setpoint that c or the limits of the pilot pressure cut
+    off is subtracted from the integral with the time constant `integral_time`. The integral is constant while the error
+    exceeds `integral_band`. A run that continues another run starts with the last integral of that run; its clocks
+    restart, and its derivative starts at zero.
 
     References
     ----------
@@ -179,7 +180,6 @@ class Electronics(Controller):
     )
 
     resume: ClassVar[dict[str, str]] = {"integral": "initial_integral"}
-    ascending: ClassVar[tuple[tuple[str, str], ...]] = (("scaling.low", "scaling.high"),)
     measured: ClassVar[tuple[str, ...]] = ("outlet_pressure", "pilot_pressure")
 
     def caption(self, numbers: CaptionNumbers) -> list[str]:
@@ -193,12 +193,15 @@ class Electronics(Controller):
 
     def parameters(self, ambient: Surroundings) -> dict[str, float]:
         values = super().parameters(ambient)
-        if values["scaling.low"] >= values["scaling.high"]:
+        if is_certain(values["scaling.low"] >= values["scaling.high"]):
             raise OutOfRangeError("valve.scaling_exchanged", "scaling.high", shown=self.scaling.high.display())
         first = SCALES[self.setpoint_type][1]
         values["setpoint"] = values["scaling.low"] if self.setpoint_type == "pressure" else first
         values["outlet_pressure"] = values["pilot_pressure"] = ambient.pressure
         return values
+
+    def ascending_parameters(self) -> tuple[tuple[str, str], ...]:
+        return (("scaling.low", "scaling.high"),)
 
     def options(self) -> dict[str, str]:
         # A preset is a set of numbers and does not change the model.
@@ -209,8 +212,9 @@ class Electronics(Controller):
 
     def memory(self) -> tuple[DiscreteState, ...]:
         pressures = ("integral", "pilot_setpoint", "last_pressure", "derivative", "actual_pressure")
-        flags = ("fill_duty", "vent_duty", "vent_wanted", "vent_ready", "outer_count", "inner_count", "is_limited")
-        fractions = (DiscreteState(name, "1") for name in flags)
+        flags = ("vent_ready", "is_last_faulty", "is_limited")
+        names = ("fill_duty", "vent_duty", "vent_wanted", "outer_count", "inner_count", *flags)
+        fractions = (DiscreteState(name, "1") for name in names)
         return *(DiscreteState(name, "Pa") for name in pressures), *fractions, *FAULT_MEMORY
 
     def timers(self) -> tuple[Timer, ...]:
@@ -309,9 +313,11 @@ class Electronics(Controller):
         error = target - pressure
         error = maximum(error - band, 0.0) - maximum(-error - band, 0.0)
         filter_time, derivative_time = scope["outer.derivative_filter"], scope["outer.derivative_time"]
-        is_safe = memory["is_safe"] * scope.inputs["input_fault"]
-        # Neither the first sample nor the first one after a safe state has a previous pressure.
-        has_last = where(recovers(scope, is_safe) > 0.5, 0.0, memory["outer_count"])
+        is_faulty = scope.inputs["input_fault"] > 0.5
+        is_safe = where(is_faulty, memory["is_safe"], 0.0)
+        # Neither the first sample nor the first one after a fault has a valid previous pressure.
+        follows_fault = where(is_faulty, 0.0, memory["is_last_faulty"])
+        has_last = where(follows_fault > 0.5, 0.0, memory["outer_count"])
         last = where(has_last > 0.0, memory["last_pressure"], pressure)
         # Of the pressure, not of the error: a setpoint step causes no kick. The backward difference is always stable.
         change = gain * derivative_time * (last - pressure)
@@ -341,6 +347,7 @@ class Electronics(Controller):
             "integral": where(is_on, integral, memory["integral"]),
             "derivative": derivative,
             "last_pressure": pressure,
+            "is_last_faulty": where(is_faulty, 1.0, 0.0),
             "pilot_setpoint": where(is_idle, ambient, pilot),
             "actual_pressure": pressure,
             "is_limited": where(limited > scope["outer.pilot_limit"], 1.0, 0.0),

@@ -8,7 +8,7 @@ from typing import Any, ClassVar
 
 from poppet.core.errors import InputError, OutOfRangeError
 from poppet.core.provenance import Number
-from poppet.core.symbolic import clip, maximum, minimum, where
+from poppet.core.symbolic import clip, is_certain, maximum, minimum, where
 from poppet.parts.captions import CaptionNumbers
 from poppet.parts.fields import NumberLike, number, option, reference, switch
 from poppet.parts.part import DiscreteState, Input, Quantities, Scope, Surroundings
@@ -23,7 +23,7 @@ from poppet.parts.quantities import (
     limit_properties,
 )  # fmt: skip
 from poppet.parts.rows import GainSchedule
-from poppet.parts.safe_state import recovers
+from poppet.parts.safe_state import is_first_after_fault, recovers
 from poppet.parts.sampled_loop import SampledLoop, is_first
 
 _SCHEDULED = ("gain", "integral_time", "derivative_time", "vent_factor")
@@ -59,8 +59,9 @@ class PID(SampledLoop):
     (velocity form).
 
     The input `input_fault` is 1 if an input is not valid. After `fault_time` with an input fault, the command is
-    `safe_command`; if this is outside the limits of the command, it is the lower limit. The first sample with valid
-    inputs continues from the safe command.
+    `safe_command`. An opening is limited to `fill_limit` and `vent_limit`; another command outside its limits becomes
+    the lower limit. The first sample with valid inputs continues from the safe command. Its derivative does not contain
+    the change of the measurement during the fault.
 
     The derivative acts on the measurement alone. An integral or derivative time of 0 disables the integral or the
     derivative; a tracking time of 0 selects the integral time. A schedule is a mapping with one list per column: the
@@ -107,7 +108,6 @@ class PID(SampledLoop):
     schedule_by: str = option("measurement", "setpoint", doc="quantity of the operating point")
 
     resume: ClassVar[dict[str, str]] = {"integral": "initial_integral"}
-    ascending: ClassVar[tuple[tuple[str, str], ...]] = (_LIMITS,)
 
     def check(self) -> None:
         invalid = _LIMITS if self.is_of_openings else _OF_OPENINGS
@@ -146,12 +146,16 @@ class PID(SampledLoop):
 
     def parameters(self, ambient: Surroundings) -> dict[str, float]:
         values = super().parameters(ambient)
-        if not self.is_of_openings and values["lower_limit"] >= values["upper_limit"]:
+        if not self.is_of_openings and is_certain(values["lower_limit"] >= values["upper_limit"]):
             low, high = (values[name] for name in _LIMITS)
             raise OutOfRangeError("pid.limits_exchanged", "lower_limit", value=low, upper=high, unit=self.command_unit)
         safe = values["safe_command"]
         is_given = self.safe_command.source.kind == "given"  # type: ignore[union-attr]
-        if not self.is_of_openings and is_given and not values["lower_limit"] <= safe <= values["upper_limit"]:
+        if (
+            not self.is_of_openings
+            and is_given
+            and (is_certain(safe < values["lower_limit"]) or is_certain(safe > values["upper_limit"]))
+        ):
             raise OutOfRangeError(
                 "fields.out_of_range", "safe_command", shown=f"{safe:g} {self.command_unit}", meaning="safe command",
                 limits=[f"at least {values['lower_limit']:g}", f"at most {values['upper_limit']:g}"],
@@ -164,6 +168,10 @@ class PID(SampledLoop):
         if self.is_of_openings:
             values.setdefault("vent_factor", 1.0)
         return values
+
+    def ascending_parameters(self) -> tuple[tuple[str, str], ...]:
+        table = self.schedule.ascending_numbers() if self.schedule is not None else ()
+        return _LIMITS, *((f"schedule.{low}", f"schedule.{high}") for low, high in table)
 
     def structure(self) -> Hashable:
         return super().structure(), None if self.schedule is None else self.schedule.structure()
@@ -223,10 +231,11 @@ class PID(SampledLoop):
         memory, setpoint, time = scope.memory, scope.inputs["setpoint"], scope["sample_time"]
         gains = self.gains_at(scope, measured, setpoint)
         gain, first, recovering = gains["gain"], is_first(scope), recovers(scope, is_safe)
+        follows_fault = is_first_after_fault(scope)
         # The setpoint weight refers to the initial measurement, not to zero.
         origin = where(first, measured, memory["origin"])
-        # Neither the first sample nor the first one after a safe state has a previous measurement.
-        last = where(first, measured, where(recovering > 0.5, measured, memory["last_measurement"]))
+        # Neither the first sample nor the first one after a fault has a valid previous measurement.
+        last = where(first, measured, where(follows_fault > 0.5, measured, memory["last_measurement"]))
         error = setpoint - measured
         error = maximum(error - scope["dead_band"], 0.0) - maximum(-error - scope["dead_band"], 0.0)
         scope.label("error", error, f"error beyond the dead band [{self.unit}]")
@@ -248,9 +257,10 @@ class PID(SampledLoop):
         low = -scope["vent_limit"] / gains["vent_factor"] if self.is_of_openings else scope["lower_limit"]
         high = scope["fill_limit" if self.is_of_openings else "upper_limit"]
         scope.label("lowest_command", low, f"lower limit of the command [{self.command_unit}]")
-        safe = where(
-            scope["safe_command"] >= low, where(scope["safe_command"] <= high, scope["safe_command"], low), low
-        )
+        # An opening beyond its limit becomes the limit. Another command outside its limits is not clipped: the upper
+        # limit of a pressure is not safe.
+        beyond = high if self.is_of_openings else low
+        safe = where(scope["safe_command"] > high, beyond, maximum(scope["safe_command"], low))
         scope.label("safe_value", safe, f"safe command within the limits [{self.command_unit}]")
         # In the first sample after a safe state, the integral continues from the safe command.
         has_integral = gains["integral_time"] > 0.0

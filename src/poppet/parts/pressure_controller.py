@@ -11,8 +11,11 @@ from poppet.laws.physics.pressure_rates import open_rates, openings_for_rate
 from poppet.parts.captions import CaptionNumbers
 from poppet.parts.fields import NumberLike, anr_temperature, group, laminar_limit, number, subsonic_index_m
 from poppet.parts.part import DiscreteState, Input, Quantities, Scope
-from poppet.parts.safe_state import recovers
+from poppet.parts.safe_state import is_first_after_fault
 from poppet.parts.sampled_loop import NEXT_SAMPLE, SampledLoop, is_first
+
+LARGEST_RATE = 1e15
+"""Largest magnitude of a pressure rate [Pa/s]."""
 
 
 @dataclass(frozen=True)
@@ -43,7 +46,8 @@ class PressureController(SampledLoop):
     "next_sample"`, the law uses the predicted pressure. Set `polytropic_exponent` to the isentropic exponent for a fast
     or adiabatic chamber, and to 1 for an isothermal one.
 
-    The input `input_fault` is 1 if an input is not valid. The observer then pauses. After `fault_time` with an input
+    The input `input_fault` is 1 if an input is not valid. The observer then pauses, until the second sample with valid
+    inputs. After `fault_time` with an input
     fault, the command is `safe_command`.
 
     References
@@ -109,10 +113,12 @@ class PressureController(SampledLoop):
         observer_time = scope["observer_time"]
         # The quotient is evaluated without an observer too: its divisor must be positive.
         observer_gain = 1.0 - exp(-time / maximum(observer_time, time * 1e-3))
-        # The prediction is not comparable with an invalid measurement, nor with the first one after a safe state.
-        pauses = where(is_first(scope), 1.0, maximum(scope.inputs["input_fault"], recovers(scope, is_safe)))
+        # The prediction is not comparable with an invalid measurement, nor with the first one after a fault.
+        pauses = where(is_first(scope), 1.0, maximum(scope.inputs["input_fault"], is_first_after_fault(scope)))
         unexplained = where(pauses > 0.5, 0.0, (pressure - memory["predicted_pressure"]) / time)
         disturbance = memory["disturbance"] + where(observer_time > 0.0, observer_gain * unexplained, 0.0)
+        # With extreme parameters, the observer would overflow, in single precision within a few samples.
+        disturbance = clip(disturbance, -LARGEST_RATE, LARGEST_RATE)
         effective = pressure
         if self.acts == NEXT_SAMPLE:
             fill_rate, vent_rate = self._open_rates(scope, pressure)
@@ -122,6 +128,7 @@ class PressureController(SampledLoop):
         error = scope.inputs["setpoint"] - effective
         scope.label("error", error, "error [Pa]")
         rate = (1.0 - exp(-time / scope["time_constant"])) / time * error - disturbance
+        rate = clip(rate, -LARGEST_RATE, LARGEST_RATE)
         rate = where(error * error > scope["hold_band"] * scope["hold_band"], rate, 0.0)
         scope.label("new_rate", rate, "requested pressure rate [Pa/s]")
         fill_rate, vent_rate = self._open_rates(scope, effective)

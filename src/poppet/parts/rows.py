@@ -9,7 +9,7 @@ from typing import Any, ClassVar, Self
 
 from poppet.core.errors import ErrorCollector, InputError, NameSuggestion, OutOfRangeError
 from poppet.core.provenance import Number, Source
-from poppet.core.symbolic import clip
+from poppet.core.symbolic import clip, is_certain
 from poppet.core.tables import Field, missing_field
 from poppet.laws.physics.muscle import ForceTable
 from poppet.parts.fields import NumberSpec, read_number
@@ -81,6 +81,16 @@ class NumberTable:
         """
         return {f"{name}_{k}": n for name, column in self.columns.items() for k, n in enumerate(column, 1)}
 
+    def number_specs(self) -> dict[str, NumberSpec]:
+        """Return the declaration of each number, under the names that `numbers` returns."""
+        specs = self.column_specs(*self.form)
+        return {f"{name}_{k}": specs[name] for name in self.columns for k in range(1, len(self.columns[name]) + 1)}
+
+    def ascending_numbers(self) -> tuple[tuple[str, str], ...]:
+        """Return the pairs of names of consecutive numbers in the first column."""
+        first = next(iter(self.columns))
+        return tuple(pairwise(f"{first}_{k}" for k in range(1, len(self.columns[first]) + 1)))
+
     def parameters(self, ambient_pressure: float) -> dict[str, float]:
         """Return the values of all numbers of the table in SI units, with absolute pressures.
 
@@ -89,7 +99,7 @@ class NumberTable:
         values = {name: number.absolute(ambient_pressure) for name, number in self.numbers().items()}
         first_column = next(iter(self.columns))
         points = self.column(first_column, values)
-        if any(a >= b for a, b in pairwise(points)):
+        if any(is_certain(a >= b) for a, b in pairwise(points)):
             raise OutOfRangeError("schedule.not_rising", f"{self.field}.{first_column}", points=points)
         return values
 

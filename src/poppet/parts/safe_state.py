@@ -51,3 +51,14 @@ def fault_state(scope: Scope, period: Any) -> tuple[Any, dict[str, Any]]:
 def recovers(scope: Scope, is_safe: Any) -> Any:
     """Return 1 in the first sample after a safe state, otherwise 0."""
     return where(is_safe > 0.5, 0.0, scope.memory["is_safe"])
+
+
+def is_first_after_fault(scope: Scope) -> Any:
+    """Return 1 in the first sample with valid inputs after a fault of any duration, otherwise 0.
+
+    In this sample, the change of a measurement since the previous sample is not valid. The first sample of a run counts
+    as well.
+    """
+    count = scope.memory["faulty_samples"]
+    had_fault = where(count * count > 0.25, 1.0, 0.0)
+    return where(scope.inputs["input_fault"] > 0.5, 0.0, had_fault)

@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-import csv
 import html
-import io
 from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
+from poppet.core.csv_cells import csv_text
 from poppet.core.number_format import aligned
 
 STACKED_COLUMNS = 3
@@ -115,11 +114,7 @@ class ReportTable:
 
         Numbers have all digits.
         """
-        stream = io.StringIO()
-        writer = csv.writer(stream, lineterminator="\n")
-        writer.writerow(self.headings)
-        writer.writerows(self.rows)
-        return stream.getvalue()
+        return csv_text([self.headings, *self.rows])
 
     def html(self) -> str:
         """Return the table as an HTML element.

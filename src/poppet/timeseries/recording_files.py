@@ -5,8 +5,6 @@ The modules in `timeseries/tables` read the three formats as tables. This module
 
 from __future__ import annotations
 
-import csv
-import io
 import itertools
 import json
 import re
@@ -17,8 +15,9 @@ from typing import IO, TYPE_CHECKING, Any
 import numpy as np
 
 from poppet.core.codes import Note, notes_of
+from poppet.core.csv_cells import csv_text
 from poppet.core.errors import InputError, NameSuggestion, raise_errors
-from poppet.core.files import by_suffix, write_whole
+from poppet.core.files import by_suffix, check_path, write_whole
 from poppet.core.units import convert
 from poppet.timeseries.checks import METADATA, first_bad_time, name_problems, split_heading
 from poppet.timeseries.columns import Columns
@@ -48,6 +47,7 @@ def read(path: Path, *, time: str = "time", time_unit: str = "") -> Columns:
     from poppet.timeseries.tables.text import read_exact
 
     readers: dict[str, Callable[[Path], Table]] = {".csv": read_exact, ".parquet": read_parquet, ".mat": read_mat}
+    check_path(path)
     reader = by_suffix(path, readers)
     if reader is not read_exact and (time, time_unit) != ("time", ""):
         raise InputError("files.time_is_fixed", path=str(path))
@@ -135,14 +135,13 @@ def _metadata_text(recording: Columns, columns: Sequence[str]) -> str:
 def _write_csv(recording: Columns, stream: IO[bytes]) -> None:
     if "time" in recording:  # a reader would find two time columns
         raise InputError("series.two_times", column="time")
-    head = io.StringIO()
     series = zip(recording.names, recording.units, strict=True)
     headings = (f"{name} [{unit}]" if unit else name for name, unit in series)
-    csv.writer(head, lineterminator="\n").writerow(["time [s]", *headings])
+    head = csv_text([["time [s]", *headings]])
     # One format per row is the fastest exact method in pure Python.
     line = ",".join(["%.17g"] * (len(recording) + 1)) + "\n"
     rows = np.vstack((recording.time, recording.values)).T.tolist()
-    stream.write((head.getvalue() + "".join([line % tuple(row) for row in rows])).encode())
+    stream.write((head + "".join([line % tuple(row) for row in rows])).encode())
 
 
 def _write_parquet(recording: Columns, stream: IO[bytes]) -> None:

@@ -288,6 +288,50 @@ def test_dead_sensor_gives_no_frequency_response(folder, value):
     assert "bench.frequency.lost" in {note.code for note in evaluation.notes}
 
 
+def series_of_sines() -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Return time [s], setpoint [V] and outlet [bar] of sines behind a lag of 60 ms, with noise of 2 mbar."""
+    setpoints, outlets = [], []
+    for frequency in (0.5, 1.0, 2.0, 4.0):
+        turn = 2.0 * np.pi * frequency * np.arange(0.0, 6.0 / frequency, 0.002)
+        response = 1.0 / (1.0 + 2j * np.pi * frequency * 0.06)
+        setpoints.append(5.0 + np.sin(turn))
+        outlets.append(3.0 + 0.6 * np.imag(response * np.exp(1j * turn)))
+    setpoint, outlet = np.concatenate(setpoints), np.concatenate(outlets)
+    noise = np.random.default_rng(7).normal(0.0, 0.002, outlet.size)
+    return 0.002 * np.arange(outlet.size), setpoint, outlet + noise
+
+
+SINES = {
+    "none": (lambda t, w, p: (t, w, p), set()),
+    "dead": (lambda t, w, p: (t, w, 3.0 + np.random.default_rng(8).normal(0.0, 0.002, t.size)), {"frequency.dead"}),
+    "inverted": (lambda t, w, p: (t, w, 6.0 - p), {"frequency.opposite"}),
+    "exchanged": (lambda t, w, p: (t, p, w), {"frequency.leads"}),
+    "psi": (lambda t, w, p: (t, w, 14.5 * p), {"recordings.outlet_beyond"}),
+    "milliseconds": (lambda t, w, p: (1000.0 * t, w, p), {"recordings.slow"}),
+    "seconds": (lambda t, w, p: (t / 1000.0, w, p), {"recordings.fast"}),
+}
+
+
+@pytest.mark.parametrize("case", SINES)
+def test_probable_errors_of_sines_are_named(folder, case):
+    change, expected = SINES[case]
+    write_series(folder, *change(*series_of_sines()))
+    recordings = read(folder, recording={"test": "frequency"})
+    evaluation = TESTS["frequency"].evaluate_records(recordings.records["frequency"], recordings.scale)
+    codes = {note.code.removeprefix("bench.") for note in (*recordings.notes, *evaluation.notes) if str(note)}
+    suspicions = {"frequency.dead", "frequency.opposite", "frequency.leads", "frequency.not_low"}
+    assert {code for code in codes if code in suspicions or code.startswith("recordings.")} == expected
+
+
+def test_dead_sensor_has_no_step_to_evaluate(folder):
+    time, setpoint, outlet = series_of_steps()
+    write_series(folder, time, setpoint, np.full(outlet.size, 3.0))
+    recordings = read(folder)
+    evaluation = TESTS["step"].evaluate_records(recordings.records["step"], recordings.scale)
+    reasons = {note.code for note in evaluation.notes if note.code.startswith("bench.absent.")}
+    assert reasons == {"bench.absent.no_step"}
+
+
 def test_lag_of_sensor_is_reported(folder):
     channel = {"outlet.pressure": {"column": "p", "unit": "bar g", "lag": "20 ms"}}
     assert Note("recordings.lag", "one", channel="outlet.pressure") in read(folder, recording=channel).notes

@@ -139,7 +139,7 @@ def test_outlet_without_response_is_reported():
     evaluation = evaluated("step", step_record(lambda t: 0.05 * first_order(t)))
     assert note_of(evaluation, "step.hardly").facts["moved"] == pytest.approx(2.5)
     assert note_of(evaluation, "step.short").facts["outlet"] == pytest.approx(12.5)
-    assert note_of(evaluation, "absent.unsettled_up", "response_time_up")
+    assert note_of(evaluation, "absent.no_step", "response_time_up")
     assert note_of(evaluated("step", record("step", np.arange(99.0), 50.0, 50.0 * np.ones(99))), "step.none")
 
 

@@ -461,7 +461,7 @@ class TestFiles:
     def test_folder(self, tmp_path):
         with pytest.raises(InputError) as caught:
             read_text(tmp_path)
-        assert caught.value.code == "toml.unreadable"
+        assert caught.value.code == "files.no_file"
 
 
 @pytest.mark.parametrize(

@@ -205,7 +205,7 @@ def test_full_disk_keeps_completed_shards(tmp_path, expected_hashes, monkeypatch
         return write(path, fill)
 
     monkeypatch.setattr(dataset_module, "write_whole", write_on_full_disk)
-    with refused("files.unwritable"):
+    with refused("files.full"):
         tank(LARGE).ensemble(folder, workers=1)
     stored_hashes = hashes(folder)
     assert len([name for name in stored_hashes if name.startswith("runs/")]) == 3

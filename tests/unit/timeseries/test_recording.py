@@ -294,7 +294,7 @@ def test_a_full_disk_is_an_input_error_and_leaves_nothing(recording, tmp_path, m
     monkeypatch.setattr("poppet.timeseries.recording_files._write_csv", full)
     with pytest.raises(InputError) as caught:
         recording.save(tmp_path / "out.csv")
-    assert (caught.value.code, caught.value.facts["why"]) == ("files.unwritable", "No space left on device")
+    assert (caught.value.code, caught.value.facts["why"]) == ("files.full", "No space left on device")
     assert list(tmp_path.iterdir()) == []
 
 
@@ -313,7 +313,7 @@ def test_unwritable_paths_are_rejected(recording, tmp_path):
     (tmp_path / "folder.csv").mkdir()
     with pytest.raises(InputError) as caught:
         recording.save(tmp_path / "folder.csv")
-    assert caught.value.code == "files.unwritable"
+    assert (caught.value.code, caught.value.facts["kind"]) == ("files.no_file", "folder")
     assert [file.name for file in tmp_path.iterdir()] == ["folder.csv"]
 
 

@@ -196,12 +196,14 @@ def _noise_correlation(groups: Sequence[FloatArray], error: float) -> float:
     independent values. Each group contains repeated branches, one per row. `error` is the standard deviation of one
     value [% FS].
     """
-    basis = np.linalg.qr(np.vander(np.linspace(-1.0, 1.0, np.count_nonzero(INSIDE)), SLOW))[0]
+    positions = np.linspace(-1.0, 1.0, np.count_nonzero(INSIDE))
+    # The constant is left out: a valve that shifts from cycle to cycle is not noise.
+    basis = np.linalg.qr(np.vander(positions, SLOW, increasing=True))[0][:, 1:]
     power, freedom = 0.0, 0
     for rows in (rows[:, INSIDE] for rows in groups if len(rows) > 1):
         if np.isfinite(rows).all():
             power += float(np.sum(((rows - rows.mean(axis=0)) @ basis) ** 2))
-            freedom += SLOW * (len(rows) - 1)
+            freedom += basis.shape[1] * (len(rows) - 1)
     return power / (freedom * error**2) if freedom and error > 0.0 else 1.0
 
 

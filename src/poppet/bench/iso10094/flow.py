@@ -126,9 +126,9 @@ def _evaluate_direction(
 ) -> FlowSweep | None:
     """Evaluate the forward flow or the relief flow of a record.
 
-    `y` is the outlet pressure [% FS], `row` the table row of the record, and `rest_uncertainty` the uncertainty of the
-    outlet without flow. The result is None if the record has no flow in this direction, or if the flow does not rise
-    from zero.
+    `side` is forward or relief flow, `y` the outlet pressure [% FS], and `row` the entry of the result table for this
+    record. `rest_uncertainty` is the uncertainty of the outlet pressure without flow. The result is None if the record
+    has no flow in this direction, or if the flow does not rise from zero.
     """
     flow = side.sign * record.flow
     # The maximum of noisy samples is biased.

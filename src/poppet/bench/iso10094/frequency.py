@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from poppet.bench.iso10094.evaluation import AT_LEAST, DYNAMIC, BenchTest, Evaluation, Row, Trial
 from poppet.bench.iso10094.scale import FloatArray, Record, Scale
 from poppet.bench.iso10094.shapes import unmasked_section
-from poppet.bench.iso10094.uncertainty import SEED, Uncertainty, estimate_noise, greatest
+from poppet.bench.iso10094.uncertainty import SEED, Uncertainty, greatest
 from poppet.laws.curves.pchip import pchip_slopes
 from poppet.timeseries.signals import Sine
 
@@ -24,16 +24,21 @@ FEWEST = 3  # smallest number of whole periods for an evaluation
 ASTRAY = 0.05  # deviation from a sine, relative to its amplitude, at which another signal begins
 ALIKE = 0.04  # relative difference of periods within one sine
 STEADY = 0.01  # relative change of the fundamental between periods, below which the transient has ended
-UNSEEN = 1.15  # standard deviation of coloured noise relative to its estimate from a few periods
+UNSEEN = 1.15  # factor on the standard deviation of noise at one frequency, because few neighbours estimate it
 UNLIKE = 5.0  # limit of the noise of a period, in standard errors
 SAME = 1.15  # largest ratio of amplitudes in one Bode plot
 CLIPPED = ("bench.frequency.clipped", "bench.frequency.impure")
 PURE = 0.03  # relative harmonics of the setpoint above which it is not a sine
 LONG = 2000  # number of samples from which the normal equations are accurate, because the columns are nearly orthogonal
 SINE_DRAWS = 100  # number of noise draws for the scatter of a bandwidth
-BETWEEN = 0.15  # interpolation error of the monotone cubic, relative to that of a straight line
+BETWEEN = 0.25  # interpolation error of the monotone cubic, relative to that of a straight line
 IN_DB = 20.0 / math.log(10.0)
 FAINT = 4.0  # detection limit of a fundamental, in standard errors
+OPPOSITE = 30.0  # deviation from a phase of -180 deg at the lowest frequency, below which the signal is inverted [deg]
+LEADS, MOSTLY = (
+    5.0,
+    0.5,
+)  # smallest lead of the outlet [deg], and fraction of the frequencies above which it is reported
 UNMOVED = 1e-9  # smallest gain of an outlet that moves
 
 
@@ -60,10 +65,13 @@ class SineComponent:
     mean: float
     distortion: float  # root of the sum of squares of harmonics 2 to 5 over the fundamental
     error: float  # standard error of its amplitude
+    harmonic_error: float  # standard error of the amplitude of each harmonic
 
 
 def _evaluate(evaluation: Evaluation, records: Sequence[Record]) -> None:
-    add_frequency_results(evaluation, [row for record in records for row in sine_rows(evaluation, record)])
+    rows = [row for record in records for row in sine_rows(evaluation, record)]
+    add_frequency_results(evaluation, rows)
+    _note_suspicions(evaluation, rows)
     clipped_frequencies = [note.facts["frequency"] for note in evaluation.notes if note.code in CLIPPED]
     if clipped_frequencies:
         evaluation.limit_to_bounds("distortion")
@@ -71,6 +79,19 @@ def _evaluate(evaluation: Evaluation, records: Sequence[Record]) -> None:
         is_relative = min(clipped_frequencies) < min((row["frequency"] for row in evaluation.rows), default=math.inf)
         names = ("bandwidth_gain", "bandwidth_phase")
         evaluation.remove_values(*(name for name in names if is_relative or name not in evaluation.figures))
+
+
+def _note_suspicions(evaluation: Evaluation, rows: Sequence[Row]) -> None:
+    """Add notes on a sensor without signal and on exchanged columns."""
+    lowest = min((row["frequency"] for row in rows), default=math.inf)
+    lost = [note.facts["frequency"] for note in evaluation.notes if note.code == "bench.frequency.lost"]
+    if lost and min(lost) < lowest:
+        evaluation.note("frequency.dead", frequency=min(lost))
+    leads = sorted((row for row in rows if row["phase"] > LEADS), key=lambda row: float(row["frequency"]))
+    # A large lag looks like a lead, but not at the lowest frequency.
+    if len(leads) > MOSTLY * len(rows) and leads[0]["frequency"] == lowest and leads[0]["phase"] < 90.0:
+        facts = {"phase": leads[0]["phase"], "frequency": lowest}
+        evaluation.note("frequency.leads", count=len(leads), total=len(rows), **facts)
 
 
 def sine_rows(evaluation: Evaluation, record: Record) -> list[Row]:
@@ -221,7 +242,7 @@ def _evaluate_sine(evaluation: Evaluation, record: Record, part: slice, x: Float
     }  # fmt: skip
     # One standard deviation of the logarithm of the gain, and of the phase [rad]: of both waves.
     row["relative_error"] = math.hypot(setpoint_wave.error / size, outlet_wave.error / outlet_size)
-    row["distortion_uncertainty"] = 100.0 * outlet_wave.error / outlet_size
+    row["distortion_uncertainty"] = 100.0 * outlet_wave.harmonic_error / outlet_size
     if math.isfinite(record.volume):
         row["volume"] = record.volume
     if not row["is_steady"]:
@@ -285,27 +306,41 @@ def fit_sine(
     for k in orders:
         columns += [np.sin(k * turn), np.cos(k * turn)]
     matrix = np.stack(columns, axis=1)
-    coefficients = np.linalg.solve(matrix.T @ matrix, matrix.T @ values) if time.size > LONG else _least(matrix, values)
+    coefficients = (
+        np.linalg.solve(matrix.T @ matrix, matrix.T @ values)
+        if time.size > LONG
+        else np.asarray(np.linalg.lstsq(matrix, values, rcond=None)[0])
+    )
     residual = values - matrix @ coefficients
     sigma = math.sqrt(float(residual @ residual) / max(1, time.size - len(columns)))
-    if is_coloured:
-        # Higher harmonics would absorb the slow part of the coloured noise.
-        low_columns = matrix[:, :6]
-        noise = estimate_noise([values - low_columns @ _least(low_columns, values)], 0)
-        sigma = UNSEEN * max(noise.at(2.0 * math.pi / per_period), 0.3 * sigma)
     waves = coefficients[2::2] + 1j * coefficients[3::2]
     size = abs(waves[0])
     covariance = np.linalg.pinv(matrix.T @ matrix)
-    error = sigma * math.sqrt(0.5 * float(covariance[2, 2] + covariance[3, 3]))
+    error = harmonic_error = sigma * math.sqrt(0.5 * float(covariance[2, 2] + covariance[3, 3]))
+    factor = UNSEEN if is_coloured else 1.0
+    if is_coloured:
+        errors = _errors_between_harmonics(residual, round(time.size / per_period))
+        error, harmonic_error = (value if math.isfinite(value) else error for value in errors)
     # The noise power adds to the power of each harmonic.
     power = float(np.sum(np.abs(waves[1:]) ** 2))
-    harmonics = math.sqrt(max(power - 2.0 * waves[1:].size * error**2, 0.0))
+    harmonics = math.sqrt(max(power - 2.0 * waves[1:].size * harmonic_error**2, 0.0))
     distortion = harmonics / float(size) if size > 0.0 else math.inf
-    return SineComponent(complex(waves[0]), float(coefficients[0]), distortion, error)
+    return SineComponent(complex(waves[0]), float(coefficients[0]), distortion, factor * error, factor * harmonic_error)
 
 
-def _least(matrix: FloatArray, values: FloatArray) -> FloatArray:
-    return np.asarray(np.linalg.lstsq(matrix, values, rcond=None)[0])
+def _errors_between_harmonics(residual: FloatArray, periods: int) -> tuple[float, float]:
+    """Return the standard errors of the amplitudes of the fundamental and of the harmonics by noise of any colour.
+
+    The response to a sine has no power at frequencies between its harmonics. The errors are the power of the residuals
+    at these frequencies, near the fundamental and near the harmonics 2 to 5. They are NaN if the residuals of
+    `periods` periods contain no such frequency.
+    """
+    amplitudes = np.abs(np.fft.rfft(residual)) * (2.0 / residual.size)
+    order = np.arange(amplitudes.size) / periods
+    is_between = (np.arange(amplitudes.size) % periods != 0) & (order < HIGHEST + 0.5)
+    near = is_between & (order > 0.5) & (order < 2.5), is_between & (order > 1.5)
+    first, others = (float(np.sqrt(0.5 * np.mean(amplitudes[part] ** 2))) if part.any() else math.nan for part in near)
+    return first, others
 
 
 def _steady_periods(time: FloatArray, y: FloatArray, frequency: float) -> int:
@@ -358,7 +393,9 @@ def _add_bandwidths(evaluation: Evaluation, rows: list[Row], frequency: FloatArr
             evaluation.add(name, highest, bound=AT_LEAST, **case)
         else:
             evaluation.note_absence(f"between_{quantity}", name, level=level_text)
-    if first["phase"] < -30.0:
+    if abs(first["phase"] + 180.0) < OPPOSITE:
+        evaluation.note("frequency.opposite", frequency=float(frequency[0]), phase=first["phase"])
+    elif first["phase"] < -30.0:
         evaluation.note("frequency.not_low", frequency=float(frequency[0]), phase=first["phase"])
     limit = evaluation.figures["bandwidth_gain"].value if "bandwidth_gain" in evaluation.figures else highest
     rows_in_band = [row for row in rows if row["frequency"] <= limit] or [first]

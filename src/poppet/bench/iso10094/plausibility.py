@@ -20,6 +20,7 @@ DEAD, SMALL = 0.02, 0.3  # change of the outlet relative to the setpoint: sensor
 OPPOSITE = -0.5  # correlation of setpoint and outlet below which the outlet is inverted
 SLOW_STEP, SLOW_TOTAL = 0.25, 6.0 * 3600.0  # time between samples of a dynamic test, and duration of a sweep [s]
 FAST_DYNAMIC, FAST_STATIC = 0.05, 0.5  # shortest duration of a recording [s]
+FAST_STEP = 3e-5  # shortest time between samples [s]
 MOVING = ("characteristic", "step", "frequency")  # tests in which the setpoint moves over a wide range
 DYNAMIC = ("step", "frequency")
 
@@ -73,7 +74,7 @@ def suspicion_notes(record: Record, scale: Scale) -> list[Note]:
     is_dynamic, notes = record.test in DYNAMIC, list[Note]()
     if (is_dynamic and record.step > SLOW_STEP) or timing["total"] > SLOW_TOTAL:
         notes.append(Note("recordings.slow", record.name, **timing))
-    elif timing["total"] < (FAST_DYNAMIC if is_dynamic else FAST_STATIC):
+    elif record.step < FAST_STEP or timing["total"] < (FAST_DYNAMIC if is_dynamic else FAST_STATIC):
         notes.append(Note("recordings.fast", record.name, **timing))
     if record.test not in MOVING or record.time.size < WINDOW:
         return notes

@@ -37,7 +37,7 @@ Say = Callable[[str], object]
 
 
 class EvaluatedRecord(NamedTuple):
-    """Record of a trial with steps or a sine, and the results for each."""
+    """Record of a trial with steps or sines, and one result row for each of them."""
 
     record: Record
     rows: list[Row]

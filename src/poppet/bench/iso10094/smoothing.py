@@ -22,7 +22,9 @@ APART = 1.0  # permitted deviation between wider and narrower parabolas, in stan
 FLANKS, SPANS = (0.6, 0.8, 0.9, 0.96), (0.5, 0.25)
 LOPSIDED = 2.0  # ratio of both sides of an interval, above which it is asymmetric
 CLEAR = 3.0  # standard deviations beyond a level, at which the crossing is certain
+MODEL = 0.5  # standard uncertainty of a polynomial by its shape, relative to the difference from the next one
 AGREED = 1.0  # permitted difference of polynomials through more and fewer samples, in standard deviations
+WIDER_BY = 4  # ratio of the half widths of two parabolas for the noise of their difference
 WIDER = 1.2  # factor on the standard deviation of a parabola, because the width depends on the noise
 
 
@@ -59,7 +61,7 @@ class SmoothedSeries:
             a, b, c = np.interp([k - 1, k, k + 1], np.arange(self.values.size), self.values).tolist()
             bend = 2.0 * b - a - c
             excess = (c - a) ** 2 / (8.0 * bend) if bend > 0.0 else 0.0
-            return b + min(excess, 0.125 * bend), Uncertainty(float(self.errors[k]), 0.03 * abs(bend))
+            return b + min(excess, 0.125 * bend), Uncertainty(float(self.errors[k]), common=0.05 * abs(bend))
         inverse = np.linalg.pinv(np.vander(np.linspace(-1.0, 1.0, count), 5 if count > 6 else 3))
         fine = np.vander(np.linspace(-0.5, 0.5, 101), inverse.shape[0])
         curve = fine @ (inverse @ self.raw[window])
@@ -210,7 +212,11 @@ def smooth_response(time: FloatArray, values: FloatArray, noise: Noise, narrowes
         best[inner] = np.convolve(values, weights, "valid")
         errors[inner], widths[inner] = noise.of(weights), narrowest
         is_open[:narrowest] = is_open[values.size - narrowest :] = False
-    low, high = best - APART * errors, best + APART * errors
+    apart = APART * _deviation_of_wider(noise, 0)
+    low, high = best - apart, best + apart
+    if narrowest:
+        apart = APART * _deviation_of_wider(noise, narrowest)
+        low[inner], high[inner] = best[inner] - apart, best[inner] + apart
     for width in (width for width in WIDTHS if width > narrowest):
         if 2 * width + 1 > values.size or not is_open.any():
             break
@@ -218,8 +224,9 @@ def smooth_response(time: FloatArray, values: FloatArray, noise: Noise, narrowes
         inner = slice(width, values.size - width)
         fitted = np.convolve(values, weights, "valid")
         error = noise.of(weights)
-        low[inner] = np.maximum(low[inner], fitted - APART * error)
-        high[inner] = np.minimum(high[inner], fitted + APART * error)
+        apart = APART * _deviation_of_wider(noise, width)
+        low[inner] = np.maximum(low[inner], fitted - apart)
+        high[inner] = np.minimum(high[inner], fitted + apart)
         agrees = np.zeros(values.size)
         agrees[inner] = low[inner] <= high[inner]
         # A wider parabola is valid if most of the neighbouring values agree with it.
@@ -233,6 +240,20 @@ def smooth_response(time: FloatArray, values: FloatArray, noise: Noise, narrowes
     return SmoothedSeries(time[part], best[part], WIDER * errors[part], values[part], widths[part], noise)
 
 
+def _deviation_of_wider(noise: Noise, width: int) -> float:
+    """Return the standard deviation by which wider parabolas deviate from a parabola because of noise.
+
+    `width` is the half width of this parabola in samples. For white noise, the result is the standard deviation of its
+    value. Slow noise shifts narrow and wide parabolas alike, so the result is smaller.
+    """
+    narrow, wide = parabola(width) if width else np.ones(1), -parabola(max(WIDER_BY * width, WIDER_BY))
+    middle, half = wide.size // 2, narrow.size // 2
+    difference = wide.copy()
+    difference[middle - half : middle + half + 1] += narrow
+    white = math.sqrt(float(difference @ difference) / float(narrow @ narrow))
+    return min(noise.of(difference) / white, noise.of(narrow))
+
+
 def _first_agreeing_estimate(estimates: Sequence[tuple[float, Uncertainty]]) -> tuple[float, Uncertainty]:
     """Return the first estimate that agrees with the next one.
 
@@ -241,7 +262,7 @@ def _first_agreeing_estimate(estimates: Sequence[tuple[float, Uncertainty]]) -> 
     """
     for (value, uncertainty), (next_value, next_uncertainty) in pairwise(estimates):
         if abs(value - next_value) <= AGREED * math.hypot(uncertainty.standard, next_uncertainty.standard):
-            return value, uncertainty
+            return value, uncertainty.plus_normal(MODEL * abs(value - next_value))
     return estimates[-1]
 
 

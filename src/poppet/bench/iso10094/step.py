@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
+from itertools import pairwise
 from typing import Any
 
 import numpy as np
@@ -28,6 +29,7 @@ FOLLOWS = 0.2  # smallest change of the outlet, as a fraction of the setpoint st
 DRIFT = 0.01  # change between the halves of the tail, as a fraction of the step, above which the outlet has not settled
 SHORT = 5.0  # deviation from the setpoint above which the setpoint is not reached [% FS]
 COARSE = 0.02  # duration of a recorded setpoint step relative to the delay, above which a note is given
+ALIKE = 1.6  # largest ratio of the scatter in two holds with the same noise
 POINTS = 400
 MOST_ROWS = 40_000  # maximum number of rows of a hold
 CASE = ("from", "to", "volume", "sampling")  # conditions of a step for its characteristic values
@@ -52,20 +54,22 @@ def _evaluate(evaluation: Evaluation, records: Sequence[Record]) -> None:
         steps = find_jumps(record.time, x, LEAST_STEP, is_exact=record.is_exact)
         if not steps:
             evaluation.note("step.none", record.name, least=LEAST_STEP)
-        for k, jump in enumerate(steps):
-            begin = steps[k - 1].after if k else 0
-            end = steps[k + 1].before + 1 if k + 1 < len(steps) else record.time.size
-            _evaluate_step(evaluation, record, x, y, jump, slice(begin, jump.before + 1), slice(jump.after, end))
+        begins = [0, *(jump.after for jump in steps)]
+        ends = [*(jump.before + 1 for jump in steps), record.time.size]
+        holds = [slice(begin, end) for begin, end in zip(begins, ends, strict=True)]
+        for jump, (before, after) in zip(steps, pairwise(holds), strict=True):
+            _evaluate_step(evaluation, record, x, y, jump, before, after, holds)
     _add_characteristic_values(evaluation)
 
 
 def _evaluate_step(
-    evaluation: Evaluation, record: Record, x: FloatArray, y: FloatArray, jump: Jump, before: slice, after: slice
-) -> None:
-    """Evaluate one step of the setpoint, and add its row to the results table.
+    evaluation: Evaluation, record: Record, x: FloatArray, y: FloatArray, jump: Jump, before: slice, after: slice,
+    holds: Sequence[slice],
+) -> None:  # fmt: skip
+    """Evaluate one step of the setpoint, and add its row to the evaluation.
 
-    `x` and `y` are setpoint and outlet pressure [% FS], and `jump` is the step. `before` and `after` are the slices in
-    which the setpoint is constant before and after it.
+    `x` and `y` are setpoint and outlet pressure in % FS. `jump` is the step. `before` and `after` are the sections of
+    constant setpoint before and after it, and `holds` all such sections of the record.
     """
     if min(before.stop - before.start, after.stop - after.start) < 5:
         evaluation.note("step.no_samples", record.name, time=jump.time)
@@ -101,7 +105,14 @@ def _evaluate_step(
     if (end - start) / (high - low) < FOLLOWS:
         note("hardly", moved=end - start)
         return
-    reason = _add_times(evaluation, row, record, y, jump, slice(before.start, after.stop), earlier, tail)
+    # Other steady parts contribute if they scatter alike: a short part underestimates slow noise.
+    size = float(np.std(np.concatenate([y[part] - np.mean(y[part]) for part in (earlier, tail)])))
+    rests = (steady_part(record.time, hold, TAIL) for hold in holds)
+    others = (y[part] for part in rests if part.start not in (earlier.start, tail.start))
+    alike = [part for part in others if part.size > 3 and size < ALIKE * float(np.std(part)) < ALIKE**2 * size]
+    noise = estimate_noise([y[earlier], y[tail], *alike])
+    section = slice(before.start, after.stop)
+    reason = _add_times(evaluation, row, record, y, jump, section, noise, (earlier, tail))
     if record.has_clipped_samples("outlet", part=after):
         row["overshoot_bound"] = AT_LEAST
         note("clipped_peak")
@@ -122,15 +133,16 @@ def _evaluate_step(
 
 
 def _add_times(
-    evaluation: Evaluation, row: Row, record: Record, y: FloatArray, jump: Jump, section: slice, *holds: slice
-) -> str:
-    """Store the response times and the overshoot of a step in its table row.
+    evaluation: Evaluation, row: Row, record: Record, y: FloatArray, jump: Jump, section: slice, noise: Noise,
+    holds: tuple[slice, slice],
+) -> str:  # fmt: skip
+    """Set the response times and the overshoot in a row of results.
 
-    `section` is the slice from the start of the hold before the step to the end of the hold after it. `holds` are the
-    steady parts of both. The result is empty, or the code of a note on why there is no settling time.
+    `section` is the part of the record with both holds. `noise` is the noise of the outlet. `holds` are the steady
+    parts before and after the step. If the settling time cannot be determined, the result is the code of the note that
+    states why.
     """
     start, end = row["outlet_from"], row["outlet_to"]
-    noise = estimate_noise([y[hold] for hold in holds])
     noise = Noise(noise.covariance / (end - start) ** 2)
     # The step response from 0 (initial value) to 1 (final value), from the last sample before the step.
     time, relative = record.time[section] - jump.time, (y[section] - start) / (end - start)
@@ -154,6 +166,7 @@ def _add_times(
     # Without overshoot, the largest sample is noise.
     is_seen = excess > max(SEEN * error, 1e-6)
     evaluation.set_value(row, "overshoot", 100.0 * excess if is_seen else 0.0, Uncertainty(100.0 * error))
+    row["excess"] = 100.0 * max(excess, 0.0)
     row["overshoot_known_to"] = 100.0 * (max(excess, 0.0) + NORMAL * error)
     if row.get("hum_amplitude", 0.0) > BAND * abs(end - start):
         return "swings_out"
@@ -182,22 +195,25 @@ def _add_characteristic_values(evaluation: Evaluation) -> None:
     first = [row for row in evaluated if row.get("volume", math.nan) == volumes[0] or math.isnan(volumes[0])]
     size = max((row["amplitude"] for row in first), default=0.0)
     reference = [row for row in first if row["amplitude"] > 0.98 * size]
+    # Without a step that the outlet follows, no outlet pressure can settle.
+    reason = "unsettled" if any("response_time" in row for row in evaluation.rows) else "no_step"
     rows_by_direction = {way: [row for row in reference if row["direction"] == way] for way in ("up", "down")}
     if reference:
         _add_longest(evaluation, "delay", reference)
     else:
-        evaluation.note_absence("unsettled", "delay")
+        evaluation.note_absence(reason, "delay")
     for direction, rows in rows_by_direction.items():
         for key in ("rise_time", "response_time"):
             if rows:
                 evaluation.add(f"{key}_{direction}", *mean_of(*evaluation.values_of(rows, key)), **_case(rows[0]))
             else:
-                evaluation.note_absence(f"unsettled_{direction}", f"{key}_{direction}")
+                suffix = f"_{direction}" if reason == "unsettled" else ""
+                evaluation.note_absence(f"{reason}{suffix}", f"{key}_{direction}")
     settled = [row for row in first if "settling_time" in row]
     if settled:
         _add_longest(evaluation, "settling_time", settled)
     else:
-        evaluation.note_absence("noisy" if first else "unsettled", "settling_time")
+        evaluation.note_absence("noisy" if first else reason, "settling_time")
     _overshoot(evaluation, first)
     row = evaluation.add_greatest("hum_amplitude", "hum_amplitude", conditions=CASE)
     if row is None:
@@ -222,10 +238,15 @@ def _add_characteristic_values(evaluation: Evaluation) -> None:
 
 
 def _add_longest(evaluation: Evaluation, name: str, rows: Sequence[Row]) -> None:
-    """Add the longest time in the column `name` as a characteristic value.
+    """Add the longest time of the rows to the evaluation, where repetitions of one step count with their mean."""
+    groups = _repetitions(rows)
+    means = [mean_of(*evaluation.values_of(group, name)) for group in groups]
+    value, uncertainty, k = greatest(*zip(*means, strict=True))
+    evaluation.add(name, value, uncertainty, **_case(groups[k][0]))
 
-    Repetitions of one step count with their mean.
-    """
+
+def _repetitions(rows: Sequence[Row]) -> list[list[Row]]:
+    """Return the rows in groups of equal steps."""
     groups: list[list[Row]] = []
     for row in rows:
         alike = (group for group in groups if all(abs(group[0][key] - row[key]) < LEAST_STEP for key in ("from", "to")))
@@ -234,17 +255,21 @@ def _add_longest(evaluation: Evaluation, name: str, rows: Sequence[Row]) -> None
             groups.append([row])
         else:
             group.append(row)
-    means = [mean_of(*evaluation.values_of(group, name)) for group in groups]
-    value, uncertainty, k = greatest(*zip(*means, strict=True))
-    evaluation.add(name, value, uncertainty, **_case(groups[k][0]))
+    return groups
 
 
 def _overshoot(evaluation: Evaluation, rows: Sequence[Row]) -> None:
     if not rows:
         evaluation.note_absence("no_step", "overshoot")
         return
-    visible = [row for row in rows if row["overshoot"] > 0.0] or list(rows)
-    value, uncertainty, k = greatest(*evaluation.values_of(visible, "overshoot"))
+    # The mean of the visible repetitions alone would be too large.
+    groups = [group for group in _repetitions(rows) if any(row["overshoot"] > 0.0 for row in group)]
+    visible = [group[0] for group in groups] or list(rows)
+    if groups:
+        means = [mean_of([row["excess"] for row in g], evaluation.values_of(g, "overshoot")[1]) for g in groups]
+        value, uncertainty, k = greatest(*zip(*means, strict=True))
+    else:
+        value, uncertainty, k = greatest(*evaluation.values_of(visible, "overshoot"))
     if any("overshoot_bound" in row for row in rows):
         evaluation.add("overshoot", max(row["overshoot"] for row in rows), bound=AT_LEAST, **_case(visible[k]))
     elif value > 0.0:

@@ -125,10 +125,10 @@ class SampledPoint:
         return z[self.places, 0], zv[np.ix_(self.places, self._columns)], zu[self.places]
 
     def scaled(self, v: Array) -> tuple[Array, Array]:
-        """Return the rates of the variables v and their Jacobian, in typical sizes [1/s].
+        """Return the scaled rates of the variables v, and their Jacobian [1/s].
 
-        The rate of a discrete state is its change over one sample, divided by the sample time. All quantities are in
-        units of the typical sizes of the variables.
+        Each variable is divided by its typical size in the results, but not in the argument v. The rate of a discrete
+        state is its change over one sample, divided by the sample time.
         """
         b = self.between(v)
         w, wv, _ = self.instant(v, self.every_clock)

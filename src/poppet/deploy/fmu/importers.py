@@ -5,8 +5,6 @@ from __future__ import annotations
 import json
 import tempfile
 import time
-import tomllib
-import xml.etree.ElementTree as ElementTree
 import zipfile
 from collections.abc import Mapping, Sequence
 from pathlib import Path
@@ -16,6 +14,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from poppet.core.errors import InputError, needed
+from poppet.core.toml_file import LARGEST, TomlFile
+from poppet.deploy.fmu.archive import check_entries, open_archive
 from poppet.deploy.fmu.fmu_layout import FOLLOWS
 
 if TYPE_CHECKING:
@@ -36,26 +36,6 @@ class ImporterRun(NamedTuple):
     points: Array  # (n_times,) ends of the importer's steps [s]
     first: int  # first available row
     seconds: float
-
-
-def fmi_version(path: Path) -> int:
-    """Return the FMI version of an FMU file, which is 2 or 3.
-
-    Raises
-    ------
-    InputError
-        If the file cannot be read or is no FMU.
-    """
-    try:
-        with zipfile.ZipFile(path) as archive:
-            root = ElementTree.fromstring(archive.read("modelDescription.xml"))
-        return {"2": 2, "3": 3}[root.attrib["fmiVersion"].partition(".")[0]]
-    except OSError as problem:
-        raise InputError("files.unreadable", path=str(path), why=problem.strerror or str(problem)) from problem
-    except zipfile.BadZipFile as problem:
-        raise InputError("deploy.fmu.no_archive", name=path.name) from problem
-    except (KeyError, ElementTree.ParseError) as problem:
-        raise InputError("deploy.fmu.no_fmu", name=path.name) from problem
 
 
 def read_description(path: Path) -> tuple[list[str], list[str]]:
@@ -156,14 +136,29 @@ def read_circuit(path: Path) -> BaseCircuit:
     from poppet.circuit.file import loads
     from poppet.identify.parameter_file import with_numbers
 
-    with zipfile.ZipFile(path) as archive:
+    with open_archive(path) as archive:
+        check_entries(archive, path.name)
         names = set(archive.namelist())
         if CIRCUIT not in names:
             raise InputError("deploy.fmu.no_circuit", name=path.name)
-        text = archive.read(CIRCUIT).decode()
-        changes = tomllib.loads(archive.read(CHANGES).decode()) if CHANGES in names else {}
+        text = _text(archive, CIRCUIT, path.name)
+        changes = {}
+        if CHANGES in names:
+            file = TomlFile(_text(archive, CHANGES, path.name), f"{path.name}: {CHANGES}")
+            with file.errors():
+                changes = file.content
         circuit = loads(text, name=path.name, folder=path.parent)
         for name in {f"{PARAMETERS}.toml", f"{PARAMETERS}.json"} & names:
             with tempfile.TemporaryDirectory() as folder:
                 circuit, _ = with_numbers(circuit, archive.extract(name, folder))
     return circuit.with_values(changes)
+
+
+def _text(archive: zipfile.ZipFile, entry: str, name: str) -> str:
+    """Return a text file of an archive with the given file name."""
+    if archive.getinfo(entry).file_size > LARGEST:
+        raise InputError("toml.too_large", path=f"{name}: {entry}", most=LARGEST // 2**20)
+    try:
+        return archive.read(entry).decode("utf-8-sig")
+    except UnicodeDecodeError:
+        raise InputError("toml.no_text", path=f"{name}: {entry}") from None

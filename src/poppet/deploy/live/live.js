@@ -22,22 +22,22 @@
 
   /* Changed values for the kernel: a number, or the course of an input. */
   function given(changed) {
-    const numbers = [], inputs = [];
+    const values = [...kernel.map.values], inputs = [];
     for (const [address, value] of changed) {
       const slider = byAddress.get(address), isHeld = typeof value === "number";
-      if (slider.number >= 0 && isHeld) numbers.push([slider.number, value]);
-      for (const input of slider.inputs) inputs.push([input, isHeld ? [[0, value, 0, false]] : segments(value, slider.delay)]);
+      if (slider.number >= 0 && isHeld) values[slider.number] = value;
+      else for (const input of slider.inputs) inputs.push(isHeld ? [input, [[0, value, 0, false]]] : [input, segments(value), slider.delay]);
     }
-    return [numbers, inputs];
+    return kernel.changes(values, inputs);
   }
 
-  /* Time, value, slope and jump of each segment of a delayed course. */
-  function segments({ kind, times, values }, delay) {
+  /* Time, value, slope and jump of each segment of a course. */
+  function segments({ kind, times, values }) {
     const isSteps = kind === "steps";
     const rows = times.map((t, k) => [t, values[k], isSteps || k + 1 === times.length ? 0 : (values[k + 1] - values[k]) / (times[k + 1] - t),
                                       isSteps && k > 0 && values[k] !== values[k - 1]]);
     if (times[0] > 0) rows.unshift([0, values[0], 0, false]);
-    return delay ? [[0, values[0], 0, false], ...rows.map(([t, ...row]) => [t + delay, ...row])] : rows;
+    return rows;
   }
 
   function run(changed) {
@@ -494,7 +494,8 @@
 
   /* Outputs as CSV in SI, in the format of recordings. */
   function csv({ table, rows: reached, ended }) {
-    const n = time.length, cell = text => /[",\n]/.test(text) ? `"${text.replaceAll('"', '""')}"` : text;
+    const n = time.length, safe = text => /^'*[=+\-@\t\r]/.test(text) ? `'${text}` : text;
+    const cell = text => /[",\n]/.test(text) ? `"${safe(text).replaceAll('"', '""')}"` : safe(text);
     const lines = [["time [s]", ...outputs.map(o => `${o.address} [${o.si}]`)].map(cell).join(",")];
     for (let j = 0; j < reached; j++) {
       const t = j === reached - 1 && ended.status !== "done" ? ended.reached : kernel.grid[j];
@@ -512,7 +513,7 @@
     const lines = text.replace(/^\ufeff/, "").split(/\r?\n/).filter(line => line.trim() && !line.startsWith("#"));
     if (lines.length < 3) throw new Error("fewer than two rows");
     const count = sign => lines[0].split(sign).length, sign = ["\t", ";", ","].reduce((a, b) => count(b) > count(a) ? b : a);
-    const cells = line => line.split(sign).map(cell => cell.trim().replace(/^"(.*)"$/, "$1"));
+    const cells = line => line.split(sign).map(cell => cell.trim().replace(/^"(.*)"$/, "$1").replace(/^'(?='*[=+\-@\t\r])/, ""));
     const number = cell => cell === "" ? NaN : Number(sign === "," ? cell : cell.replace(",", "."));
     const heads = cells(lines[0]).map(head => {
       const found = /^(.*?)\s*[[(]([^\])]*(?:\([^)]*\))?[^\])]*)[\])]\s*$/.exec(head);

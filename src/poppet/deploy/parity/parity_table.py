@@ -20,7 +20,7 @@ from poppet.deploy.comparison import (
     rounding_changes,
     tolerance_changes,
 )
-from poppet.deploy.fmu.importers import fmi_version
+from poppet.deploy.fmu.archive import check_archive
 from poppet.deploy.parity.host_runs import kernel_checks
 from poppet.deploy.parity.parity_check import KernelReference, NotRunError, ParityCheck
 from poppet.deploy.targets import TARGETS
@@ -187,7 +187,7 @@ def compare_targets(circuit: BaseCircuit, *, only: Sequence[str] = (), fmu: Path
             raise InputError("fields.not_an_option", "target", value=name, meaning="target", suggestion=near)
     selected_checks = [check for check in checks.values() if not selected or check.name in selected]
     if fmu is not None:
-        version = fmi_version(fmu)
+        version = check_archive(fmu)
         selected_checks = [check for check in selected_checks if check.fmi == version]
     reference = run_kernel(circuit, fmu)
     with tempfile.TemporaryDirectory() as folder:
@@ -200,7 +200,7 @@ def compare_targets(circuit: BaseCircuit, *, only: Sequence[str] = (), fmu: Path
 def run_kernel(circuit: BaseCircuit, fmu: Path | None = None) -> KernelReference:
     """Run a circuit with poppet's own integrator, and measure the computing time.
 
-    `fmu` is an FMU file to check instead of newly exported ones.
+    If `fmu` is the path of an FMU, the checks use this file instead of newly exported FMUs.
     """
     circuit.simulate()  # compiles everything, and raises the error of a run that fails
     problem = circuit.problem(circuit.run)

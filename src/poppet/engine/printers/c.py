@@ -12,7 +12,7 @@ from collections import Counter
 from collections.abc import Collection, Mapping, Sequence
 from typing import Any, NamedTuple
 
-from poppet.engine.printers.instructions import SIGNATURES, Block, Instruction, blocks, instructions
+from poppet.engine.printers.instructions import SIGNATURES, Block, blocks, instructions
 from poppet.engine.printers.statements import Language
 from poppet.engine.rosenbrock import ARGUMENT, COUPLING, DENSE, GAMMA, INPUT_TIMES, STAGE_DRIFT, STAGE_TIME
 
@@ -27,28 +27,28 @@ _FORMS = {
     "neg": "-{0}",
     "sq": "{0} * {0}",
     "twice": "{0} + {0}",
-    "inv": "{one} / {0}",
+    "inv": "1.0 / {0}",
     # C90 has no fmin and fmax; these forms handle NaN like the kernel.
     "fmin": "{0} < {1} ? {0} : {1}",
     "fmax": "{0} > {1} ? {0} : {1}",
-    "if_else_zero": "{0} != {zero} ? {1} : {zero}",
-    "not": "{0} == {zero} ? {one} : {zero}",
-    "and": "{0} != {zero} && {1} != {zero} ? {one} : {zero}",
-    "or": "{0} != {zero} || {1} != {zero} ? {one} : {zero}",
-    "lt": "{0} < {1} ? {one} : {zero}",
-    "le": "{0} <= {1} ? {one} : {zero}",
-    "eq": "{0} == {1} ? {one} : {zero}",
-    "ne": "{0} != {1} ? {one} : {zero}",
-    "sign": "{0} > {zero} ? {one} : {0} < {zero} ? -{one} : {zero}",
+    "if_else_zero": "{0} != 0.0 ? {1} : 0.0",
+    "not": "{0} == 0.0 ? 1.0 : 0.0",
+    "and": "{0} != 0.0 && {1} != 0.0 ? 1.0 : 0.0",
+    "or": "{0} != 0.0 || {1} != 0.0 ? 1.0 : 0.0",
+    "lt": "{0} < {1} ? 1.0 : 0.0",
+    "le": "{0} <= {1} ? 1.0 : 0.0",
+    "eq": "{0} == {1} ? 1.0 : 0.0",
+    "ne": "{0} != {1} ? 1.0 : 0.0",
+    "sign": "{0} > 0.0 ? 1.0 : {0} < 0.0 ? -1.0 : 0.0",
     "copysign": "with_sign({0}, {1})",
     "pow": "power({0}, {1})",
 }
 """Expressions of operations; all other operations are functions of `math.h` with the same name."""
-_FLAGS = ("lt", "le", "eq", "ne", "not", "and", "or")
 _OF_LIBRARY = ("sqrt", "fabs", "floor", "ceil", "exp", "log", "sin", "cos", "tan", "tanh", "atan", "atan2")
 
 
 LARGEST_SINGLE = 3e38
+"""Constants beyond this magnitude are infinite in single precision."""
 
 
 class Precision(NamedTuple):
@@ -74,44 +74,63 @@ class Precision(NamedTuple):
 DOUBLE, SINGLE = Precision(), Precision("float", "f")
 
 
-def prelude(precision: Precision = DOUBLE) -> str:
-    """Return the C text of all helper functions for printed code."""
-    real, e = precision
-    unity, zero = precision.literal(1.0), precision.literal(0.0)
-    return f"""/* The exponent of the flow law is a number like others, and nearly always 1/2. */
+_POWER = """\
+/* The exponent of the flow law is a number like others, and nearly always 1/2. */
+static double power(double x, double e) {
+  if (e == 0.5) return sqrt(x);
+  if (e == (-0.5)) return 1.0 / sqrt(x);
+  return pow(x, e);
+}"""
+_WITH_SIGN = """\
+static double with_sign(double x, double s) {
+  double size = fabs(x);
+  return s < 0.0 || (s == 0.0 && 1.0 / s < 0.0) ? -size : size;
+}"""
+_STATEMENT_HELPERS = {
+    "smaller": """\
+static {real} smaller({real} a, {real} b) {{
+  return (a < b) ? a : b;
+}}""",
+    "larger": """\
+static {real} larger({real} a, {real} b) {{
+  return (a > b) ? a : b;
+}}""",
+    "power": """\
+/* The exponent is nearly always 1/2. */
 static {real} power({real} x, {real} e) {{
-  if (e == {precision.literal(0.5)}) return sqrt{e}(x);
-  if (e == {precision.literal(-0.5)}) return {unity} / sqrt{e}(x);
-  return pow{e}(x, e);
-}}
-
+  {real} result;
+  if (e == {half}) {{
+    result = sqrt{ending}(x);
+  }} else if (e == {minus_half}) {{
+    result = {one} / sqrt{ending}(x);
+  }} else {{
+    result = pow{ending}(x, e);
+  }}
+  return result;
+}}""",
+    "with_sign": """\
 static {real} with_sign({real} x, {real} s) {{
-  {real} size = fabs{e}(x);
-  return s < {zero} || (s == {zero} && {unity} / s < {zero}) ? -size : size;
-}}
-"""
+  const {real} size = fabs{ending}(x);
+  return ((s < {zero}) || ((s == {zero}) && (({one} / s) < {zero}))) ? (-size) : size;
+}}""",
+}
+"""Functions that readable statements call, by name. They have one exit and braces, as MISRA C requires."""
 
 
 def statement_helpers(text: str, precision: Precision) -> str:
     """Return the C text of the helper functions that readable statements call."""
-    real = precision.real
-    helpers = [
-        f"static {real} {name}({real} a, {real} b) {{\n  return (a {sign} b) ? a : b;\n}}"
-        for name, sign in (("smaller", "<"), ("larger", ">"))
-        if f"{name}(" in text
-    ]
-    return "\n\n".join([*helpers, *filter(None, [used_prelude(text, precision)])])
+    numbers = {"half": 0.5, "minus_half": -0.5, "one": 1.0, "zero": 0.0}
+    fields = {name: precision.literal(number) for name, number in numbers.items()}
+    fields |= {"real": precision.real, "ending": precision.ending}
+    return "\n\n".join(form.format(**fields) for name, form in _STATEMENT_HELPERS.items() if f"{name}(" in text)
 
 
-def used_prelude(text: str, precision: Precision = DOUBLE) -> str:
+def used_prelude(text: str) -> str:
     """Return the C text of those helper functions that a text calls.
 
     Compilers would warn about unused functions.
     """
-    first, second = prelude(precision).split("\n\n", 1)
-    return "\n\n".join(
-        f for f, name in ((first, "power("), (second.rstrip(), "with_sign(")) if name in text
-    )  # fmt: skip
+    return "\n\n".join(f for f, name in ((_POWER, "power("), (_WITH_SIGN, "with_sign(")) if name in text)
 
 
 def statement_language(precision: Precision) -> Language:
@@ -148,10 +167,8 @@ def print_function(
     signature: str = "",
     *,
     labels: Mapping[str, Sequence[str]] | None = None,
-    precision: Precision = DOUBLE,
     head: str = "void",
     prefix: str = "",
-    wide: Mapping[str, Collection[int]] | None = None,
     shares_inverses: bool = False,
 ) -> str:
     """Return the C text of one traced function.
@@ -159,28 +176,20 @@ def print_function(
     `signature` contains the names of its arguments and results, as in `SIGNATURES`. The keyword `labels` contains
     comments for the elements of each argument. With `shares_inverses`, divisions by the same value become products with
     one inverse, which is faster and changes the last digit.
-
-    In single precision, the keyword `wide` selects vectors that remain in double precision, and elements of them, such
-    as times. Values that are computed from these elements also have double precision.
     """
     arguments, _, results = (signature or SIGNATURES[name]).partition("->")
     names, name = (arguments.split(), results.split()), prefix + name
-    wide = wide or {}
-
-    def vector(argument: str) -> str:
-        return f"{'double' if argument in wide else precision.real} *{argument}"
-
-    formal = [f"const {vector(a)}" for a in names[0]] + [vector(a) for a in names[1]]
-    style = _Style(labels or {}, precision, wide, shares_inverses)
+    formal = [f"const double *{argument}" for argument in names[0]] + [f"double *{result}" for result in names[1]]
+    style = _Style(labels or {}, shares_inverses)
     parts = blocks(instructions(function), BLOCK_SIZE)
     if len(parts) <= 1:
         block = parts[0] if parts else Block((), frozenset())
         return "\n".join([f"{head} {name}({', '.join(formal)}) {{", *_print_block(block, names, style), "}"])
     text: list[str] = []
     for k, block in enumerate(parts):
-        block_arguments = ", ".join([*formal, f"{precision.real} *w"])
+        block_arguments = ", ".join([*formal, "double *w"])
         text += [f"static void {name}_{k}({block_arguments}) {{", *_print_block(block, names, style, "w"), "}", ""]
-    text += [f"{head} {name}({', '.join(formal)}) {{", f"  {precision.real} w[{function.sz_w()}];"]
+    text += [f"{head} {name}({', '.join(formal)}) {{", f"  double w[{function.sz_w()}];"]
     actual = ", ".join([*names[0], *names[1], "w"])
     return "\n".join([*text, *(f"  {name}_{k}({actual});" for k in range(len(parts))), "}"])
 
@@ -189,26 +198,7 @@ class _Style(NamedTuple):
     """Options with which a function is printed in C."""
 
     labels: Mapping[str, Sequence[str]]
-    precision: Precision
-    wide: Mapping[str, Collection[int]]
     shares_inverses: bool
-
-
-class _Operand(NamedTuple):
-    """Operand of an expression in C: the name of a variable, or a constant.
-
-    `is_wide` is True for a value of double precision in a function of single precision. `double_name` is the name of
-    the same value in double precision, or empty.
-    """
-
-    name: str
-    constant: float = 0.0
-    is_wide: bool = False
-    double_name: str = ""
-
-    def text(self, precision: Precision) -> str:
-        name = self.double_name if self.double_name and not precision.ending else self.name
-        return name or precision.literal(self.constant)
 
 
 def _print_block(block: Block, names: tuple[list[str], list[str]], style: _Style, passed: str = "") -> list[str]:
@@ -217,24 +207,24 @@ def _print_block(block: Block, names: tuple[list[str], list[str]], style: _Style
     Each intermediate value becomes a constant in C. Lines that store results come last. `passed` is the name of the
     array that passes values between blocks.
     """
-    live, precision, is_single = _live_instructions(block), style.precision, bool(style.precision.ending)
+    live = _live_instructions(block)
     lines: list[str] = []
     stores: list[str] = []
-    values: dict[int, _Operand] = {}
+    values: dict[int, str] = {}  # text of each value: the name of a variable, or a constant
     referenced: set[str] = set()
-    inverses: dict[int, _Operand] = {}
+    inverses: dict[int, str] = {}
     divisors = _shared_divisors(block, live) if style.shares_inverses else {}
 
-    def value(slot: int) -> _Operand:
+    def value(slot: int) -> str:
         if slot not in values:
             referenced.add(passed)
             values[slot] = assign(f"{passed}[{slot}]")
         return values[slot]
 
-    def assign(text: str, comment: str = "", is_wide: bool = False) -> _Operand:
+    def assign(text: str, comment: str = "") -> str:
         name = f"v{len(lines)}"
-        lines.append(f"  const {'double' if is_wide else precision.real} {name} = {text};{comment}")
-        return _Operand(name, is_wide=is_wide)
+        lines.append(f"  const double {name} = {text};{comment}")
+        return name
 
     def comment(vector: str, element: int) -> str:
         labels = style.labels.get(vector, ())
@@ -245,39 +235,27 @@ def _print_block(block: Block, names: tuple[list[str], list[str]], style: _Style
         if instruction.operation == "output":
             name = names[1][vector]
             referenced.add(name)
-            operand = value(instruction.arguments[0])
-            cast = f"({precision.real})" if operand.is_wide and name not in style.wide else ""
-            stores.append(f"  {name}[{element}] = {cast}{operand.text(precision)};{comment(name, element)}")
+            stores.append(f"  {name}[{element}] = {value(instruction.arguments[0])};{comment(name, element)}")
         elif k not in live:
             continue
         elif instruction.operation == "input":
             name = names[0][vector]
             referenced.add(name)
-            is_wide = is_single and element in style.wide.get(name, ())
-            element_name = f"{name}[{element}]"
-            if is_single and name in style.wide and not is_wide:
-                values[instruction.result] = _Operand(f"({precision.real}){element_name}", double_name=element_name)
-            else:
-                values[instruction.result] = assign(element_name, comment(name, element), is_wide)
+            values[instruction.result] = assign(f"{name}[{element}]", comment(name, element))
         elif instruction.operation == "const":
-            is_wide = is_single and abs(instruction.constant) > LARGEST_SINGLE
-            values[instruction.result] = _Operand("", instruction.constant, is_wide)
+            values[instruction.result] = DOUBLE.literal(instruction.constant)
         else:
             arguments = [value(slot) for slot in instruction.arguments]
-            # The condition of a choice and the arguments of a comparison do not affect the type of the result.
-            deciding = arguments[1:] if instruction.operation == "if_else_zero" else arguments
-            is_wide = instruction.operation not in _FLAGS and any(argument.is_wide for argument in deciding)
             if k in divisors:
                 divisor = divisors[k]
                 if divisor not in inverses:
-                    inverses[divisor] = assign(f"{precision.literal(1.0)} / {arguments[-1].text(precision)}")
-                product = f"{arguments[0].text(precision)} * {inverses[divisor].name}"
-                values[instruction.result] = inverses[divisor] if instruction.operation == "inv" else assign(product)
+                    inverses[divisor] = assign(f"1.0 / {arguments[-1]}")
+                is_inverse = instruction.operation == "inv"
+                product = f"{arguments[0]} * {inverses[divisor]}"
+                values[instruction.result] = inverses[divisor] if is_inverse else assign(product)
                 continue
-            values[instruction.result] = assign(
-                _expression(instruction, arguments, precision, is_wide), is_wide=is_wide
-            )
-    stores += [f"  {passed}[{slot}] = {values[slot].text(precision)};" for slot in sorted(block.live_out)]
+            values[instruction.result] = assign(_expression(instruction.operation, arguments))
+    stores += [f"  {passed}[{slot}] = {values[slot]};" for slot in sorted(block.live_out)]
     referenced |= {passed} if block.live_out else set()
     ignored = [
         f"  (void){name};" for name in (*names[0], *names[1], *([passed] if passed else [])) if name not in referenced
@@ -315,17 +293,13 @@ def _live_instructions(block: Block) -> set[int]:
     return live
 
 
-def _expression(instruction: Instruction, arguments: Sequence[_Operand], precision: Precision, is_wide: bool) -> str:
-    result = DOUBLE if is_wide else precision
-    # If one operand is double, constants are double as well, also in a comparison.
-    common = DOUBLE if any(argument.is_wide for argument in arguments) else precision
-    operands = [argument.text(common) for argument in arguments]
-    form = _FORMS.get(instruction.operation)
+def _expression(operation: str, arguments: Sequence[str]) -> str:
+    form = _FORMS.get(operation)
     if form is not None:
-        return form.format(*operands, one=result.literal(1.0), zero=result.literal(0.0))
-    if instruction.operation not in _OF_LIBRARY:
-        raise NotImplementedError(f"no form in C for the CasADi operation {instruction.operation}")
-    return f"{instruction.operation}{result.ending}({', '.join(operands)})"
+        return form.format(*arguments)
+    if operation not in _OF_LIBRARY:
+        raise NotImplementedError(f"no form in C for the CasADi operation {operation}")
+    return f"{operation}({', '.join(arguments)})"
 
 
 # Step of the kernel

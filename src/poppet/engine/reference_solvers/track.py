@@ -25,7 +25,7 @@ class Leg(NamedTuple):
     between: Callable[[float], Array]
 
     def at(self, t: float) -> Array:
-        """Return the state at the time t, which is in the interval [s]."""
+        """Return the state at the time t [s], which must be within the integration step of this object."""
         if t in (self.begin, self.end):
             return self.x0 if t == self.begin else self.x1
         return np.ascontiguousarray(self.between(t))

@@ -274,9 +274,9 @@ def _polynomial_shapes(options: _CurveOptions) -> Shapes:
 def _fit_spline(
     options: _CurveOptions, evidence: Sequence[TestEvidence], common: tuple[float, float]
 ) -> tuple[CurveFit, MonotoneVerdict]:
-    """Return the spline in which C never falls, and the test whether the data reject this constraint.
+    """Return the spline in which C never falls, and the result of a statistical test of this constraint.
 
-    `evidence` contains C and b of the tests, and `common` the errors that all tests share.
+    `evidence` contains C and b of each measurement, and `common` the errors that all measurements share.
     """
     decoupled = [e.decoupled() for e in evidence]
     if options.knots:

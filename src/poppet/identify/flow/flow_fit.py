@@ -44,8 +44,11 @@ LEAST_READING = 0.02
 DOUBT = 0.01
 """Probability below which the residuals are too large for the stated uncertainties."""
 
-SCATTERED = 0.1
-"""Probability below which the residuals widen the intervals, because the stated scatter can be too small."""
+DOUBTED = 0.2
+"""Probability that the scatter is larger than the one with which the intervals are calculated."""
+
+LARGEST_FACTOR = 2.0
+"""Largest factor on a stated scatter that only few degrees of freedom cause."""
 
 BETTER = 6.0
 """Reduction of AICc by one more free parameter above which the simpler law is rejected."""
@@ -257,21 +260,24 @@ class FlowFit:
 
     @property
     def scatter_factor(self) -> float:
-        """Factor on the standard errors if the residuals exceed the stated scatter (Birge's ratio).
+        """Factor on the standard errors by scatter, at least 1, because a stated scatter can be too small.
 
-        It is 1 if they do not exceed it, or if no scatter is stated.
+        It is the upper limit of the scatter according to the residuals. Few residuals determine the scatter poorly, so
+        the factor is at most 2 if Birge's ratio is smaller.
         """
-        is_large = self.scatter_is_known and self.stated_probability < SCATTERED
-        return math.sqrt(max(1.0, self.chi_square / self.degrees_of_freedom)) if is_large else 1.0
+        from scipy.special import chdtri
+
+        freedom = self.degrees_of_freedom
+        if not self.scatter_is_known or freedom < 1:
+            return 1.0
+        birge = math.sqrt(self.chi_square / freedom)
+        upper = math.sqrt(self.chi_square / float(chdtri(freedom, 1.0 - DOUBTED)))
+        return max(1.0, birge, min(upper, LARGEST_FACTOR))
 
     @property
     def scatter_freedom(self) -> float:
-        """Degrees of freedom of the scatter of the points.
-
-        They are infinite if the scatter is stated and agrees with the residuals. Otherwise they are those of the fit.
-        """
-        is_known = self.scatter_is_known and self.scatter_factor == 1.0
-        return math.inf if is_known else float(max(self.degrees_of_freedom, 1))
+        """Degrees of freedom with which the scatter is known."""
+        return math.inf if self.scatter_is_known else float(max(self.degrees_of_freedom, 1))
 
     @cached_property
     def aicc(self) -> float:

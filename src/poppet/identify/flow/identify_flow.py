@@ -82,8 +82,9 @@ def identify_flow(
     -----
     Common errors (calibration, offset: delta above, in standard deviations) are free parameters with their stated
     standard deviation; the intervals therefore contain them. If the scatter is not stated, the residuals give it, and
-    the intervals use Student's t. If the stated scatter is too small, it is enlarged, and a finding reports it. Choked
-    points do not determine b: its value is then NaN, and `low` is the limit below which the data exclude it.
+    the intervals use Student's t. A stated scatter can be too small: the intervals use its upper limit according to the
+    residuals, and a finding reports a scatter that is certainly too small. Choked points do not determine b: its value
+    is then NaN, and `low` is the limit below which the data exclude it.
 
     The law is valid for steady flow of an ideal gas through a flow path that does not change, not for regulators.
 

@@ -118,7 +118,7 @@ def _seal_and_bristle_notes(analysis: FrictionFits) -> Iterator[Note]:
 
 
 def _motion_notes(analysis: FrictionFits) -> Iterator[Note]:
-    """Yield findings on friction that depends on the direction, the start of a stroke, or the position."""
+    """Yield findings on friction that differs between directions, at the start of strokes, or along the stroke."""
     data, rows, solution = analysis.data, analysis.data.rows, analysis.fit.solution
     if analysis.is_one_way:
         yield Note("friction.one_side", assumed=not analysis.is_offset_known)

@@ -230,7 +230,7 @@ class Sarosi(ForceLaw):
     Parameters
     ----------
     a1, a2, a3, a4, a5, a6 : float or symbol
-        a1, a4 and a5 in [N/Pa], a2 and a6 in [N], a3, below zero, in [1].
+        a1, a4 and a5 in [N/Pa], a2 and a6 in [N]; a3 is dimensionless and negative.
 
     Notes
     -----

@@ -13,7 +13,7 @@ import numpy as np
 
 from poppet.core.codes import Note
 from poppet.core.errors import InputError, needed
-from poppet.core.files import by_suffix
+from poppet.core.files import by_suffix, check_path
 from poppet.core.plugins import Registry
 from poppet.core.units import LARGEST
 from poppet.timeseries.checks import METADATA, FloatArray
@@ -235,6 +235,7 @@ def read_table(
     """
     options = {"separator": separator, "decimal": decimal, "header_rows": header_rows, "group": group}
     selected = {name: value for name, value in options.items() if value is not None}
+    check_path(path)
     reader = by_suffix(path, READERS)
     for name in selected.keys() - inspect.signature(reader).parameters:
         raise InputError("table.no_such_option", name, value=selected[name], suffix=path.suffix)

@@ -7,6 +7,7 @@ recordings. Its error messages contain the line number.
 from __future__ import annotations
 
 import csv
+import io
 import re
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -15,7 +16,9 @@ from pathlib import Path
 import numpy as np
 
 from poppet.core.codes import Note
+from poppet.core.csv_cells import unmarked_text
 from poppet.core.errors import InputError
+from poppet.core.files import open_input
 from poppet.timeseries.checks import FloatArray
 from poppet.timeseries.tables.table import Table, heading_of, unit_of
 from poppet.timeseries.tables.time_stamps import CONVERTED, convert_stamps
@@ -34,6 +37,10 @@ _LAST, _BETWEEN = 60, 200
 
 LARGEST_TEXT = 256 * 2**20  # limit of the size of a text file [bytes]; reading needs ten times as much memory
 
+_OPEN = re.compile(r'(?:^|[,;\t])\s*"(?:[^"]|"")*+$')
+_CLOSE = re.compile(r'(?:[^"]|"")*+"\s*(?:[,;\t]|$)')
+_MAX_JOINED = 20  # maximum number of newlines in a cell
+
 Line = tuple[int, str]  # line number in the file, counted from 1, and text of the line
 
 
@@ -47,7 +54,8 @@ class _TextLayout:
     def cells(self, text: str) -> list[str]:
         if self.separator == " ":
             return text.split()
-        return [cell.strip() for cell in next(csv.reader([text], delimiter=self.separator), [])]
+        lines = io.StringIO(text, newline="") if "\n" in text else [text]
+        return [cell.strip() for cell in next(csv.reader(lines, delimiter=self.separator), [])]
 
     def is_number(self, cell: str) -> bool:
         return _NUMBER[self.decimal].fullmatch(cell) is not None
@@ -140,7 +148,7 @@ def read_exact(path: Path) -> Table:
         raise InputError("table.no_samples" if lines else "table.empty")
     layout = _TextLayout(",", ".")
     (first, heading), body = lines[0], lines[1:]
-    names = layout.cells(heading)
+    names = [unmarked_text(cell) for cell in layout.cells(heading)]
     if len(names) == 1 and ";" in names[0]:
         raise InputError("table.semicolons", line=first)
     table = _all_numbers([text for _, text in body], ",", len(names))
@@ -161,8 +169,8 @@ def _decoded_text(path: Path) -> tuple[str, int]:
 
     The number is 0 if the whole file is UTF-8 or UTF-16. Otherwise the text is decoded as Latin-1.
     """
-    with path.open("rb") as file:
-        content = file.read(LARGEST_TEXT + 1)  # a device has no size and can be endless
+    with open_input(path) as file:
+        content = file.read(LARGEST_TEXT + 1)
     if len(content) > LARGEST_TEXT:
         raise InputError("table.too_large", most=LARGEST_TEXT // 2**20)
     if content[:2] in (b"\xff\xfe", b"\xfe\xff"):
@@ -178,7 +186,28 @@ def _decoded_text(path: Path) -> tuple[str, int]:
 
 def _lines(text: str) -> list[Line]:
     ends = text.replace("\r\n", "\n").replace("\r", "\n").split("\n")
-    return [(k, line) for k, line in enumerate(ends, start=1) if line.strip()]
+    lines = [(k, line) for k, line in enumerate(ends, start=1) if line.strip()]
+    return _joined(lines) if '"' in text else lines
+
+
+def _joined(lines: list[Line]) -> list[Line]:
+    """Join the lines of cells in quotes that contain newlines.
+
+    A quote without a closing quote in the next lines, such as an inch sign, is left as it is.
+    """
+    joined: list[Line] = []
+    k = 0
+    while k < len(lines):
+        number, line = lines[k]
+        k += 1
+        if line.count('"') % 2 and _OPEN.search(line):
+            for j, (_, following) in enumerate(lines[k : k + _MAX_JOINED], start=k + 1):
+                if following.count('"') % 2:
+                    if _CLOSE.match(following):
+                        line, k = "\n".join([line, *(text for _, text in lines[k:j])]), j
+                    break
+        joined.append((number, line))
+    return joined
 
 
 def _guess_layout(lines: Sequence[Line], separators: Sequence[str], decimals: Sequence[str]) -> _TextLayout:
@@ -239,7 +268,7 @@ def _column_headings(
         if len(cells) != layout.width:
             cells = [f"column {k}" for k in range(layout.width)]
             guessed = [Note("table.no_headings", last=layout.width - 1)]
-    headings = [heading_of(cell) for cell in cells]
+    headings = [heading_of(unmarked_text(cell)) for cell in cells]
     notes = [Note("table.header_line", number=number, text=text.strip()) for number, text in head]
     return [name for name, _ in headings], units or [unit for _, unit in headings], notes + guessed
 
