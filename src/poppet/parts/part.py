@@ -26,6 +26,7 @@ from poppet.core.codes import Note
 from poppet.core.errors import InputError
 from poppet.core.provenance import Number
 from poppet.core.symbolic import SymbolicValueError, is_symbolic
+from poppet.laws.iso6358 import REGIMES
 from poppet.parts.captions import CaptionNumbers
 from poppet.parts.fields import (
     BodySpec,
@@ -493,7 +494,7 @@ class Store(Part):
         return ("",)
 
     def output_ranges(self) -> dict[str, tuple[str | float, str | float]]:
-        return {"pressure": (0.0, float("inf")), "temperature": (1.0, float("inf"))}
+        return super().output_ranges() | {"pressure": (0.0, float("inf")), "temperature": (1.0, float("inf"))}
 
     @abstractmethod
     def gas(self, scope: Scope) -> GasState:
@@ -510,6 +511,13 @@ class Store(Part):
 
 class Passage(Part):
     """Base class of flow paths: parts through which gas flows between gas nodes."""
+
+    regimes: ClassVar[tuple[str, ...]] = ("regime",)
+    """Outputs with the code of a flow regime."""
+
+    def output_ranges(self) -> dict[str, tuple[str | float, str | float]]:
+        codes = float(min(REGIMES)), float(max(REGIMES))
+        return super().output_ranges() | dict.fromkeys(self.regimes, codes)
 
     @abstractmethod
     def flows(self, scope: Scope, gas: Mapping[str, GasState]) -> PassageFlows:
