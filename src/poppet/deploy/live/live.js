@@ -26,7 +26,7 @@
     for (const [address, value] of changed) {
       const slider = byAddress.get(address), isHeld = typeof value === "number";
       if (slider.number >= 0 && isHeld) values[slider.number] = value;
-      else for (const input of slider.inputs) inputs.push(isHeld ? [input, [[0, value, 0, false]]] : [input, segments(value), slider.delay]);
+      if (slider.number < 0 || slider.is_driven || !isHeld) for (const input of slider.inputs) inputs.push(isHeld ? [input, [[0, value, 0, false]]] : [input, segments(value), slider.delay]);
     }
     return kernel.changes(values, inputs);
   }

@@ -52,7 +52,7 @@ class Slider:
     meaning: str
     source: str
     is_assumed: bool
-    number: int  # index in the values of the parameter map; -1 for an input without parameter
+    number: int  # index in the values of the parameter map; -1 for an input that is not a parameter
     inputs: tuple[int, ...]  # indices of the inputs that take the parameter, or of the input itself
     is_driven: bool  # an input that a signal drives until the user sets it
     # Signal that the user can edit, with kind "steps" or "points"; no points if the file has no signal.
@@ -100,9 +100,10 @@ def select_sliders(
                 if slider.number >= 0:
                     _check_continuity(circuit, slider)
                 sliders[slider.address] = replace(slider, is_settable=_is_settable(circuit, slider))
-    own = [slider.address for slider in sliders.values() if slider.number >= 0]
+    # The value of an input with a signal is also a parameter, on which the start of the run can depend.
+    own = [s.address for s in sliders.values() if s.number >= 0 or s.address in circuit.numbers()]
     mapping = trace_parameters(export_model, circuit, own)
-    result = [s if s.number < 0 else replace(s, number=own.index(s.address)) for s in sliders.values()]
+    result = [replace(s, number=own.index(s.address)) if s.address in own else s for s in sliders.values()]
     with ErrorCollector() as errors:
         for slider in result:
             with errors.collecting():
@@ -206,6 +207,8 @@ def _check_map(circuit: BaseCircuit, mapping: ParameterMap, slider: Slider) -> N
     fixed = [k for k in range(base.size) if k not in mapping.places]
     places, conditions = list(mapping.places), circuit.problem(circuit.run).stop_conditions
     for value in (slider.low, slider.high):
+        if slider.is_driven and not _is_valid(circuit, slider, value):
+            continue
         changed = changed_circuit(circuit, slider, value)
         values[slider.number] = value
         expected = np.array(list(changed.parameters.values()))
