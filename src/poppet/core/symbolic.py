@@ -20,6 +20,15 @@ def is_symbolic(*values: Any) -> bool:
     return any(type(value).__module__.startswith("casadi") for value in values)
 
 
+class SymbolicValueError(TypeError):
+    """Error raised if a symbol is used in place of a float, for example in a check of its value."""
+
+
+def is_certain(condition: Any) -> bool:
+    """Return True if a condition is true; a condition on symbols is not certain."""
+    return not is_symbolic(condition) and bool(condition)
+
+
 def is_array(*values: Any) -> bool:
     """Return True if any argument is a NumPy array, a list or a tuple."""
     return any(isinstance(value, (np.ndarray, list, tuple)) for value in values)
