@@ -61,6 +61,13 @@ def test_interval_includes_leaks_that_the_data_do_not_reject(seed: int) -> None:
         assert abs(e.value - truth) < 3.0 * e.standard_error, name
 
 
+def test_leak_near_its_bound_is_reported_at_its_lower_bound() -> None:
+    result = identify_draw(ENDS_NEAR_BOUND)
+    assert result.parameters[LEAK].value > 0.0
+    (note,) = (note for note in result.remarks if note.code == "finding.number.bound")
+    assert (note.address, note.facts["is_low"]) == (LEAK, True)
+
+
 def test_interval_is_wider_on_the_side_of_a_leak() -> None:
     """A leak takes a part of the flow, so that C is smaller with a leak than without it."""
     e = identify_draw(ENDS_AT_BOUND[0]).parameters[C]

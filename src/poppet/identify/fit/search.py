@@ -307,7 +307,7 @@ def optimise(
 def _mark_near_bounds(optimum: Optimum, free: tuple[FreeParameter, ...], fixed: Mapping[str, float]) -> None:
     """Mark parameters as active if their distance from a bound is small compared with their standard error.
 
-    A search approaches a bound of 0 in steps that halve the parameter, and can end before it reaches the bound.
+    A search can end slightly inside a bound, if the cost of the bound is almost the same.
     """
     for k, f in enumerate(free):
         sides = np.array([optimum.x[k] - f.low, f.high - optimum.x[k]])
