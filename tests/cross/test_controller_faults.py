@@ -348,6 +348,27 @@ def test_program_gives_the_commands_of_a_run_with_faults(case):
         assert outputs[:, k] == pytest.approx(expected, rel=0.0, abs=1e-9 * np.abs(expected).max() + 1e-15)
 
 
+@pytest.mark.parametrize("case", CONTROLLERS)
+@pytest.mark.parametrize("factor", [0.2, 1.0, 2.0, 7.0])
+def test_fault_time_is_measured_time(case, factor):
+    """A host that calls too rarely, so that samples are dropped, gets the safe command after the same time."""
+    program, n = program_of(case), 1000
+    inputs, interval = usual_inputs(case, n), factor * program.cycle
+    inputs[20:, numeric(case)[0]] = np.nan
+    _, status = program.run(inputs, intervals=np.full(n, interval))
+    first = next(k for k in range(n) if status[k] & SAFE)
+    assert (first - 20) * interval == pytest.approx(0.1, abs=3.0 * interval + 5e-3)
+
+
+@pytest.mark.parametrize("target", TARGETS)
+def test_pause_during_a_fault_counts_for_the_fault_time(target, folder):
+    program, n = program_of("pid"), 60
+    inputs, intervals = usual_inputs("pid", n), np.full(n, program.cycle)
+    inputs[20:, numeric("pid")[0]], intervals[22] = np.nan, 5.0
+    _, status = run_on(target, "pid", calls_of(program, inputs, intervals=intervals), folder)
+    assert [*np.flatnonzero(status & SAFE)] == [*range(23, n)]
+
+
 def manual_inputs(n):
     """Inputs of the PID in manual mode: each sample has another command, which acts in the next sample."""
     program = program_of("pid")
