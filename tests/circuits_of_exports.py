@@ -10,6 +10,15 @@ from poppet import Chamber, CheckValve, Circuit, Orifice, ReliefValve, Reservoir
 from poppet.timeseries.signals import Points
 
 EXAMPLES = Path(__file__).parents[1] / "examples"
+CONTROLLERS = {
+    "pressure_control": (),
+    "pressure_control_scheduled": (),
+    "pressure_control_linearising": (),
+    "pressure_regulator": (),
+    "position_control": (),
+    "muscle_joint": ("valve", "position", "inverse"),
+}
+"""Exported controllers: name of the example, and of its controllers if there are several."""
 
 
 def example(name: str, duration: str, **values: Any) -> Circuit:

@@ -85,15 +85,15 @@ def compile_c_export(circuit: Any, parts: tuple[str, ...], folder: Path, precisi
         (folder / name).write_text(text)
     subprocess.run([C_COMPILER, *STRICT, "-O1", "-c", "-o", "ctl.o", "ctl.c"], cwd=folder, check=True)
     real = "float" if precision == "single" else "double"
-    members = {group: _members(program, group) for group in ("in", "param", "out")}
+    names = {group: members(program, group) for group in ("in", "param", "out")}
     flags = [item.address in program.flags for item in program.inputs]
     read = [
         f"r.in.{m} = {f'u[{k}] > 0.5' if flag else f'({real})u[{k}]'};"
-        for k, (m, flag) in enumerate(zip(members["in"], flags, strict=True))
+        for k, (m, flag) in enumerate(zip(names["in"], flags, strict=True))
     ]
-    read += [f"r.param.{m} = ({real})p[{k}];" for k, m in enumerate(members["param"])]
+    read += [f"r.param.{m} = ({real})p[{k}];" for k, m in enumerate(names["param"])]
     fields = {
-        "read": " ".join(read), "write": " ".join(f"y[{k}] = r.out.{m};" for k, m in enumerate(members["out"])),
+        "read": " ".join(read), "write": " ".join(f"y[{k}] = r.out.{m};" for k, m in enumerate(names["out"])),
         "real": real, "n_u": len(program.inputs), "n_p": len(program.parameters), "n_y": len(program.outputs),
     }  # fmt: skip
     (folder / "host.c").write_text(C_HOST % fields)
@@ -102,7 +102,7 @@ def compile_c_export(circuit: Any, parts: tuple[str, ...], folder: Path, precisi
     return folder / "host.so"
 
 
-def _members(program: ControllerProgram, group: str) -> list[str]:
+def members(program: ControllerProgram, group: str) -> list[str]:
     """Return the members of a struct of the C interface, as a user derives them from the addresses."""
     items = {"in": program.inputs, "param": program.parameters, "out": program.outputs}[group]
     result = []

@@ -544,7 +544,7 @@ for channel in (1, 2, 4, 5):
 
 @cache
 def _paper() -> Any:
-    return module("poppet.report.varga2012.runs").find(lambda step: None)
+    return module("poppet.report.varga2012.runs").run_simulations(lambda step: None)
 
 
 @claim(

@@ -112,10 +112,13 @@ def test_comparison_with_a_circuit_and_with_a_result(poppet, bench, tmp_path):
     [
         (("iso10094",), "Specify a circuit file, or --recording MAP.toml."),
         (("iso10094", VALVE, "--recording", RECORDINGS), "A circuit file and --recording are specified together"),
-        (("iso10094", VALVE, "--valve", "valv"), "valv is not a pressure valve of this circuit. Did you mean valve?"),
+        (
+            ("iso10094", VALVE, "--valve", "valv"),
+            "valv is not the name of a pressure valve of this circuit. Did you mean valve?",
+        ),
         (
             ("iso10094", VALVE, "--valve", "volume"),
-            "volume is not a pressure valve of this circuit. Use one of: valve.",
+            "volume is not the name of a pressure valve of this circuit. Use one of: valve.",
         ),
         (("iso10094", VALVE, "--tests", "stepp"), "tests = 'stepp' is not a valid test. Did you mean step"),
         (("iso10094", VALVE, "--tests", ""), "The list of tests is empty"),
@@ -150,7 +153,7 @@ def test_errors_of_a_recordings_file_have_line_numbers(poppet, bench):
     code, _, err = poppet("bench", "iso10094", "--recording", RECORDINGS)
     assert code == 2
     assert "recordings.steps.test = 'steps' is not a valid test. Did you mean step?" in err
-    assert "recordings.draw.outlet.flow is not a channel of the bench." in err
+    assert "recordings.draw.outlet.flow is not the name of a channel of the bench." in err
     assert re.search(r"recordings\.toml:\d+", err)
 
 

@@ -71,10 +71,10 @@ def test_every_target_exports_whole_circuits(target, folder):
         ("fmu", FILL, ("--input", "ambient.pressure", *FMU), "deploy.fmu.fixed_input"),
         ("fmu", FILL, ("--input", "tank.volum", *FMU), "names.unknown"),
         ("fmu", FILL, ("-o", "out.fmu", "--platform", "amiga"), "fields.not_an_option"),
-        ("live", FILL, ("--number", "ambient.pressure", *PAGE), "deploy.live.tied"),
+        ("live", FILL, ("--parameter", "run.duration", *PAGE), "deploy.live.structure"),
         ("live", FILL, ("--number", "tank.volum", *PAGE), "names.unknown"),
-        ("live", DELAYED, ("--number", "valve.delay", *PAGE), "deploy.live.delay"),
-        ("live", DELAYED, ("--number", "valve.sonic_conductance", *PAGE), "deploy.live.derived"),
+        ("live", DELAYED, ("--parameter", "valve.normally", *PAGE), "deploy.live.structure"),
+        ("live", DELAYED, ("--parameter", "valve.sonic_conductance", *PAGE), "deploy.live.derived"),
     ],
 )
 def test_invalid_options_of_a_target_are_refused(target, file, given, code, folder):

@@ -451,7 +451,7 @@ def test_profile_and_bootstrap_add_intervals(poppet, bench):
         (("tank", "tank.toml", "--library", "x.toml"), "--library is not an option of `identify tank`"),
         (("characteristic", "characteristic.toml", "--bootstrap", "9"), "--bootstrap is not an option"),
         (("fit", "fit.toml", "--bootstrap", "-1"), "the number of bootstrap fits must be at least 0"),
-        (("fit", "fit.toml", "--profile", "outlet.ratio"), "outlet.ratio is not a free parameter"),
+        (("fit", "fit.toml", "--profile", "outlet.ratio"), "outlet.ratio is not the name of a free parameter"),
         (("fit", "fit.toml", "-o", "x.xls"), "x.xls"),
         (("fit", "nowhere.toml"), "nowhere.toml"),
         (("fit", "tank.toml"), "is not a valid field of a fit file"),

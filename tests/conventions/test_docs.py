@@ -18,7 +18,9 @@ from c_compiler import compile_c
 from poppet import load, loads
 from poppet.cli.commands import COMMANDS
 from poppet.cli.main import command_parser, split_command
+from poppet.deploy.c.controller import c_controller
 from poppet.deploy.c.project import c_project
+from poppet.deploy.controller import controller_program
 from poppet.parts import Chamber
 from poppet.signals import Constant
 
@@ -72,10 +74,29 @@ def test_c_blocks_are_programs_that_print_what_the_circuit_does(tmp_path):
     library = {name: text for name, text in c_project(circuit, "fill_staircase").items() if not name.endswith("host.c")}
     printed = []
     for block in blocks(TEXTS["docs/export_c.md"], "c"):
+        if "regulator.h" in block:
+            continue
         program = compile_c(library | {"own.c": block}, tmp_path, "-std=c99", "-O0")
         out = subprocess.run([program], capture_output=True, text=True, check=True).stdout
         printed += [float(number) for number in re.findall(r"[\d.]+(?= Pa)", out)]
     assert printed == pytest.approx([run["tank.pressure"][-1] for run in (held, smaller)], rel=1e-4)
+
+
+def test_c_block_of_the_controller_gives_the_commands_of_the_program(tmp_path):
+    """The block calls the controller eleven times, with another gain than that of the circuit."""
+    circuit = load(ROOT / "examples" / "pressure_control.toml")
+    files = c_controller(circuit, name="regulator", precision="single")
+    (block,) = (text for text in blocks(TEXTS["docs/export_c.md"], "c") if "regulator.h" in text)
+    library = {name: text for name, text in files.items() if not name.endswith("host.c")}
+    program = compile_c(library | {"own.c": block}, tmp_path, "-std=c99", "-O0")
+    out = subprocess.run([program], capture_output=True, text=True, check=True).stdout
+    traced = controller_program(circuit.with_values({"regulator.gain": 8e-5}))
+    values = {"regulator.setpoint": 1.1e5, "regulator.measurement": 1.05e5}
+    rows = [[values.get(item.address, item.value) for item in traced.inputs]] * 11
+    known = dict(zip((output.address for output in traced.outputs), traced.run(rows).outputs[-1], strict=True))
+    expected = [known["regulator.fill_command"], known["regulator.vent_command"]]
+    assert [float(number) for number in re.findall(r"[\d.]+", out)] == pytest.approx(expected, rel=1e-4)
+    assert 0.0 < expected[0] < 1.0
 
 
 def test_ways_to_write_a_value_are_one_value():

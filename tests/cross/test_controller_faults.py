@@ -24,6 +24,7 @@ from controller_targets import (
 from poppet import load
 from poppet.deploy.controller import controller_program
 from poppet.deploy.controller_program import STATUS
+from poppet.timeseries.signals import Steps
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 CONTROLLERS = {
@@ -156,6 +157,35 @@ def test_target_reacts_to_faults_like_the_program(target, case, folder):
             continue  # decisions near a threshold differ in single precision; the bounds are tested below
         _, bits = check_equal(target, case, fault_calls(case, fault), folder)
         assert (np.bitwise_or.reduce(bits) & expected) == expected, fault
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("case", CONTROLLERS)
+@pytest.mark.parametrize("target", ["matiec", "strucpp"])
+def test_compiled_text_equals_compiled_c_in_20000_calls(target, case, folder):
+    """Random and invalid inputs, parameters and times, long faults and restarts: all bits are equal."""
+    program, n, generator = program_of(case), 20_000, np.random.default_rng(3)
+    inputs = usual_inputs(case, n, 7)
+    scale = 10.0 ** generator.uniform(-2, 8, inputs.shape) * generator.choice([-1.0, 1.0], inputs.shape)
+    inputs = np.where(generator.random(inputs.shape) < 0.02, scale * (1.0 + np.abs(inputs)), inputs)
+    inputs[generator.random(inputs.shape) < 0.02] = np.nan
+    for place, first in enumerate(range(500, n, 2000)):
+        inputs[first : first + 400, numeric(case)[place % len(numeric(case))]] = np.nan
+    for k, item in enumerate(program.inputs):
+        if item.address in program.flags:
+            inputs[:, k] = np.repeat(generator.integers(0, 2, n // 25), 25)
+    parameters = np.tile([parameter.value for parameter in program.parameters], (n, 1))
+    for first in range(0, n, 400):
+        wrong = generator.choice([np.nan, np.inf, -1e30])
+        parameters[first : first + 5, generator.integers(parameters.shape[1])] = wrong
+    intervals = program.cycle * generator.choice([0.5, 1.0, 1.0, 1.0, 1.5, 3.0], n)
+    intervals[generator.random(n) < 0.002] = -1.0
+    calls = calls_of(program, inputs, parameters, intervals, generator.random(n) < 0.001)
+    expected, bits = run_on("double", case, calls, folder)
+    outputs, status = run_on(target, case, calls, folder)
+    assert np.array_equal(outputs, expected)
+    assert np.array_equal(status, bits)
+    assert np.bitwise_or.reduce(bits) == HELD | SAFE | SATURATED | LATE | PARAMETER
 
 
 @pytest.mark.parametrize("target", ["double", "single", "evaluator", "matiec", "strucpp"])
@@ -324,6 +354,48 @@ def test_wrong_sample_time_of_one_sample_does_not_stop_the_controller(target, fo
     outputs, status = run_on(target, "pid", calls_of(program, manual_inputs(n), parameters), folder)
     assert np.allclose(outputs[1:, 0], manual_inputs(n)[:-1, -1], rtol=1e-6, atol=0.0)
     assert not status.any()
+
+
+@pytest.mark.parametrize("case", CONTROLLERS)
+def test_program_gives_the_commands_of_a_run_with_faults(case):
+    """A closed loop has a short and a long input fault; with its recorded inputs, the program agrees."""
+    program, cycle = program_of(case), program_of(case).cycle
+    # Between two sample instants: the recorded fault at an instant is that of the sample.
+    times = np.array([0.0, 0.3 + 0.5 * cycle, 0.34 + 0.5 * cycle, 0.6 + 0.5 * cycle, 0.8 + 0.5 * cycle])
+    fault = Steps(times=times, values=np.array([0.0, 1.0, 0.0, 1.0, 0.0]))
+    circuit = circuit_of(case)
+    faults = {item.address: fault for item in program.inputs if item.address.endswith(".input_fault")}
+    circuit = circuit.with_signals({**circuit.signals, **faults}).with_values({"run.maximum_step": cycle / 2.0})
+    run = circuit.simulate(1.0, cycle)
+    sensed = [program.sensed.get(item.address, (item.address, 0.0)) for item in program.inputs]
+    outputs, status = program.run(np.array([run[address][:-1] + offset for address, offset in sensed]).T)
+    safe_times = run.time[:-1][(status & SAFE) > 0]
+    assert safe_times[0] == pytest.approx(0.7, abs=6.0 * cycle)
+    assert safe_times[-1] == pytest.approx(0.8, abs=6.0 * cycle)
+    for k, output in enumerate(program.outputs):
+        expected = run[output.address][:-1]
+        assert outputs[:, k] == pytest.approx(expected, rel=0.0, abs=1e-9 * np.abs(expected).max() + 1e-15)
+
+
+@pytest.mark.parametrize("case", CONTROLLERS)
+@pytest.mark.parametrize("factor", [0.2, 1.0, 2.0, 7.0])
+def test_fault_time_is_measured_time(case, factor):
+    """A host that calls too rarely, so that samples are dropped, gets the safe command after the same time."""
+    program, n = program_of(case), 1000
+    inputs, interval = usual_inputs(case, n), factor * program.cycle
+    inputs[20:, numeric(case)[0]] = np.nan
+    _, status = program.run(inputs, intervals=np.full(n, interval))
+    first = next(k for k in range(n) if status[k] & SAFE)
+    assert (first - 20) * interval == pytest.approx(0.1, abs=3.0 * interval + 5e-3)
+
+
+@pytest.mark.parametrize("target", TARGETS)
+def test_pause_during_a_fault_counts_for_the_fault_time(target, folder):
+    program, n = program_of("pid"), 60
+    inputs, intervals = usual_inputs("pid", n), np.full(n, program.cycle)
+    inputs[20:, numeric("pid")[0]], intervals[22] = np.nan, 5.0
+    _, status = run_on(target, "pid", calls_of(program, inputs, intervals=intervals), folder)
+    assert [*np.flatnonzero(status & SAFE)] == [*range(23, n)]
 
 
 def manual_inputs(n):

@@ -7,7 +7,7 @@ import pytest
 
 import poppet
 from poppet import Chamber, Circuit, Orifice, Reservoir
-from poppet.parts import PID, DirectionalValve
+from poppet.parts import PID, DirectionalValve, ProportionalValve, SpoolValve
 
 SOURCES = ("regulator.command", "regulator.derivative", "regulator.integral", "other.regime", "regulator.vent_command")
 
@@ -80,3 +80,43 @@ def test_a_command_that_cannot_vent_has_no_note():
     circuit = random_circuit(1).with_values({"regulator.vent_limit": 0.0})
     codes = {note.code for note in circuit.simulate().remarks}
     assert not codes & {"circuit.limited_input", "circuit.saturated"}
+
+
+def limited_by(connection):
+    """Lowest and highest value in the note on a connection between parts of a circuit; None without a note."""
+    size = {"sonic_conductance": "1 dm^3/(s bar)", "critical_ratio": 0.4}
+    circuit = Circuit(
+        {
+            "supply": Reservoir(pressure="7 bar"),
+            "tank": Chamber(volume="1 l", initial_pressure="2 bar"),
+            "valve": Orifice(from_="supply", to="tank", **size),
+            "other": Chamber(volume="1 l"),
+            "switch": DirectionalValve(supply="supply", outlet="tank", exhaust="ambient", **size),
+            "spool": SpoolValve(supply="supply", a="tank", b="other", nominal_flow="700 l/min ANR"),
+            "regulator": PID(gain="1 1/bar"),
+            "pressure": ProportionalValve(
+                data="vppm_6l", preset="fast", supply="supply", outlet="tank", exhaust="ambient"
+            ),
+        },
+        connections=dict([connection]),
+    )
+    notes = [note for note in circuit.static_notes if note.code == "circuit.limited_input"]
+    assert [note.address for note in notes] in ([], [connection[0]])
+    return (notes[0].facts["lowest"], notes[0].facts["highest"]) if notes else None
+
+
+@pytest.mark.parametrize(
+    ("target", "source", "expected"),
+    [
+        ("valve.opening", "switch.supply_regime", (-3.0, 3.0)),  # flow regime of a part with several flows
+        ("switch.command", "valve.regime", (-3.0, 3.0)),
+        ("valve.opening", "spool.command", (-1.0, 1.0)),  # recorded input
+        ("spool.command", "valve.opening", None),
+        ("pressure.setpoint", "tank.pressure", (0.0, np.inf)),  # limits that are parameters of a compound part
+        ("valve.opening", "pressure.fill_duty", None),  # output of a compound part
+        ("valve.opening", "pressure.supply_regime", (-3.0, 3.0)),
+        ("valve.opening", "regulator.integral", None),  # the range is not known
+    ],
+)
+def test_note_on_a_range_for_each_kind_of_source(target, source, expected):
+    assert limited_by((target, source)) == expected

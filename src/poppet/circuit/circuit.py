@@ -252,19 +252,27 @@ class BaseCircuit(HtmlMixin):
                     notes.append(Note("circuit.uncontrolled", address, value=value, unit=item.unit))
         # Connected outputs whose range exceeds the limits of the input.
         for target, source, low, high in self._limited_connections():
-            name, _, local = source.rpartition(".")
-            ends = self.parts[name].output_ranges().get(local) if name in self.parts else None
-            if ends is not None:
-                lowest, highest = (
-                    (-1.0 if end[0] == "-" else 1.0) * self.parameters[f"{name}.{end.lstrip('-')}"]
-                    if isinstance(end, str)
-                    else end
-                    for end in ends
-                )
-                if lowest < low or highest > high:
-                    facts = {"source": source, "lowest": lowest, "highest": highest, "low": low, "high": high}
-                    notes.append(Note("circuit.limited_input", target, unit=self.inputs[target].unit, **facts))
+            lowest, highest = self._output_range(source) or (low, high)
+            if lowest < low or highest > high:
+                facts = {"source": source, "lowest": lowest, "highest": highest, "low": low, "high": high}
+                notes.append(Note("circuit.limited_input", target, unit=self.inputs[target].unit, **facts))
         return tuple(notes)
+
+    def _output_range(self, source: str) -> tuple[float, float] | None:
+        """Return the range of an output or a recorded input, or None if it is not limited."""
+        name, _, local = source.partition(".")
+        ends = self.parts[name].output_ranges().get(local) if name in self.parts else None
+        if source in self.inputs:
+            ends = self.inputs[source].low, self.inputs[source].high
+        if ends in (None, (-math.inf, math.inf)):
+            return None
+        low, high = (
+            (-1.0 if end[0] == "-" else 1.0) * self.parameters[f"{name}.{end.lstrip('-')}"]
+            if isinstance(end, str)
+            else end
+            for end in ends or ()
+        )
+        return low, high
 
     def _limited_connections(self) -> Iterator[tuple[str, str, float, float]]:
         """Yield target, source and limits of each connection to an input with limits."""

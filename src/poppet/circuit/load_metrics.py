@@ -69,7 +69,7 @@ class Arrival:
 class BodyWork:
     """Energy balance of a body over a run [J].
 
-    The net work of the actuators is done - returned. It equals on_load + lost + the increase in kinetic energy.
+    The net work of the actuators, `done - returned`, equals `on_load + lost` plus the increase in kinetic energy.
     """
 
     body: str

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from typing import Any, Literal, get_args
 
 from poppet.core.errors import InputError, NameSuggestion, OutOfRangeError, UnitError
+from poppet.core.symbolic import SymbolicValueError, is_symbolic
 
 SourceKind = Literal["paper", "standard", "measured", "fitted", "datasheet", "assumed", "given"]
 SOURCE_KINDS: tuple[SourceKind, ...] = get_args(SourceKind)
@@ -97,6 +98,8 @@ class Number:
     def __float__(self) -> float:
         if self.reference == "gauge":
             raise UnitError("numbers.gauge", shown=self.display())
+        if is_symbolic(self.value):
+            raise SymbolicValueError(self.text)
         return float(self.value)
 
     def absolute(self, ambient_pressure: float) -> float:
@@ -112,6 +115,8 @@ class Number:
         float
             Value in `unit`, absolute.
         """
+        if is_symbolic(self.value, ambient_pressure):
+            return self.value + ambient_pressure if self.reference == "gauge" else self.value
         if self.reference != "gauge":
             return float(self.value)
         result = self.value + ambient_pressure
@@ -127,7 +132,8 @@ class Number:
             except ValueError:
                 return self.text  # not a value without its unit
         unit = "" if self.unit in ("", "1") else f" {self.unit}"
-        return f"{self.text or format(self.value, '.12g')}{unit}{' g' if self.reference == 'gauge' else ''}"
+        value = str(self.value) if is_symbolic(self.value) else format(self.value, ".12g")
+        return f"{self.text or value}{unit}{' g' if self.reference == 'gauge' else ''}"
 
     def __str__(self) -> str:
         return self.display()

@@ -8,6 +8,7 @@ free.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 
 from poppet.circuit.circuit import BaseCircuit
 from poppet.circuit.options import Run
@@ -37,6 +38,24 @@ def controller_program(circuit: BaseCircuit, parts: Sequence[str] = ()) -> Contr
     InputErrors
         If there is no such part, or the part is no sampled controller.
     """
+    selected = select_controllers(circuit, parts)
+    controllers_only = circuit_of_controllers(circuit, selected)
+    export_model = build_export_model(controllers_only, "_".join(selected))
+    # State of each sensor to the input that it follows, and the prefix of its parameters.
+    sensors = {
+        f"{name}.{state}": (f"{name}.{target}", f"{name}.{group}.")
+        for name, part in selected.items()
+        if isinstance(part, Controller)
+        for state, (target, group) in part.sensors().items()
+    }
+    return trace_controller_program(circuit, controllers_only, export_model, sensors)
+
+
+def select_controllers(circuit: BaseCircuit, parts: Sequence[str] = ()) -> dict[str, Part]:
+    """Return selected controllers of a circuit by name.
+
+    The arguments and errors are those of `controller_program`.
+    """
     controllers = find_controllers(circuit)
     if not controllers:
         raise InputError("deploy.controller.none")
@@ -52,16 +71,7 @@ def controller_program(circuit: BaseCircuit, parts: Sequence[str] = ()) -> Contr
     selected = {name: part for name, part in controllers.items() if not parts or name in parts}
     if not any(part.timers() for part in selected.values()):
         raise InputError("deploy.controller.unsampled", next(iter(selected)), kind=next(iter(selected.values())).kind)
-    controllers_only = _circuit_of_controllers(circuit, selected)
-    export_model = build_export_model(controllers_only, "_".join(selected))
-    # State of each sensor to the input that it follows, and the prefix of its parameters.
-    sensors = {
-        f"{name}.{state}": (f"{name}.{target}", f"{name}.{group}.")
-        for name, part in selected.items()
-        if isinstance(part, Controller)
-        for state, (target, group) in part.sensors().items()
-    }
-    return trace_controller_program(circuit, controllers_only, export_model, sensors)
+    return selected
 
 
 def controllers_of_option(circuit: BaseCircuit, text: str | None) -> list[str]:
@@ -88,8 +98,13 @@ def find_controllers(circuit: BaseCircuit) -> dict[str, Part]:
     return controllers
 
 
-def _circuit_of_controllers(circuit: BaseCircuit, selected: Mapping[str, Part]) -> BaseCircuit:
-    """Return a circuit that consists only of selected controllers and their connections."""
+def circuit_of_controllers(
+    circuit: BaseCircuit, selected: Mapping[str, Part], *, with_signals: bool = False
+) -> BaseCircuit:
+    """Return a circuit that consists only of selected controllers and their connections.
+
+    If `with_signals` is true, it has their signals, and the run of the circuit without its stop conditions.
+    """
 
     def address_inside(address: str) -> str:
         name, _, local = address.partition(".")
@@ -101,5 +116,8 @@ def _circuit_of_controllers(circuit: BaseCircuit, selected: Mapping[str, Part]) 
 
     pairs = ((address_inside(target), address_inside(source)) for target, source in circuit.connections.items())
     connections = {target: source for target, source in pairs if target and source}
-    run = Run(duration="1 s")
-    return BaseCircuit(dict(selected), run=run, ambient=circuit.ambient, gas=circuit.gas, connections=connections)
+    run, signals = Run(duration="1 s"), {}
+    if with_signals:
+        run = replace(circuit.run, stop_when=None)
+        signals = {address_inside(a): signal for a, signal in circuit.signals.items() if address_inside(a)}
+    return BaseCircuit(dict(selected), signals, run, circuit.ambient, circuit.gas, connections=connections)

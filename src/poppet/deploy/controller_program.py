@@ -21,6 +21,7 @@ from poppet.core.errors import InputError
 from poppet.deploy.export_model import ExportInput, ExportModel, ExportParameter, ExportQuantity
 from poppet.engine.model_evaluation import Array, ArrayFunction
 from poppet.parts.compound import expand_compounds
+from poppet.parts.electronics import MIN_SAMPLE_TIME
 from poppet.parts.part import NEVER, Controller
 
 if TYPE_CHECKING:
@@ -111,8 +112,8 @@ class ControllerProgram:
     An input that is not finite keeps its last valid value, and all controllers of the program receive an input fault.
     If a parameter is outside its limits, or two parameters contradict each other, all parameters keep their last valid
     values. A call executes each sample whose instant is at most half the call interval ahead, and at most one per
-    timer. If two samples or more are pending after a call, they are dropped, and the clock of this timer restarts. The
-    first call executes the first sample of each timer.
+    timer. If two samples or more are pending after a call, they are dropped, and the clock of this timer restarts.
+    Dropped samples count for the fault time. The first call executes the first sample of each timer.
     """
 
     name: str
@@ -358,14 +359,22 @@ def _program_functions(
         n_labels = labels.shape[0]
         both = ca.substitute(ca.vertcat(update, labels), fired, ca.SX(1.0))
         update, labels, fired = both[: both.shape[0] - n_labels], both[both.shape[0] - n_labels :], ca.SX(1.0)
-    timers = []
+    new_memory = [update[k] for k in range(update.shape[0])]
     for k in range(n_timers):
         period = update[k] - memory[k]
         has_fired = fired[k] > 0.0
         # If two samples or more remain pending, they are dropped, and the clock restarts at this call.
-        timers.append(_choose(ca.logic_and(has_fired, update[k] <= -period), period, update[k]))
+        is_dropped = ca.logic_and(has_fired, update[k] <= -period)
+        new_memory[k] = _choose(is_dropped, period, update[k])
         late = ca.logic_or(late, ca.logic_and(has_fired, update[k] <= -0.5 * period))
-    after = ca.vertcat(*timers, update[n_timers:], held_u, held_p, flag[:3], late)
+        # Dropped samples count for the fault time. The period of a timer that has not expired is 0.
+        divisor = ca.fmax(period, MIN_SAMPLE_TIME)
+        for j, state in enumerate(states[: memory.shape[0]]):
+            if state.address.endswith(".faulty_samples") and ca.depends_on(equations.update[j], equations.fired[k]):
+                continues = ca.logic_and(memory[j] > 0.5, update[j] > 0.5)
+                n_dropped = _choose(ca.logic_and(is_dropped, continues), 1.0 - update[k] / divisor, 0.0)
+                new_memory[j] = new_memory[j] + n_dropped
+    after = ca.vertcat(*new_memory, held_u, held_p, flag[:3], late)
 
     def any_of(name: str) -> Any:
         result = ca.SX(0.0)

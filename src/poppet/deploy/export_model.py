@@ -151,7 +151,7 @@ def build_export_model(circuit: BaseCircuit, name: str = "") -> ExportModel:
         inputs.append(
             ExportInput(item.name, input_name, item.unit, float(value), low, high, parameter, is_driven, slope_of)
         )
-    specs, numbers, tied = _parameter_specs(circuit), circuit.numbers(), find_tied(circuit)
+    specs, numbers, tied = parameter_specs(circuit), circuit.numbers(), find_tied(circuit)
     delays = {item.delay for item in model.inputs if item.delay}
     guided = {item.slope_of for item in model.inputs if item.slope_of in instance.signals}
     parameters, values = [], problem.p[: len(model.parameters)]
@@ -165,7 +165,7 @@ def build_export_model(circuit: BaseCircuit, name: str = "") -> ExportModel:
             fixed = "driven"
         else:
             fixed = "tied" if address in tied else ""
-        low, high = max(spec.ends[0], _next_float(spec.above, 1.0)), min(spec.ends[1], _next_float(spec.below, -1.0))
+        low, high = max(spec.ends[0], next_float(spec.above, 1.0)), min(spec.ends[1], next_float(spec.below, -1.0))
         above = spec.above if low > spec.ends[0] else None
         below = spec.below if high < spec.ends[1] else None
         unit = number.unit if number else spec.unit
@@ -189,7 +189,7 @@ def _export_quantities(rows: Iterable[tuple[str, str, float]]) -> tuple[ExportQu
     return tuple(ExportQuantity(a, name, unit, float(v)) for name, (a, unit, v) in zip(names, rows, strict=True))
 
 
-def _parameter_specs(circuit: BaseCircuit) -> dict[str, NumberSpec]:
+def parameter_specs(circuit: BaseCircuit) -> dict[str, NumberSpec]:
     """Return the declarations of all parameters of a circuit by address.
 
     A declaration contains unit, limits and meaning.
@@ -200,7 +200,7 @@ def _parameter_specs(circuit: BaseCircuit) -> dict[str, NumberSpec]:
     return specs
 
 
-def _next_float(limit: float, direction: float) -> float:
+def next_float(limit: float, direction: float) -> float:
     """Return the floating-point number next to a limit that is excluded from a range.
 
     `direction` is 1 for the next larger number and -1 for the next smaller one. An infinite limit is returned
@@ -219,7 +219,7 @@ def find_tied(circuit: BaseCircuit) -> frozenset[str]:
     is made within the part; parts without derived values and checks have no tied parameters. The ambient conditions and
     the gas affect all parts.
     """
-    specs, values = _parameter_specs(circuit), circuit.parameters
+    specs, values = parameter_specs(circuit), circuit.parameters
     tied, neighbours = set(), {}
     for address in (address for address in circuit.numbers() if address in values):
         value, spec = values[address], specs.get(address) or NumberSpec("1", address)

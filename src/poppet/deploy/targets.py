@@ -161,9 +161,11 @@ BUILT_IN = (
                 keywords={"dest": "inputs"},
             ),
             Option("--name NAME", "name of the model (default: title of the circuit)"),
+            PART,
         ),
         (
             "poppet export fmu valve-fill.toml -o valve.fmu",
+            "poppet export fmu FILE.toml --part controller -o controller.fmu",
             "poppet export fmu valve-fill.toml -o valve.fmu --fmi 3 --platform linux64,win64",
             "poppet export fmu valve-fill.toml -o valve.fmu --input bleed.opening --set run.duration=20",
         ),
@@ -176,6 +178,31 @@ BUILT_IN = (
         checks="poppet.deploy.parity.host_runs:fmu_checks",
     ),
     Target(
+        "ssp",
+        "export a circuit as a system of FMUs: one for each sampled controller, and one for the plant (SSP 1.0)",
+        "poppet.deploy.ssp:export_ssp",
+        (
+            Option(
+                "--fmi VERSION",
+                "version of FMI",
+                choices={"2": "FMI 2.0", "3": "FMI 3.0"},
+                keywords={"default": "2"},
+            ),
+            Option("--platform LIST", "platforms: linux64, win64, darwin64, aarch64-darwin (default: linux64)"),
+            Option("--name NAME", "name of the system (default: title of the circuit)"),
+        ),
+        (
+            "poppet export ssp FILE.toml -o system.ssp",
+            "poppet export ssp FILE.toml -o system.ssp --platform linux64,win64",
+        ),
+        (".ssp",),
+        limitations=(
+            "A controller inside a compound part, such as `proportional_valve`, is in the FMU of the plant.",
+            "Stop conditions of a divided circuit are omitted.",
+            "`poppet export check` does not run systems of FMUs.",
+        ),
+    ),
+    Target(
         "live",
         "write an HTML page that simulates a circuit in the browser, with sliders",
         "poppet.deploy.live.live_page:export_live",
@@ -183,7 +210,7 @@ BUILT_IN = (
             Option(
                 "--parameter ADDRESS ...",
                 'parameter or input with a slider, and its range if required: tank.volume="50 l..400 l"; may be '
-                "repeated (default: inputs with signals, then the first parameters of the file)",
+                "repeated (default: inputs with signals, then the parameters with the greatest influence)",
                 keywords={"dest": "parameters"},
                 old_names=("--number",),
             ),

@@ -13,7 +13,7 @@ from poppet import library
 from poppet.core.codes import Note
 from poppet.core.errors import InputError
 from poppet.core.provenance import Number
-from poppet.core.symbolic import clip, maximum
+from poppet.core.symbolic import clip, is_certain, maximum
 from poppet.parts.captions import CaptionNumbers
 from poppet.parts.fields import NumberLike, number, reference
 from poppet.parts.muscle_law import MuscleLawPart
@@ -47,7 +47,7 @@ class _InverseMuscleLaw(MuscleLawPart, Controller):
     def parameters(self, ambient: Surroundings) -> dict[str, float]:
         values = super().parameters(ambient)
         low, high = values["lowest_pressure"], values["highest_pressure"]
-        if not ambient.pressure <= low < high:
+        if is_certain(low < ambient.pressure) or is_certain(low >= high):
             raise InputError("muscle.no_range", "lowest_pressure", low=low, high=high, ambient=ambient.pressure)
         return values
 

@@ -11,7 +11,7 @@ import numpy as np
 
 from poppet.core.codes import Note
 from poppet.core.errors import InputError
-from poppet.core.symbolic import sin, where
+from poppet.core.symbolic import is_certain, maximum, minimum, sin, where
 from poppet.laws.physics import contact, friction
 from poppet.laws.physics.heat_transfer import GRAVITY
 from poppet.parts.captions import CaptionNumbers
@@ -172,8 +172,8 @@ class _MovingBody(Body):
             raise InputError("bodies.no_friction_force", f"friction.coulomb_{self.effort}", law=self._law)
         if self._law == "elasto_plastic" and self.friction.breakaway_displacement is not None:
             coulomb, static, stiffness = self._bristles()
-            elastic, limit = float(self.friction.breakaway_displacement), min(coulomb, static) / stiffness
-            if elastic >= limit > 0.0:
+            elastic, limit = float(self.friction.breakaway_displacement), minimum(coulomb, static) / stiffness
+            if is_certain(elastic >= limit) and is_certain(limit > 0.0):
                 facts: dict[str, Any] = {"value": elastic, "limit": limit, "unit": self.unit}
                 raise InputError("bodies.breakaway", "friction.breakaway_displacement", **facts)
         if self._law == "stribeck" and self.friction.transition_velocity is None:
@@ -186,14 +186,14 @@ class _MovingBody(Body):
         if (low is not None and start < low) or (high is not None and start > high):
             raise InputError("bodies.beyond_stop", "initial_position", value=start, low=low, high=high, unit=self.unit)
 
-    def _bristles(self) -> tuple[float, float, float]:
+    def _bristles(self) -> tuple[Any, Any, Any]:
         """Return Coulomb friction, static friction and bristle stiffness, or their defaults, in SI units."""
-        coulomb = float(getattr(self.friction, f"coulomb_{self.effort}"))
+        coulomb = getattr(self.friction, f"coulomb_{self.effort}").value
         static, stiffness = getattr(self.friction, f"static_{self.effort}"), self.friction.bristle_stiffness
-        static = coulomb if static is None else float(static)
+        static = coulomb if static is None else static.value
         # At least a hundredth of a newton: a friction of zero has no stiffness.
-        default = max(static, coulomb, 1e-2) / self.presliding
-        return coulomb, static, default if stiffness is None else float(stiffness)
+        default = maximum(maximum(static, coulomb), 1e-2) / self.presliding
+        return coulomb, static, default if stiffness is None else stiffness.value
 
     def _friction_caption(self, numbers: CaptionNumbers) -> str:
         if self._law == "none":
@@ -216,7 +216,7 @@ class _MovingBody(Body):
                 values.setdefault("friction.bristle_stiffness", stiffness)
                 values.setdefault("friction.bristle_damping", 2.0 * (stiffness * values[self.inertia_name]) ** 0.5)
             if self._law == "elasto_plastic":
-                values.setdefault("friction.breakaway_displacement", ELASTIC * min(coulomb, static) / stiffness)
+                values.setdefault("friction.breakaway_displacement", ELASTIC * minimum(coulomb, static) / stiffness)
         return values
 
     def states(self) -> tuple[State, ...]:

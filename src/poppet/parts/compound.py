@@ -4,12 +4,14 @@ from __future__ import annotations
 
 import dataclasses
 from collections.abc import Hashable, Iterable, Mapping
+from contextlib import suppress
 from typing import Any, ClassVar
 
 from poppet import library
 from poppet.core.codes import Note
 from poppet.core.errors import ErrorCollector, InputError, raise_errors
 from poppet.core.provenance import Number
+from poppet.core.symbolic import SymbolicValueError
 from poppet.parts.fields import (
     MemberSpec,
     NumberSpec,
@@ -74,7 +76,9 @@ class Compound(Part):
             error = InputError("parts.forgotten_set", "data", count=len(missing), first=addresses, set=example)
             problems = [error, *(p for p in problems if p not in missing)]
         raise_errors(problems)
-        self.check()
+        # A symbol in place of a number has no value to check.
+        with suppress(SymbolicValueError):
+            self.check()
 
     def _member_specs(self) -> Iterable[tuple[str, MemberSpec]]:
         return ((name, spec) for name, spec in specs(type(self)).items() if isinstance(spec, MemberSpec))
@@ -118,6 +122,16 @@ class Compound(Part):
         """
         names = {**self.inlets, **self.outlets}
         return {name: inner for name, inner in names.items() if inner.partition(".")[0] in self.members}
+
+    def output_ranges(self) -> dict[str, tuple[str | float, str | float]]:
+        ranges = {}
+        for name, inner in self.outside().items():
+            member, _, local = inner.partition(".")
+            member_ranges = self.members[member].output_ranges()
+            if local in member_ranges:
+                low, high = (_within(member, end) for end in member_ranges[local])
+                ranges[name] = low, high
+        return ranges
 
     def stores(self) -> tuple[str, ...]:
         return tuple(name for name, spec in self._member_specs() if spec.is_open and name in self.members)
@@ -225,3 +239,10 @@ def expand_compounds(
             outer.setdefault(f"{name}.{inner_name}", f"{name}.{outer_name}")
     flat_connections |= {inner.get(target, target): inner.get(source, source) for target, source in connections.items()}
     return flat, flat_connections, outer
+
+
+def _within(member: str, limit: str | float) -> str | float:
+    """Return a limit of a range of outputs with the complete name of its parameter."""
+    if isinstance(limit, float):
+        return limit
+    return f"-{member}.{limit[1:]}" if limit.startswith("-") else f"{member}.{limit}"

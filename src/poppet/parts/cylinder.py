@@ -127,6 +127,7 @@ class Piston(Actuator, Passage):
     """
 
     kind: ClassVar[str] = "piston"
+    regimes: ClassVar[tuple[str, ...]] = ("leakage_regime",)
     summary: ClassVar[str] = "piston and rod of a cylinder"
 
     cap: str | None = port("chamber at the cap")

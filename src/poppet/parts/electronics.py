@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from typing import Any, ClassVar
 
 from poppet.core.errors import OutOfRangeError
-from poppet.core.symbolic import clip, floor, maximum, where
+from poppet.core.symbolic import clip, floor, is_certain, maximum, where
 from poppet.parts.captions import CaptionNumbers
 from poppet.parts.fields import NumberLike, group, number, option, reference
 from poppet.parts.part import (
@@ -134,13 +134,14 @@ class Electronics(Controller):
     -----
     Inputs are `setpoint`, `outlet_pressure`, `pilot_pressure` [Pa], `power` (1 is on; at 0, both solenoids are closed
     and the pressure remains) and `input_fault` (1: an input is not valid). After `fault_time` with an input fault, the
-    duty is `safe_command`, positive to fill, and the integral is constant. `setpoint_delay` delays a signal, but not an
-    output that is connected to the setpoint. The parameter set `data` has a variant for each `preset`. If both loops
-    sample at one instant, the inner loop uses the new result of the outer loop.
+    duty is `safe_command`, positive to fill, and the integral is constant. `setpoint_delay` acts on a signal, but not
+    on an output that is connected to the setpoint. The parameter set `data` has a variant for each `preset`. If both
+    loops sample at one instant, the inner loop uses the new result of the outer loop.
 
-    For anti-windup, the integral decreases with the time constant `integral_time` by the amount that c and the limits
-    of the pilot pressure remove. The integral is constant while the error exceeds `integral_band`. A run that continues
-    another run starts with its integral; clocks restart, and the derivative starts at zero.
+    Anti-windup is by back-calculation: the part of the pilot setpoint that c or the limits of the pilot pressure cut
+    off is subtracted from the integral with the time constant `integral_time`. The integral is constant while the error
+    exceeds `integral_band`. A run that continues another run starts with the last integral of that run; its clocks
+    restart, and its derivative starts at zero.
 
     References
     ----------
@@ -192,7 +193,7 @@ class Electronics(Controller):
 
     def parameters(self, ambient: Surroundings) -> dict[str, float]:
         values = super().parameters(ambient)
-        if values["scaling.low"] >= values["scaling.high"]:
+        if is_certain(values["scaling.low"] >= values["scaling.high"]):
             raise OutOfRangeError("valve.scaling_exchanged", "scaling.high", shown=self.scaling.high.display())
         first = SCALES[self.setpoint_type][1]
         values["setpoint"] = values["scaling.low"] if self.setpoint_type == "pressure" else first

@@ -17,6 +17,7 @@ from typing import Any, TypeVar
 
 from poppet.core.errors import ErrorCollector, InputError, NameSuggestion, UnitError
 from poppet.core.provenance import SOURCE_KINDS, Number, Source, SourceKind
+from poppet.core.symbolic import is_symbolic
 from poppet.core.tables import NumberRange
 from poppet.core.units import Kind, quantity
 
@@ -300,8 +301,12 @@ def read_number(name: str, spec: NumberSpec, argument: NumberLike) -> Number:
     """
     # A copied part has numbers that were read before.
     is_number = type(argument) is Number and argument.unit == spec.unit and argument.reference != "gauge"
+    is_number = is_number and not is_symbolic(argument.value)  # type: ignore[union-attr]
     if is_number and spec.holds(argument.value):  # type: ignore[union-attr]
         return argument  # type: ignore[return-value]
+    # The value of a symbol is not known, so it is not checked.
+    if isinstance(argument, Number) and is_symbolic(argument.value):
+        return argument
     source = Source("given")
     if isinstance(argument, Mapping):
         unknown = [key for key in argument if key not in ("value", "source", "locator", "note")]
@@ -345,7 +350,7 @@ def forget_library(part: Any, sets: Sequence[Mapping[str, Number]], path: str = 
         return
     for name, attribute_name, spec in declared(part.__class__, NumberSpec, GroupSpec):
         value = getattr(part, attribute_name)
-        if isinstance(value, Number):
+        if isinstance(value, Number) and not is_symbolic(value.value):
             address = f"{path}{name}"
             # `in` compares identity first: most numbers are the same objects as in the library.
             if value in [numbers.get(address) for numbers in sets]:

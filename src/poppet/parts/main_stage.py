@@ -122,6 +122,7 @@ class MainStage(Passage):
     """
 
     kind: ClassVar[str] = "main_stage"
+    regimes: ClassVar[tuple[str, ...]] = ("supply_regime", "exhaust_regime")
     symbol: ClassVar[symbols.Symbol | str] = symbols.MAIN_STAGE
     internal_outputs: ClassVar[tuple[str, ...]] = ("velocity",)
     summary: ClassVar[str] = "main stage of a piloted pressure valve: C(x), b(x), poppet mechanics"

@@ -17,6 +17,7 @@ from __future__ import annotations
 
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Hashable, Iterable, Mapping, Sequence
+from contextlib import suppress
 from dataclasses import dataclass, field
 from typing import Any, ClassVar
 
@@ -24,6 +25,8 @@ from poppet import library
 from poppet.core.codes import Note
 from poppet.core.errors import InputError
 from poppet.core.provenance import Number
+from poppet.core.symbolic import SymbolicValueError, is_symbolic
+from poppet.laws.iso6358 import REGIMES
 from poppet.parts.captions import CaptionNumbers
 from poppet.parts.fields import (
     BodySpec,
@@ -302,7 +305,9 @@ class Part(ABC):
         except InputError as error:
             raise error.located(address="data") from None
         complete(self, library_numbers)
-        self.check()
+        # A symbol in place of a number has no value to check.
+        with suppress(SymbolicValueError):
+            self.check()
 
     def library_sets(self) -> Sequence[Mapping[str, Number]]:
         """Return the numbers of all published parameter sets for this kind of part.
@@ -366,7 +371,7 @@ class Part(ABC):
                 values[name] = value.absolute(ambient.pressure)
             except InputError as error:
                 raise error.located(address=name) from None
-            if value.reference == "gauge":
+            if value.reference == "gauge" and not is_symbolic(values[name]):
                 # The limits refer to the absolute value, which is known only here.
                 spec.check(name, values[name], f"{value.display()} ({values[name]:g} Pa absolute)")
         return values
@@ -489,7 +494,7 @@ class Store(Part):
         return ("",)
 
     def output_ranges(self) -> dict[str, tuple[str | float, str | float]]:
-        return {"pressure": (0.0, float("inf")), "temperature": (1.0, float("inf"))}
+        return super().output_ranges() | {"pressure": (0.0, float("inf")), "temperature": (1.0, float("inf"))}
 
     @abstractmethod
     def gas(self, scope: Scope) -> GasState:
@@ -506,6 +511,13 @@ class Store(Part):
 
 class Passage(Part):
     """Base class of flow paths: parts through which gas flows between gas nodes."""
+
+    regimes: ClassVar[tuple[str, ...]] = ("regime",)
+    """Outputs with the code of a flow regime."""
+
+    def output_ranges(self) -> dict[str, tuple[str | float, str | float]]:
+        codes = float(min(REGIMES)), float(max(REGIMES))
+        return super().output_ranges() | dict.fromkeys(self.regimes, codes)
 
     @abstractmethod
     def flows(self, scope: Scope, gas: Mapping[str, GasState]) -> PassageFlows:

@@ -8,7 +8,7 @@ from typing import Any, ClassVar
 
 from poppet.core.errors import InputError, OutOfRangeError
 from poppet.core.provenance import Number
-from poppet.core.symbolic import clip, maximum, minimum, where
+from poppet.core.symbolic import clip, is_certain, maximum, minimum, where
 from poppet.parts.captions import CaptionNumbers
 from poppet.parts.fields import NumberLike, number, option, reference, switch
 from poppet.parts.part import DiscreteState, Input, Quantities, Scope, Surroundings
@@ -146,12 +146,16 @@ class PID(SampledLoop):
 
     def parameters(self, ambient: Surroundings) -> dict[str, float]:
         values = super().parameters(ambient)
-        if not self.is_of_openings and values["lower_limit"] >= values["upper_limit"]:
+        if not self.is_of_openings and is_certain(values["lower_limit"] >= values["upper_limit"]):
             low, high = (values[name] for name in _LIMITS)
             raise OutOfRangeError("pid.limits_exchanged", "lower_limit", value=low, upper=high, unit=self.command_unit)
         safe = values["safe_command"]
         is_given = self.safe_command.source.kind == "given"  # type: ignore[union-attr]
-        if not self.is_of_openings and is_given and not values["lower_limit"] <= safe <= values["upper_limit"]:
+        if (
+            not self.is_of_openings
+            and is_given
+            and (is_certain(safe < values["lower_limit"]) or is_certain(safe > values["upper_limit"]))
+        ):
             raise OutOfRangeError(
                 "fields.out_of_range", "safe_command", shown=f"{safe:g} {self.command_unit}", meaning="safe command",
                 limits=[f"at least {values['lower_limit']:g}", f"at most {values['upper_limit']:g}"],

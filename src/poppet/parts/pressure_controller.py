@@ -14,6 +14,9 @@ from poppet.parts.part import DiscreteState, Input, Quantities, Scope
 from poppet.parts.safe_state import is_first_after_fault
 from poppet.parts.sampled_loop import NEXT_SAMPLE, SampledLoop, is_first
 
+LARGEST_RATE = 1e15
+"""Largest magnitude of a pressure rate [Pa/s]."""
+
 
 @dataclass(frozen=True)
 class ValveModel:
@@ -114,6 +117,8 @@ class PressureController(SampledLoop):
         pauses = where(is_first(scope), 1.0, maximum(scope.inputs["input_fault"], is_first_after_fault(scope)))
         unexplained = where(pauses > 0.5, 0.0, (pressure - memory["predicted_pressure"]) / time)
         disturbance = memory["disturbance"] + where(observer_time > 0.0, observer_gain * unexplained, 0.0)
+        # With extreme parameters, the observer would overflow, in single precision within a few samples.
+        disturbance = clip(disturbance, -LARGEST_RATE, LARGEST_RATE)
         effective = pressure
         if self.acts == NEXT_SAMPLE:
             fill_rate, vent_rate = self._open_rates(scope, pressure)
@@ -123,6 +128,7 @@ class PressureController(SampledLoop):
         error = scope.inputs["setpoint"] - effective
         scope.label("error", error, "error [Pa]")
         rate = (1.0 - exp(-time / scope["time_constant"])) / time * error - disturbance
+        rate = clip(rate, -LARGEST_RATE, LARGEST_RATE)
         rate = where(error * error > scope["hold_band"] * scope["hold_band"], rate, 0.0)
         scope.label("new_rate", rate, "requested pressure rate [Pa/s]")
         fill_rate, vent_rate = self._open_rates(scope, effective)

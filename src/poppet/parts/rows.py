@@ -9,7 +9,7 @@ from typing import Any, ClassVar, Self
 
 from poppet.core.errors import ErrorCollector, InputError, NameSuggestion, OutOfRangeError
 from poppet.core.provenance import Number, Source
-from poppet.core.symbolic import clip
+from poppet.core.symbolic import clip, is_certain
 from poppet.core.tables import Field, missing_field
 from poppet.laws.physics.muscle import ForceTable
 from poppet.parts.fields import NumberSpec, read_number
@@ -99,7 +99,7 @@ class NumberTable:
         values = {name: number.absolute(ambient_pressure) for name, number in self.numbers().items()}
         first_column = next(iter(self.columns))
         points = self.column(first_column, values)
-        if any(a >= b for a, b in pairwise(points)):
+        if any(is_certain(a >= b) for a, b in pairwise(points)):
             raise OutOfRangeError("schedule.not_rising", f"{self.field}.{first_column}", points=points)
         return values
 

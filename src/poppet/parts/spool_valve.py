@@ -62,6 +62,7 @@ class SpoolValve(FlowPath):
     """
 
     kind: ClassVar[str] = "spool_valve"
+    regimes: ClassVar[tuple[str, ...]] = tuple(f"{edge}_regime" for edge in EDGES)
     symbol: ClassVar[symbols.Symbol | str] = symbols.SPOOL_VALVE
     summary: ClassVar[str] = "directional valve with five ports, 5/3 or 5/2, proportional or switched"
     resume: ClassVar[dict[str, str]] = {"position": "initial_position"}

@@ -12,7 +12,7 @@ from typing import Any, ClassVar
 from poppet.core.codes import Note
 from poppet.core.errors import ErrorCollector, InputError
 from poppet.core.provenance import Number, Source
-from poppet.core.symbolic import maximum, sqrt
+from poppet.core.symbolic import is_symbolic, maximum, sqrt
 from poppet.laws import iso6358
 from poppet.laws.physics import gas as gas_law
 from poppet.laws.physics import pipe
@@ -118,6 +118,11 @@ class TubeSegment(Passage):
         rate = area / scope["length"] * (first.pressure - second.pressure - loss)
         flow = Flow("mass_flow_rate", "from", "to", mass, surroundings.heat_capacity_pressure * temperature * mass)
         return PassageFlows((flow,), {"mass_flow_rate": (mass, "kg/s")}, {"mass_flow_rate": rate})
+
+
+def _computed(value: Any, unit: str) -> Any:
+    """Return a computed value of a member; a symbol becomes a number with the SI unit `unit`."""
+    return Number(value, unit, Source("given")) if is_symbolic(value) else value
 
 
 @dataclass(frozen=True)
@@ -265,8 +270,9 @@ class Tube(Compound):
         """
         return {"inlet": "0", "outlet": str(self._count)}.get(passage) or passage.partition("_")[0]
 
-    def _value(self, name: str) -> float:
-        return float(getattr(self, name))
+    def _value(self, name: str) -> Any:
+        """Return a number of the tube in SI units, as a float or symbol."""
+        return getattr(self, name).value
 
     @cached_property
     def members(self) -> dict[str, Part]:
@@ -278,8 +284,8 @@ class Tube(Compound):
             port_ends = (k == 1 and self._ends[0] == AT_PORT) + (k == self._count and self._ends[1] == AT_PORT)
             fraction = self._spacing * (1.0 - 0.5 * port_ends)
             cells[str(k)] = Chamber(
-                volume=volume * fraction,
-                wall_conductance=conductance * fraction,
+                volume=_computed(volume * fraction, "m^3"),
+                wall_conductance=_computed(conductance * fraction, "W/K"),
                 wall_temperature=self.wall_temperature,
                 initial_pressure=start[f"pressure_{k}"],
                 initial_temperature=start[f"temperature_{k}"],
@@ -292,14 +298,16 @@ class Tube(Compound):
             flow = start.get(f"mass_flow_rate_{self._cell_index(name)}")
             if name in self._open_passages:
                 segments[name] = TubeSegment(
-                    first, second, self.loss, self.inertia, self._value("length") * self._spacing * weight, self.bore,
-                    sonic_conductance, ratio, self.viscosity, self.roughness, flow,
+                    first, second, self.loss, self.inertia,
+                    _computed(self._value("length") * self._spacing * weight, "m"), self.bore,
+                    _computed(sonic_conductance, "m^3/(s Pa)"), _computed(ratio, "1"),
+                    self.viscosity, self.roughness, flow,
                     laminar_ratio=1.0 - 1e-3 * weight * self._spacing,  # the default one for the whole tube
                 )  # fmt: skip
         return cells | segments
 
     @property
-    def _size(self) -> tuple[float, float]:
+    def _size(self) -> tuple[Any, Any]:
         """Sonic conductance C [m^3/(s Pa)] and critical pressure ratio b [1] of the whole tube.
 
         Values that are not specified follow from `poppet.iso6358.tube`.

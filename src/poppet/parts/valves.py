@@ -97,6 +97,7 @@ class DirectionalValve(FlowPath):
     """
 
     kind: ClassVar[str] = "directional_valve"
+    regimes: ClassVar[tuple[str, ...]] = ("supply_regime", "exhaust_regime")
     symbol: ClassVar[symbols.Symbol | str] = symbols.VALVE
     summary: ClassVar[str] = "on/off valve, 2/2 or 3/2, with delay and switching time"
 

@@ -11,21 +11,13 @@ from pathlib import Path
 import pytest
 
 from c_compiler import STRICT, compile_c
-from circuits_of_exports import EXAMPLES
+from circuits_of_exports import CONTROLLERS, EXAMPLES
 from poppet import load
 from poppet.cli.main import run
 from poppet.deploy.c.controller import c_controller
 from poppet.deploy.controller import controller_program
 from refusals import refused
 
-CONTROLLERS = {
-    "pressure_control": (),
-    "pressure_control_scheduled": (),
-    "pressure_control_linearising": (),
-    "pressure_regulator": (),
-    "position_control": (),
-    "muscle_joint": ("valve", "position", "inverse"),
-}
 MOST_CODE = 12_000
 """Bytes of code on a Cortex-M4, of the largest of them."""
 

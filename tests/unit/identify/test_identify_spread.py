@@ -4,9 +4,12 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+from scipy.optimize import lsq_linear, minimize
 
 from poppet.identify.fit.search import Optimum
-from poppet.identify.fit.statistics import ErrorModel, SensorLimits, confidence_bands, influences
+from poppet.identify.fit.statistics import ErrorModel, SensorLimits, confidence_bands, estimates, influences
+from poppet.identify.free_parameter import FreeParameter
+from poppet.identify.result import Estimate
 
 SAMPLES, SEEDS = 200, 400
 X = np.linspace(0.0, 1.0, SAMPLES)
@@ -167,6 +170,109 @@ def test_prior_counts_as_one_sigma():
     jacobian = np.vstack([np.zeros((SAMPLES, 1)), [[2.0]]])
     optimum = Optimum(np.ones(1), 0.0, jacobian, np.zeros(SAMPLES + 1), [1.0], np.zeros(1, dtype=np.int64))
     assert ErrorModel(optimum, [SAMPLES], 0.5).deviation(influences(optimum)[0]) == pytest.approx(0.5)
+
+
+# Parameters at a bound ----------------------------------------------------------------------------------------------
+
+
+def fit_bounded(
+    jacobian: np.ndarray, measured: np.ndarray, lows: list[float]
+) -> tuple[Optimum, tuple[FreeParameter, ...]]:
+    """Return the optimum of a linear model with lower bounds, and its free parameters."""
+    x = lsq_linear(jacobian, measured, (lows, np.inf), method="bvls").x
+    free = tuple(FreeParameter(f"x{k}", f"x{k}", "m", 1.0, low) for k, low in enumerate(lows))
+    residual = jacobian @ x - measured
+    return Optimum(
+        x, 0.5 * float(residual @ residual), jacobian, residual, [1.0], -(x <= np.array(lows)).astype(int)
+    ), free
+
+
+def farthest(optimum: Optimum, lows: list[float], k: int, side: float) -> float:
+    """Return the distance of the farthest value of a parameter in the confidence region within the bounds."""
+    excess = {
+        "type": "ineq",
+        "fun": lambda d: (
+            1.96**2
+            - float(np.sum((optimum.residual + optimum.jacobian @ d) ** 2) - optimum.residual @ optimum.residual)
+        ),
+    }
+    ends = [
+        minimize(
+            lambda d: -side * d[k],
+            start * side * np.eye(optimum.x.size)[k],
+            method="SLSQP",
+            bounds=[(low - x, None) for low, x in zip(lows, optimum.x, strict=True)],
+            constraints=excess,
+            options={"maxiter": 500, "ftol": 1e-12},
+        )
+        for start in (0.0, 0.1)
+    ]
+    return max(side * float(end.x[k]) for end in ends if end.success)
+
+
+@pytest.mark.parametrize("effect", [(1.0, 1.0), (1.0, -1.0), (-3.0, 0.2)])
+@pytest.mark.parametrize("push", [0.05, 2.0])
+def test_intervals_are_the_ends_of_the_region_within_bounds(monkeypatch, effect, push):
+    """Two parameters at a bound imitate the first parameter; the noise pushes both towards their bounds."""
+    wave = np.column_stack([np.sin(9.0 * X), np.cos(9.0 * X)])
+    jacobian = np.column_stack([X, X**2, 0.2 * wave + X[:, None] * effect])
+    lows = [-np.inf, -np.inf, 0.0, 0.0]
+    outward = (
+        jacobian[:, 2:].sum(axis=1)
+        - TWO[:SAMPLES] @ np.linalg.lstsq(TWO[:SAMPLES], jacobian[:, 2:].sum(axis=1), rcond=None)[0]
+    )
+    optimum, free = fit_bounded(jacobian, X + X**2 - push * outward / np.linalg.norm(outward), lows)
+    assert optimum.active.tolist() == [0, 0, -1, -1]
+    spread = ErrorModel(optimum, [SAMPLES], 1.0)
+    monkeypatch.setattr(spread, "factor", lambda weights: 1.0)
+    monkeypatch.setattr(spread, "deviation", lambda weights: float(np.linalg.norm(weights)))
+    table = estimates(free, optimum, spread)
+    for k in (0, 1):
+        e = table[f"x{k}"]
+        assert e.value - e.low == pytest.approx(farthest(optimum, lows, k, -1.0), rel=0.01)
+        assert e.high - e.value == pytest.approx(farthest(optimum, lows, k, 1.0), rel=0.01)
+        assert e.standard_error == pytest.approx(max(e.value - e.low, e.high - e.value) / 1.96, rel=0.01)
+
+
+@pytest.mark.parametrize("truth", [0.0, 1.0, 2.0])
+def test_coverage_if_a_nuisance_is_near_its_bound(truth):
+    """The true value of the nuisance is 0 to 2 standard errors inside; the search ends at the bound in up to half."""
+    jacobian = np.column_stack([X, X + 0.2 * np.sin(9.0 * X)])
+    error = float(np.linalg.norm(np.linalg.pinv(jacobian)[1]))
+    held: dict[bool, list[bool]] = {False: [], True: []}
+    for seed in range(SEEDS // 2):
+        optimum, free = fit_bounded(jacobian, X + truth * error * jacobian[:, 1] + noise(seed, SAMPLES), [-np.inf, 0.0])
+        spread = ErrorModel(optimum, [SAMPLES], 1.0)
+
+        def covers(e: Estimate) -> bool:
+            return e.low <= 1.0 <= e.high
+
+        for is_conditional, covered in held.items():
+            covered.append(covers(estimates(free, optimum, spread, is_conditional=is_conditional)["x0"]))
+    assert np.mean(held[False]) >= 0.92
+    if truth:
+        assert np.mean(held[True]) < np.mean(held[False])
+
+
+def test_data_that_require_a_bound_leave_narrow_intervals(monkeypatch):
+    """Ten standard errors beyond its bound, other values of the nuisance are almost excluded."""
+    jacobian = np.column_stack([X, X + 0.2 * np.sin(9.0 * X)])
+    error = float(np.linalg.norm(np.linalg.pinv(jacobian)[1]))
+    extensions = []
+    for excess in (0.01, 10.0):
+        optimum, free = fit_bounded(jacobian, X - excess * error * jacobian[:, 1], [-np.inf, 0.0])
+        spread = ErrorModel(optimum, [SAMPLES], 1.0)
+        monkeypatch.setattr(spread, "factor", lambda weights: 1.0)
+        narrow, wide = (estimates(free, optimum, spread, is_conditional=flag)["x0"] for flag in (True, False))
+        extensions.append(narrow.low - wide.low)
+    assert 0.0 <= extensions[1] < 0.2 * extensions[0]
+
+
+def test_intervals_without_a_bound_are_identical():
+    optimum, free = fit_bounded(TWO, TWO.sum(axis=1) + noise(0, 2 * SAMPLES), [0.0, 0.0])
+    spread = ErrorModel(optimum, [SAMPLES, SAMPLES], 1.0)
+    assert not optimum.active.any()
+    assert estimates(free, optimum, spread) == estimates(free, optimum, spread, is_conditional=True)
 
 
 # The band of the model ---------------------------------------------------------------------------------------------

@@ -306,7 +306,11 @@ def fit_sine(
     for k in orders:
         columns += [np.sin(k * turn), np.cos(k * turn)]
     matrix = np.stack(columns, axis=1)
-    coefficients = np.linalg.solve(matrix.T @ matrix, matrix.T @ values) if time.size > LONG else _least(matrix, values)
+    coefficients = (
+        np.linalg.solve(matrix.T @ matrix, matrix.T @ values)
+        if time.size > LONG
+        else np.asarray(np.linalg.lstsq(matrix, values, rcond=None)[0])
+    )
     residual = values - matrix @ coefficients
     sigma = math.sqrt(float(residual @ residual) / max(1, time.size - len(columns)))
     waves = coefficients[2::2] + 1j * coefficients[3::2]
@@ -337,10 +341,6 @@ def _errors_between_harmonics(residual: FloatArray, periods: int) -> tuple[float
     near = is_between & (order > 0.5) & (order < 2.5), is_between & (order > 1.5)
     first, others = (float(np.sqrt(0.5 * np.mean(amplitudes[part] ** 2))) if part.any() else math.nan for part in near)
     return first, others
-
-
-def _least(matrix: FloatArray, values: FloatArray) -> FloatArray:
-    return np.asarray(np.linalg.lstsq(matrix, values, rcond=None)[0])
 
 
 def _steady_periods(time: FloatArray, y: FloatArray, frequency: float) -> int:

@@ -105,7 +105,12 @@ def _evaluate_step(
     if (end - start) / (high - low) < FOLLOWS:
         note("hardly", moved=end - start)
         return
-    noise = _noise_in_holds(y, earlier, tail, [steady_part(record.time, hold, TAIL) for hold in holds])
+    # Other steady parts contribute if they scatter alike: a short part underestimates slow noise.
+    size = float(np.std(np.concatenate([y[part] - np.mean(y[part]) for part in (earlier, tail)])))
+    rests = (steady_part(record.time, hold, TAIL) for hold in holds)
+    others = (y[part] for part in rests if part.start not in (earlier.start, tail.start))
+    alike = [part for part in others if part.size > 3 and size < ALIKE * float(np.std(part)) < ALIKE**2 * size]
+    noise = estimate_noise([y[earlier], y[tail], *alike])
     section = slice(before.start, after.stop)
     reason = _add_times(evaluation, row, record, y, jump, section, noise, (earlier, tail))
     if record.has_clipped_samples("outlet", part=after):
@@ -125,18 +130,6 @@ def _evaluate_step(
     volume = f", {1e3 * record.volume:.4g} l" if math.isfinite(record.volume) else ""
     change = 100.0 * (y[indices] - start) / (end - start)  # in per cent of the total change
     evaluation.add_curve("outlet", f"{high - low:+.3g} % FS{volume}", record.time[indices] - jump.time, change)
-
-
-def _noise_in_holds(y: FloatArray, earlier: slice, tail: slice, rests: Sequence[slice]) -> Noise:
-    """Return the noise of the outlet before and after a step.
-
-    `earlier` and `tail` are the steady parts before and after the step. The other steady parts of the record, `rests`,
-    contribute if they scatter alike: a short part underestimates slow noise.
-    """
-    size = float(np.std(np.concatenate([y[part] - np.mean(y[part]) for part in (earlier, tail)])))
-    others = (y[part] for part in rests if part.start not in (earlier.start, tail.start))
-    alike = [part for part in others if part.size > 3 and size < ALIKE * float(np.std(part)) < ALIKE**2 * size]
-    return estimate_noise([y[earlier], y[tail], *alike])
 
 
 def _add_times(

@@ -89,7 +89,7 @@ class LimitsPlan:
         """Return the circuit, settled at the mean pressure, for runs with sines and steps.
 
         `volume` is the outlet volume [m^3], and `changes` maps addresses of parameters to new values. If `bands` is
-        False, the controller has no dead band and no hold band, and each solenoid has its mean flow.
+        False, dead band and hold band are zero, and the pulsed flow of each solenoid is replaced by its mean.
         """
         case = self.case(volume, changes)
         instance = (case if bands else without_bands(case)).instance

@@ -51,7 +51,7 @@ def integrator_excerpt(*markers: str) -> str:
 def model_code(export_model: ExportModel, prefix: str = "", further: Sequence[str] = ()) -> str:
     """Return the C code of all model functions and of the integration step.
 
-    Functions in `further` follow. Each function name begins with `prefix`.
+    The C functions in `further` are appended. Each function name begins with `prefix`.
     """
     model = export_model.model
     step = [print_step(model.size, len(model.inputs), "void", prefix)] if model.size else []

@@ -106,7 +106,7 @@ def _variable_elements(layout: FmuLayout, fmi: int) -> list[str]:
         common |= {"causality": v.causality, "variability": v.variability}
         common |= {"initial": v.initial} if v.initial else {}
         if v.reference == FOLLOWS_REFERENCE:
-            kind, attributes = "Boolean", {"start": "false"}
+            kind, attributes = "Boolean", {"start": "true" if v.start else "false"}
         else:
             kind, attributes = "Real" if fmi == 2 else "Float64", {} if v.unit in ("", "1") else {"unit": v.unit}
             # A difference of temperatures has no offset.
@@ -183,6 +183,18 @@ def nominal_sizes(layout: FmuLayout) -> list[float]:
     return [abs(float(x[k])) if s.positive and x[k] else s.nominal for k, s in enumerate(states)]
 
 
+def base_unit(name: str) -> dict[str, str]:
+    """Return the attributes of the XML element `BaseUnit` of a unit.
+
+    FMI and SSP have integer exponents only; for any other unit, the result is empty.
+    """
+    unit = read_unit(name)
+    if any(exponent.denominator != 1 for exponent in unit.dimension):
+        return {}
+    base = {symbol: str(int(e)) for symbol, e in zip(BASE_UNITS, unit.dimension, strict=True) if e}
+    return base | ({"factor": repr(float(unit.scale))} if base and unit.scale != 1 else {})
+
+
 def _unit_elements(layout: FmuLayout) -> list[str]:
     """Return the XML definitions of all units that the variables use, as texts.
 
@@ -190,12 +202,7 @@ def _unit_elements(layout: FmuLayout) -> list[str]:
     """
     elements = []
     for name in sorted({v.unit for v in layout.variables} - {"", "1"}):
-        unit = read_unit(name)
-        base = {symbol: str(int(e)) for symbol, e in zip(BASE_UNITS, unit.dimension, strict=True) if e}
-        # FMI has integer exponents only; any other unit has only a name.
-        base = {} if any(e.denominator != 1 for e in unit.dimension) else base
-        if base and unit.scale != 1:
-            base["factor"] = repr(float(unit.scale))
+        unit, base = read_unit(name), base_unit(name)
         children = [element("BaseUnit", base, depth=3)] if base else []
         if name in DISPLAY_UNITS:
             display = read_unit(DISPLAY_UNITS[name])

@@ -6,8 +6,8 @@ The role of each input and parameter determines which variable of the FMU repres
 from __future__ import annotations
 
 import re
-from collections.abc import Collection, Sequence
-from dataclasses import dataclass
+from collections.abc import Collection, Mapping, Sequence
+from dataclasses import dataclass, field
 from functools import cached_property
 from typing import NamedTuple
 
@@ -62,6 +62,9 @@ class FmuLayout:
 
     export_model: ExportModel
     requested: frozenset[str]  # inputs and parameters that the importer sets, in addition to inputs with signals
+    exposed: frozenset[str] = frozenset()  # internal outputs that are outputs of the FMU
+    follows_signals: bool = False  # start value of the parameter `follow_signals`
+    starts: Mapping[str, float] = field(default_factory=dict)  # start values of inputs that differ from the circuit
 
     # Roles --------------------------------------------------------------------------------------------------------
 
@@ -190,7 +193,7 @@ class FmuLayout:
             by_memory = self._memory_pattern(name) @ self._pattern("memory_start", "p").astype(int) > 0
             p = p | (x.astype(int) @ start.astype(int) > 0) | by_memory
         u = u.copy()
-        for parameter, item in self.motion_inputs:
+        for parameter, item in self.initial_inputs:
             u[:, item] |= p[:, parameter]
         u, p = self._resolve_inputs(u, p)
         no_states = np.zeros(0, dtype=bool)
@@ -224,15 +227,19 @@ class FmuLayout:
         return [*of_p, *of_u, *(self.state_reference(int(k)) for k in np.flatnonzero(x))]
 
     @cached_property
-    def motion_inputs(self) -> list[tuple[int, int]]:
-        """Inputs that prescribe the motion of a body and that the importer sets.
+    def initial_inputs(self) -> list[tuple[int, int]]:
+        """Inputs of the importer on whose start values initial states depend.
 
+        They prescribe the motion of a body, or have no signal in the circuit, such as the measurement of a controller.
         Each item contains the index of the parameter with the start value, and the index of the input.
         """
         names = [item.name for item in self.export_model.model.inputs]
         bases = sorted({item.slope_of for item in self.export_model.model.inputs if item.slope_of})
         pairs = [(self.export_model.instance.place(base), names.index(base)) for base in bases if base in names]
-        return [(parameter, item) for parameter, item in pairs if self.sources[item] >= PORT]
+        guided = [(parameter, item) for parameter, item in pairs if self.sources[item] >= PORT]
+        inputs = zip(self.export_model.inputs, self.sources, strict=True)
+        others = [(item.parameter, k) for k, (item, source) in enumerate(inputs) if source == PORT]
+        return [*guided, *(pair for pair in others if pair[0] >= 0 and pair not in guided)]
 
     n_indicators = 0
 
@@ -311,12 +318,13 @@ class FmuLayout:
         variables = [Variable("time", TIME_REFERENCE, "independent", "continuous", unit="s", meaning="time")]
         if DRIVEN in self.sources:
             text = "the inputs follow the signals of the circuit, and what is set is not looked at"
-            variables.append(Variable(FOLLOWS, FOLLOWS_REFERENCE, "parameter", "fixed", "exact", False, meaning=text))
+            follows = self.follows_signals
+            variables.append(Variable(FOLLOWS, FOLLOWS_REFERENCE, "parameter", "fixed", "exact", follows, meaning=text))
         items = zip(self.export_model.inputs, self.export_model.model.inputs, self.sources, strict=True)
         for k, (item, info, source) in enumerate(items):
             if source < PORT:
                 continue
-            start = 0.0 if info.slope_of else item.value
+            start = 0.0 if info.slope_of else self.starts.get(item.address, item.value)
             meaning = f"time derivative of {info.slope_of}" if info.slope_of else ""
             if info.delay and self.export_model.instance.parameters[info.delay]:
                 meaning = f"acts at once: {info.delay} delays the signal of the circuit only"
@@ -341,6 +349,8 @@ class FmuLayout:
             variables += self._state_variables(k, names)
         for k, output in enumerate(self.export_model.outputs):
             name = structured_name(output.address)
+            if name in names and output.address in self.exposed:
+                name = f"{name}.output"  # of a parameter or an input
             if k not in self.state_outputs and name not in names:
                 reference, causality = self.output_reference(k), self._causality(output.address)
                 variables.append(Variable(name, reference, causality, "continuous", "calculated", None, output.unit))
@@ -369,7 +379,15 @@ class FmuLayout:
         ]
 
     def _causality(self, address: str) -> str:
-        return "local" if address in self.export_model.instance.inner else "output"
+        is_internal = address in self.export_model.instance.inner and address not in self.exposed
+        return "local" if is_internal else "output"
+
+    def output_variable(self, address: str) -> Variable:
+        """Return the variable of an output."""
+        k = [output.address for output in self.export_model.outputs].index(address)
+        of_state = self.state_outputs.get(k)
+        reference = self.output_reference(k) if of_state is None else self.state_reference(of_state)
+        return next(variable for variable in self.variables if variable.reference == reference)
 
 
 _IDENTIFIER = re.compile(r"[A-Za-z_][A-Za-z0-9_]*")
@@ -388,7 +406,10 @@ def structured_name(address: str) -> str:
     return ".".join(name if _IDENTIFIER.fullmatch(name) else f"'{name}'" for name in address.split("."))
 
 
-def build_layout(export_model: ExportModel, inputs: Sequence[str] = ()) -> FmuLayout:
+def build_layout(
+    export_model: ExportModel, inputs: Sequence[str] = (), exposed: Collection[str] = (), *,
+    follows_signals: bool = False, starts: Mapping[str, float] | None = None,
+) -> FmuLayout:  # fmt: skip
     """Return the layout of the FMU of a model.
 
     Parameters
@@ -397,6 +418,12 @@ def build_layout(export_model: ExportModel, inputs: Sequence[str] = ()) -> FmuLa
         Model of the circuit.
     inputs : sequence of str
         Addresses of inputs and parameters that the importer sets, in addition to the inputs with signals.
+    exposed : collection of str, optional
+        Addresses of internal outputs that are outputs of the FMU.
+    follows_signals : bool, optional
+        Start value of the parameter `follow_signals`.
+    starts : mapping of str to float, optional
+        Start values of inputs by address (default: those of the circuit).
 
     Returns
     -------
@@ -416,4 +443,4 @@ def build_layout(export_model: ExportModel, inputs: Sequence[str] = ()) -> FmuLa
                 errors.add("names.unknown", address, meaning="an input or parameter of this circuit", suggestion=near)
             elif reasons[address]:
                 errors.add("deploy.fmu.fixed_input", address, why=reasons[address])
-    return FmuLayout(export_model, frozenset(inputs))
+    return FmuLayout(export_model, frozenset(inputs), frozenset(exposed), follows_signals, starts or {})

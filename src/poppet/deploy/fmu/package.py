@@ -10,13 +10,14 @@ import io
 import math
 import uuid
 import zipfile
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from importlib.resources import files
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from poppet.core.codes import Note
 from poppet.core.errors import ErrorCollector, NameSuggestion
 from poppet.deploy.c.c_model import DIRECTIONAL, integrator_code, model_code, prototypes
+from poppet.deploy.controller import circuit_of_controllers, controllers_of_option, select_controllers
 from poppet.deploy.export_files import c_string
 from poppet.deploy.export_model import ExportModel, build_export_model
 from poppet.deploy.fmu.binaries import PLATFORMS, kernel_code, link_commands, link_library
@@ -76,15 +77,23 @@ def directional_derivatives(model: Model) -> casadi.Function:
 
 def export_fmu(
     circuit: BaseCircuit, source: CircuitSource, *, fmi: str = "2", platform: str | None = None,
-    inputs: Sequence[str] = (), name: str | None = None,
+    inputs: Sequence[str] = (), name: str | None = None, part: str | None = None,
 ) -> Export:  # fmt: skip
-    """Export a circuit as an FMU.
+    """Export a circuit or its sampled controllers as an FMU.
 
     The keyword arguments are the options of `poppet export fmu`.
     """
     platforms = [entry.strip() for entry in (platform or "").split(",") if entry.strip()] or ["linux64"]
-    resources = circuit_resources(source.text, source.changes, source.result)
-    fmu = build_fmu(circuit, name or "", fmi=int(fmi), inputs=inputs, platforms=platforms, resources=resources)
+    resources, exposed = circuit_resources(source.text, source.changes, source.result), []
+    if part:
+        # The FMU of a controller is not compared with a whole circuit.
+        selected, resources = select_controllers(circuit, controllers_of_option(circuit, part)), {}
+        circuit = circuit_of_controllers(circuit, selected, with_signals=True)
+        name, inputs = name or "_".join(selected), [*dict.fromkeys([*free_inputs(circuit), *inputs])]
+        exposed = [address for address, _ in circuit.model.outputs if address not in circuit.inputs]
+    fmu = build_fmu(
+        circuit, name or "", fmi=int(fmi), inputs=inputs, platforms=platforms, resources=resources, exposed=exposed
+    )
     names = {
         kind: [v.name for v in fmu.layout.variables if v.causality == kind] for kind in ("input", "parameter", "output")
     }
@@ -95,9 +104,16 @@ def export_fmu(
     return Export({f"{fmu.layout.export_model.name}.fmu": zip_bytes(fmu.content)}, summary, fmu.notes)
 
 
+def free_inputs(circuit: BaseCircuit) -> list[str]:
+    """Return the addresses of the inputs of a circuit that have neither a signal nor a connection."""
+    taken = {*circuit.signals, *circuit.connections}
+    return [address for address, item in circuit.inputs.items() if address not in taken and not item.slope_of]
+
+
 def build_fmu(
     circuit: BaseCircuit, name: str = "", *, fmi: int = 2, platforms: Sequence[str] = ("linux64",),
-    inputs: Sequence[str] = (), resources: Mapping[str, bytes] | None = None,
+    inputs: Sequence[str] = (), resources: Mapping[str, bytes] | None = None, exposed: Collection[str] = (),
+    follows_signals: bool = False, starts: Mapping[str, float] | None = None,
 ) -> Fmu:  # fmt: skip
     """Return the FMU of a circuit.
 
@@ -115,6 +131,12 @@ def build_fmu(
         Addresses of inputs and parameters that the importer sets, in addition to the inputs with signals.
     resources : mapping of str to bytes, optional
         Further files by their paths in the FMU.
+    exposed : collection of str, optional
+        Addresses of internal outputs that are outputs of the FMU.
+    follows_signals : bool, optional
+        Start value of the parameter `follow_signals`.
+    starts : mapping of str to float, optional
+        Start values of inputs by address (default: those of the circuit).
 
     Returns
     -------
@@ -131,7 +153,9 @@ def build_fmu(
             if platform not in PLATFORMS:
                 near = NameSuggestion(platform, PLATFORMS)
                 errors.add("fields.not_an_option", "platform", value=platform, meaning="platform", suggestion=near)
-    layout = build_layout(build_export_model(circuit, name), inputs)
+    layout = build_layout(
+        build_export_model(circuit, name), inputs, exposed, follows_signals=follows_signals, starts=starts
+    )
     export_model = layout.export_model
     identifier, derivatives = export_model.name, directional_derivatives(export_model.model)
     unused = ("energy",) if export_model.model.size else ("energy", "jacobian", "factor", "solve")
@@ -244,11 +268,11 @@ def model_header(layout: FmuLayout, functions: Sequence[str], token: str) -> str
         "N_SCRATCH": kernel.memory_size,
         "N_CONDITIONS": len(problem.stop_conditions),
         "N_SEGMENTS": problem.starts.size,
-        "N_GUIDED": len(layout.motion_inputs),
+        "N_GUIDED": len(layout.initial_inputs),
         "JOB_SIZE": len(Job._fields),
     }
     sizes |= {f"JOB_{name}": k for k, name in enumerate(Job._fields)}
-    start = [0.0 if info.slope_of and source >= PORT else item.value
+    start = [0.0 if info.slope_of and source >= PORT else layout.starts.get(item.address, item.value)
              for item, info, source in zip(export_model.inputs, model.inputs, layout.sources, strict=True)]  # fmt: skip
     conditions = problem.stop_conditions
     # The text of a condition, or the stroke that leaves its domain.
@@ -261,6 +285,7 @@ def model_header(layout: FmuLayout, functions: Sequence[str], token: str) -> str
         '#include "names.h"\n',
         f"#define MODEL_GUID {c_string(token)}",
         *(f"#define {name} {value}" for name, value in sizes.items()),
+        f"#define START_FOLLOWS {float(layout.follows_signals)}",
         f"#define TOLERANCE {c_literal(problem.relative_tolerance)}",
         f"#define LONGEST_STEP {c_literal(problem.maximum_step)}",
         f"#define MOST_ATTEMPTS {c_literal(problem.most_attempts)}\n",
@@ -273,8 +298,8 @@ def model_header(layout: FmuLayout, functions: Sequence[str], token: str) -> str
         c_array("int", "INPUT_NUMBER", (item.parameter for item in export_model.inputs)),
         c_array("double", "INPUT_LOW", (item.low for item in export_model.inputs)),
         c_array("double", "INPUT_HIGH", (item.high for item in export_model.inputs)),
-        c_array("int", "GUIDED_NUMBER", (parameter for parameter, _ in layout.motion_inputs)),
-        c_array("int", "GUIDED_INPUT", (item for _, item in layout.motion_inputs)),
+        c_array("int", "GUIDED_NUMBER", (parameter for parameter, _ in layout.initial_inputs)),
+        c_array("int", "GUIDED_INPUT", (item for _, item in layout.initial_inputs)),
         c_array("double", "SEGMENT_STARTS", problem.starts),
         c_array("int", "SEGMENT_COURSES", problem.courses),
         c_array("unsigned char", "SEGMENT_JUMPS", problem.jumps),

@@ -73,7 +73,7 @@ class Inputs {
         known.set(key, known.size);
         for (let input = 0; input < this.n; input++) {
           const row = replaced.get(input)?.[places.get(input)];
-          coefficients.push(...row ? [row[1], row[2], 0, 0, 0, 0, row[0]] : this.row(segment, input));
+          coefficients.push(...row ? [row[1], row[2], ...Array.from({ length: 4 }, (_, j) => row[4 + j] ?? 0), row[0]] : this.row(segment, input));
         }
       }
       courses.push(BigInt(known.get(key)));
@@ -81,6 +81,13 @@ class Inputs {
     return { starts: Float64Array.from(starts), courses: BigInt64Array.from(courses),
              coefficients: Float64Array.from(coefficients), jumps: Uint8Array.from(jumps) };
   }
+}
+
+/* Rows of a signal that begins later, with its first value before. */
+function delayed(rows, delay) {
+  if (!(delay > 0)) return rows;
+  const [, value, , , amplitude = 0, , , phase = 0] = rows[0];
+  return [[0, value + amplitude * Math.sin(phase), 0, false], ...rows.map(([t, ...row]) => [t + delay, ...row])];
 }
 
 class Kernel {
@@ -103,15 +110,17 @@ class Kernel {
     this.room(end);
     for (const name in blobs) if (at[name]) new Uint8Array(exports.memory.buffer, at[name]).set(blobs[name]);
     this.file = new Inputs(blobs, this.lengths);
-    this.given = { p: this.p.slice(), tolerance: this.limits[3] };
+    this.given = { p: this.p.slice(), tolerance: this.limits[3], weights: this.weights.slice() };
+    this.map = { values: [], places: [], conditions: [], links: [], signals: {}, ...header.map };
+    this.map.usual = this.map.values.length ? this.mapped(this.map.values) : [];
   }
 
   /* Extend the memory to an end, and make views of its arrays. */
   room(end) {
     const { memory } = this.exports, missing = end - memory.buffer.byteLength;
     if (missing > 0) memory.grow(Math.ceil(missing / 65536));
-    for (const name of ["p", "x", "table", "watch", "limits", "grid"])
-      this[name] = new Float64Array(memory.buffer, this.at[name], this.sizes[name] / 8);
+    for (const name of ["p", "x", "table", "watch", "limits", "grid", "weights", "sliders", "results"])
+      this[name] = new Float64Array(memory.buffer, this.at[name] ?? 0, (this.sizes[name] ?? 0) / 8);
     this.counts = new BigInt64Array(memory.buffer, this.at.counts, 5);
   }
 
@@ -130,10 +139,36 @@ class Kernel {
     fields.forEach((name, k) => { row[k] = BigInt(functions[name] ?? lengths[name] ?? at[name] ?? 0); });
   }
 
-  /* One run, with other numbers by their places in p, and other inputs: the place of each, and its rows of time, value, slope
-     and jump. The table is written over by the next. */
-  run(numbers = [], inputs = []) {
+  /* Parameters and thresholds for values of the sliders, in the order of the map. */
+  mapped(values) {
+    if (!this.results.length) return [];
+    this.sliders.set(values);
+    this.exports.mapped(this.at.sliders, this.at.results);
+    return Array.from(this.results);
+  }
+
+  /* Arguments of a run with other values of the sliders. `inputs` are replaced inputs: the place of each, its rows, and the delay of a
+     signal. Inputs without a signal follow their parameters, delayed signals their delays. */
+  changes(values, inputs = []) {
+    const { usual, places, conditions, links, signals } = this.map, results = this.mapped(values);
+    const others = results.map((v, j) => [j, v]).filter(([j, v]) => v !== usual[j]), n = places.length;
+    const numbers = others.filter(([j]) => j < n).map(([j, v]) => [places[j], v]), of = new Map(numbers);
+    const thresholds = others.filter(([j]) => j >= n).map(([j, v]) => [3 * conditions[j - n] + 2, v]);
+    const replaced = new Map(inputs.map(([k, rows, delay]) => [k, delayed(rows, delay === undefined ? 0 : of.get(links[k]?.[1]) ?? delay)]));
+    links.forEach(([parameter, delay], k) => {
+      if (replaced.has(k)) return;
+      if (of.has(parameter)) replaced.set(k, [[0, of.get(parameter), 0, false]]);
+      else if (of.has(delay) && signals[k]) replaced.set(k, delayed(signals[k], of.get(delay)));
+    });
+    return [numbers, [...replaced], thresholds];
+  }
+
+  /* One run, with other numbers by their places in p, other inputs (the place of each, and its rows of time, value, slope and
+     jump), and other weights of stop conditions. The table is written over by the next. */
+  run(numbers = [], inputs = [], thresholds = []) {
     this.drive(inputs);
+    this.weights.set(this.given.weights);
+    for (const [k, v] of thresholds) this.weights[k] = v;
     for (const share of TIGHTER) {
       this.p.set(this.given.p);
       for (const [k, v] of numbers) this.p[k] = v;

@@ -22,22 +22,22 @@
 
   /* Changed values for the kernel: a number, or the course of an input. */
   function given(changed) {
-    const numbers = [], inputs = [];
+    const values = [...kernel.map.values], inputs = [];
     for (const [address, value] of changed) {
       const slider = byAddress.get(address), isHeld = typeof value === "number";
-      if (slider.number >= 0 && isHeld) numbers.push([slider.number, value]);
-      for (const input of slider.inputs) inputs.push([input, isHeld ? [[0, value, 0, false]] : segments(value, slider.delay)]);
+      if (slider.number >= 0 && isHeld) values[slider.number] = value;
+      if (slider.number < 0 || slider.is_driven || !isHeld) for (const input of slider.inputs) inputs.push(isHeld ? [input, [[0, value, 0, false]]] : [input, segments(value), slider.delay]);
     }
-    return [numbers, inputs];
+    return kernel.changes(values, inputs);
   }
 
-  /* Time, value, slope and jump of each segment of a delayed course. */
-  function segments({ kind, times, values }, delay) {
+  /* Time, value, slope and jump of each segment of a course. */
+  function segments({ kind, times, values }) {
     const isSteps = kind === "steps";
     const rows = times.map((t, k) => [t, values[k], isSteps || k + 1 === times.length ? 0 : (values[k + 1] - values[k]) / (times[k + 1] - t),
                                       isSteps && k > 0 && values[k] !== values[k - 1]]);
     if (times[0] > 0) rows.unshift([0, values[0], 0, false]);
-    return delay ? [[0, values[0], 0, false], ...rows.map(([t, ...row]) => [t + delay, ...row])] : rows;
+    return rows;
   }
 
   function run(changed) {

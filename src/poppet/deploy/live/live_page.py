@@ -71,7 +71,8 @@ def live_page(circuit: BaseCircuit, *, parameters: Sequence[str] = ()) -> str:
         Circuit with a duration.
     parameters : sequence of str, optional
         Addresses of the parameters and inputs with a slider, with a range if the default range is not suitable:
-        ``"tank.volume=50 l..400 l"``. The default is the inputs with signals, then the first parameters of the file.
+        ``"tank.volume=50 l..400 l"``. The default is the inputs with signals, then the parameters with
+        the greatest influence on the curves.
 
     Returns
     -------
@@ -94,9 +95,11 @@ def live_page(circuit: BaseCircuit, *, parameters: Sequence[str] = ()) -> str:
     if grid.size > MAX_ROWS:
         circuit = circuit.with_values({"run.output_step": float(grid[-1]) / (MAX_ROWS - 1)})
     export_model = build_export_model(circuit)
-    sliders = select_sliders(export_model, circuit, parameters)
     recording = circuit.simulate(throw=False)
-    header, blobs = run_data(replace(export_model.problem, most_attempts=MAX_ATTEMPTS))
+    sheet = Sheet({"": recording}, None, None, "", inner=False)
+    displayed = [series.name for panel in sheet.panels for series in panel.series]
+    sliders, mapping = select_sliders(export_model, circuit, parameters, displayed)
+    header, blobs = run_data(replace(export_model.problem, most_attempts=MAX_ATTEMPTS), mapping)
     with style("A live page"):
         content = page_content(export_model, circuit, recording, sliders)
     data = pack_base64({**header, **content}, blobs)

@@ -4,14 +4,21 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from contextlib import suppress
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
+import numpy as np
+
 from poppet.core.errors import ErrorCollector, InputError, NameSuggestion
 from poppet.core.number_format import USUAL, readable_unit
-from poppet.core.units import Kind, convert, quantity, sizes_of
-from poppet.deploy.export_model import ExportModel
+from poppet.core.provenance import Number, Source
+from poppet.core.units import Kind, convert, quantity
+from poppet.deploy.export_model import ExportModel, next_float, parameter_specs
+from poppet.deploy.live.influence import STEP, influences
+from poppet.deploy.live.parameter_map import TOLERANCE, ParameterMap, trace_parameters
+from poppet.parts.fields import NumberSpec, attribute, specs
 from poppet.timeseries.signals import Points, Steps
 
 if TYPE_CHECKING:
@@ -21,6 +28,7 @@ DEFAULT_COUNT = 8
 """Number of sliders if none are requested."""
 MAX_POINTS = 200
 """Maximum number of points of a signal that the page shows as a table."""
+_COEFFICIENT = re.compile(r"\.[a-z]\d+$")
 _TEMPERATURES = ("K", "degC")
 _NUMBER = re.compile(r"[+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?\s*(.*)", re.DOTALL)
 _KINDS: dict[str, Kind] = {"Pa": "pressure", "K": "temperature", "kg/s": "mass_flow"}
@@ -44,7 +52,7 @@ class Slider:
     meaning: str
     source: str
     is_assumed: bool
-    number: int  # index in p; -1 for an input without parameter
+    number: int  # index in the values of the parameter map; -1 for an input that is not a parameter
     inputs: tuple[int, ...]  # indices of the inputs that take the parameter, or of the input itself
     is_driven: bool  # an input that a signal drives until the user sets it
     # Signal that the user can edit, with kind "steps" or "points"; no points if the file has no signal.
@@ -52,12 +60,12 @@ class Slider:
     delay: float = 0.0  # of the signal [s]
     above: float | None = None  # the value must be greater; None if `least` is permitted
     below: float | None = None  # the value must be less; None if `most` is permitted
-    reference: str = ""  # "gauge" if the value is a gauge pressure
+    reference: str = ""  # "gauge" if the value and its limits are gauge pressures
     is_settable: bool = True  # False if only a signal can set the input
 
     def scale(self, ambient_pressure: float) -> tuple[float, float]:
         """Return factor and offset that convert SI values to the display unit."""
-        return affine(self.si, self.unit, ambient_pressure)
+        return affine(self.si, self.unit, 0.0 if self.reference == "gauge" else ambient_pressure)
 
 
 def affine(unit: str, display_unit: str, ambient_pressure: float = 1e5) -> tuple[float, float]:
@@ -69,28 +77,16 @@ def affine(unit: str, display_unit: str, ambient_pressure: float = 1e5) -> tuple
     return at_one - at_zero, at_zero
 
 
-def select_sliders(export_model: ExportModel, circuit: BaseCircuit, texts: Sequence[str]) -> list[Slider]:
-    """Return the sliders that the user requested, or a default selection.
+def select_sliders(
+    export_model: ExportModel, circuit: BaseCircuit, texts: Sequence[str], displayed: Sequence[str] = ()
+) -> tuple[list[Slider], ParameterMap]:
+    """Return the sliders that the user requested, or a default selection, and their effect on the parameters.
 
-    Each text is `ADDRESS` or `ADDRESS=LOW..HIGH`.
+    Each text is `ADDRESS` or `ADDRESS=LOW..HIGH`. `displayed` contains the addresses of the outputs that the page
+    shows, or nothing for all outputs.
     """
     if not texts:
-        # Inputs with a signal, then parameters that the user gave or that are assumed; no temperatures or start values.
-        numbers = circuit.numbers()
-        candidates = [
-            p.address for p in export_model.parameters
-            if p.is_free and p.value and p.unit not in _TEMPERATURES and p.address in numbers
-            and not re.search(r"(^|[._])(initial|ambient|gas)_?", p.address) and p.unit != "1"
-        ]  # fmt: skip
-        kinds = {address: numbers[address].source.kind for address in candidates}
-        driven = [item.address for item in export_model.inputs if item.is_driven and item.slope_of < 0][:2]
-        ordered = [
-            *(address for address in driven if not _is_guided(export_model, address)),
-            *(address for address in candidates if kinds[address] == "given"),
-            *(address for address in candidates if kinds[address] == "assumed"),
-            *candidates,
-        ]
-        texts = list(dict.fromkeys(ordered))[:DEFAULT_COUNT]
+        texts = _default_addresses(export_model, circuit, displayed)
     sliders: dict[str, Slider] = {}
     with ErrorCollector() as errors:
         for text in texts:
@@ -99,8 +95,129 @@ def select_sliders(export_model: ExportModel, circuit: BaseCircuit, texts: Seque
                 slider = _slider(export_model, circuit, address)
                 if span:
                     slider = _with_range(slider, span, circuit.surroundings.pressure)
+                elif slider.number >= 0:
+                    slider = _within_valid_range(circuit, slider)
+                if slider.number >= 0:
+                    _check_continuity(circuit, slider)
                 sliders[slider.address] = replace(slider, is_settable=_is_settable(circuit, slider))
-    return list(sliders.values())
+    # The value of an input with a signal is also a parameter, on which the start of the run can depend.
+    own = [s.address for s in sliders.values() if s.number >= 0 or s.address in circuit.numbers()]
+    mapping = trace_parameters(export_model, circuit, own)
+    result = [replace(s, number=own.index(s.address)) if s.address in own else s for s in sliders.values()]
+    with ErrorCollector() as errors:
+        for slider in result:
+            with errors.collecting():
+                if slider.number >= 0:
+                    _check_map(circuit, mapping, slider)
+    return result, mapping
+
+
+def _default_addresses(export_model: ExportModel, circuit: BaseCircuit, displayed: Sequence[str]) -> list[str]:
+    """Return the addresses of the default sliders.
+
+    They are two inputs with signals, then the numbers of the parts with the greatest influence on the curves. Flags
+    such as `input_fault`, coefficients of curves, and numbers with the value 0, which gives no range, are omitted.
+    """
+    flags = {address for address, item in circuit.inputs.items() if item.is_flag}
+    driven = [
+        item.address
+        for item in export_model.inputs
+        if item.is_driven and item.slope_of < 0 and item.address not in flags
+        and not _is_guided(export_model, item.address)
+    ][:2]  # fmt: skip
+    sliders = []
+    for address, number in circuit.numbers().items():
+        is_candidate = number.value and address.partition(".")[0] in circuit.parts and not _COEFFICIENT.search(address)
+        if is_candidate and address not in driven:
+            with suppress(InputError):
+                sliders.append(_slider(export_model, circuit, address))
+    sliders = [slider for slider in sliders if slider.number >= 0]
+    outputs = [output.address for output in export_model.outputs]
+    places = [outputs.index(address) for address in displayed] or list(range(len(outputs)))
+    ranks = influences(circuit, [_neighbours(circuit, slider) for slider in sliders], places)
+    order = sorted(range(len(sliders)), key=lambda k: -ranks[k])  # stable: equal ranks have the order of the file
+    addresses = [sliders[k].address for k in order if ranks[k] > 0.0 and _is_continuous(circuit, sliders[k])]
+    return [*driven, *addresses[: DEFAULT_COUNT - len(driven)]]
+
+
+def _neighbours(circuit: BaseCircuit, slider: Slider) -> Iterator[BaseCircuit]:
+    """Yield the valid copies of a circuit with a slightly larger or smaller value of a slider."""
+    step = STEP * (slider.high - slider.low)
+    for value in (slider.value + step, slider.value - step):
+        with suppress(InputError):
+            yield changed_circuit(circuit, slider, value)
+
+
+def _is_continuous(circuit: BaseCircuit, slider: Slider) -> bool:
+    try:
+        _check_continuity(circuit, _within_valid_range(circuit, slider))
+    except InputError:
+        return False
+    return True
+
+
+def changed_circuit(circuit: BaseCircuit, slider: Slider, value: float) -> BaseCircuit:
+    """Return the circuit with another value of a slider, in SI units as in the slider."""
+    number = Number(value, slider.si, Source("given"), circuit.numbers()[slider.address].reference)
+    return circuit.with_values({slider.address: number})
+
+
+def _is_valid(circuit: BaseCircuit, slider: Slider, value: float) -> bool:
+    try:
+        changed_circuit(circuit, slider, value)
+    except InputError:
+        return False
+    return True
+
+
+def _within_valid_range(circuit: BaseCircuit, slider: Slider) -> Slider:
+    """Return the slider with a range in which the circuit accepts all values.
+
+    Other parameters can narrow the range, for example the bore that of the rod diameter. Its limits then follow.
+    """
+
+    def last_valid(end: float) -> float:
+        if _is_valid(circuit, slider, end):
+            return end
+        valid, invalid = slider.value, end
+        for _ in range(40):
+            middle = 0.5 * (valid + invalid)
+            valid, invalid = (middle, invalid) if _is_valid(circuit, slider, middle) else (valid, middle)
+        return valid
+
+    low, high = last_valid(slider.low), last_valid(slider.high)
+    if low > slider.low:
+        slider = replace(slider, low=low, least=low, above=None)
+    if high < slider.high:
+        slider = replace(slider, high=high, most=high, below=None)
+    return slider
+
+
+def _check_continuity(circuit: BaseCircuit, slider: Slider) -> None:
+    """Raise `InputError` if the circuit rejects values between the ends of a slider."""
+    values = [slider.low + fraction * (slider.high - slider.low) for fraction in (0.0, 0.21, 0.48, 0.77, 1.0)]
+    if slider.low >= slider.high or not all(_is_valid(circuit, slider, value) for value in values):
+        raise InputError("deploy.live.single", slider.address)
+
+
+def _check_map(circuit: BaseCircuit, mapping: ParameterMap, slider: Slider) -> None:
+    """Raise `InputError` if the map differs from the circuit at the ends of a slider."""
+    base, structure = np.array(list(circuit.parameters.values())), circuit.structure
+    values = list(mapping.values)
+    fixed = [k for k in range(base.size) if k not in mapping.places]
+    places, conditions = list(mapping.places), circuit.problem(circuit.run).stop_conditions
+    for value in (slider.low, slider.high):
+        if slider.is_driven and not _is_valid(circuit, slider, value):
+            continue
+        changed = changed_circuit(circuit, slider, value)
+        values[slider.number] = value
+        expected = np.array(list(changed.parameters.values()))
+        is_equal = changed.structure == structure and np.array_equal(expected[fixed], base[fixed])
+        if not is_equal or not np.allclose(mapping.evaluate(values), expected[places], rtol=TOLERANCE, atol=0.0):
+            raise InputError("deploy.live.tied", slider.address)
+        for k, (old, new) in enumerate(zip(conditions, changed.problem(changed.run).stop_conditions, strict=True)):
+            if old.weights != new.weights and k not in mapping.conditions:
+                raise InputError("deploy.live.condition", slider.address)
 
 
 def _is_settable(circuit: BaseCircuit, slider: Slider) -> bool:
@@ -129,32 +246,46 @@ def _slider(export_model: ExportModel, circuit: BaseCircuit, address: str) -> Sl
     inputs = {item.address: item for item in export_model.inputs}
     parameters = {parameter.address: parameter for parameter in export_model.parameters}
     # An input without a signal is its parameter.
-    if address in inputs and (inputs[address].is_driven or inputs[address].parameter < 0):
-        if _is_guided(export_model, address) or inputs[address].slope_of >= 0:
+    numbers, item = circuit.numbers(), inputs.get(address)
+    default = parameters.get(export_model.parameters[item.parameter].address) if item and item.parameter >= 0 else None
+    if item is not None and (item.is_driven or default is None or default.address not in numbers):
+        if _is_guided(export_model, address) or item.slope_of >= 0:
             raise InputError("deploy.live.guided", address)
-        item, index, signal = inputs[address], list(inputs).index(address), circuit.signals.get(address)
+        index, signal = list(inputs).index(address), circuit.signals.get(address)
         low, high = signal.bounds() if signal else (item.value, item.value)
         if not (math.isfinite(low) and math.isfinite(high) and low < high):
             low, high = _default_range(item.value, item.low, item.high, item.unit)
         else:
             low, high = max(item.low, low - 0.25 * (high - low)), min(item.high, high + 0.25 * (high - low))
+        source = "a signal of the file" if item.is_driven else "without a signal"
         return Slider(
             address, item.value, low, high, item.low, item.high, item.unit, USUAL.get(item.unit, item.unit),
-            "input, held while you say so", "a signal of the file", is_assumed=False, number=-1, inputs=(index,),
-            is_driven=True, **_signal_and_delay(export_model, circuit, index),
+            "input, constant while the slider sets it", source, is_assumed=False, number=-1, inputs=(index,),
+            is_driven=item.is_driven, **_signal_and_delay(export_model, circuit, index),
         )  # fmt: skip
-    if address in inputs:
-        address = export_model.parameters[inputs[address].parameter].address
-    if address not in parameters:
-        near = NameSuggestion(address, [*parameters, *inputs])
+    if default is not None:
+        address = default.address
+    if address not in numbers:
+        if address in parameters:
+            raise InputError("deploy.live.derived", address)
+        if _is_field(circuit, address):
+            raise InputError("deploy.live.structure", address)
+        near = NameSuggestion(address, [*numbers, *inputs])
         raise InputError("names.unknown", address, meaning="a parameter or input of the circuit", suggestion=near)
-    if not parameters[address].is_free:
-        raise InputError(f"deploy.live.{parameters[address].fixed}", address)
-    parameter, number = parameters[address], circuit.numbers()[address]
-    value, index = parameter.value, list(parameters).index(address)
-    setters = tuple(k for k, i in enumerate(export_model.inputs) if i.parameter == index and not i.is_driven)
+    if address in parameters and parameters[address].fixed == "driven":
+        raise InputError("deploy.live.guided", address)
+    number, spec = numbers[address], parameter_specs(circuit).get(address) or NumberSpec("1", address)
+    # Limits are absolute; the value of a gauge pressure stays a gauge value.
+    shift = circuit.surroundings.pressure if number.reference == "gauge" else 0.0
+    value, least, most = number.value, spec.ends[0] - shift, spec.ends[1] - shift
+    above = spec.above - shift if math.isfinite(spec.above) else None
+    below = spec.below - shift if math.isfinite(spec.below) else None
+    least = max(least, next_float(spec.above, 1.0) - shift)
+    most = min(most, next_float(spec.below, -1.0) - shift)
+    place = list(parameters).index(address) if address in parameters else None
+    setters = tuple(k for k, i in enumerate(export_model.inputs) if i.parameter == place and not i.is_driven)
     is_input = len(setters) == 1 and list(inputs)[setters[0]] == address and not _is_guided(export_model, address)
-    low, high = _default_range(value, parameter.low, parameter.high, parameter.unit)
+    low, high = _default_range(value, least, most, number.unit)
     source = "; ".join(filter(None, (number.source.kind, number.source.locator, number.source.note)))
     match = _NUMBER.fullmatch(number.text.strip())
     # The unit in which the user wrote the parameter, or a practical unit.
@@ -163,13 +294,24 @@ def _slider(export_model: ExportModel, circuit: BaseCircuit, address: str) -> Sl
     else:
         is_temperature = number.unit == "K" and number.reference == "absolute"
         unit = "degC" if is_temperature else readable_unit(number.unit, value)
+        unit += " g" if number.reference == "gauge" else ""
     return Slider(
-        address, value, low, high, parameter.low, parameter.high, parameter.unit, unit, parameter.meaning,
-        source, number.source.kind == "assumed", index, setters, is_driven=False,
-        # The smallest plausible value stands for a limit of 0 that is excluded.
-        above=0.0 if parameter.low == sizes_of(parameter.unit)[0] > 0.0 else parameter.above, below=parameter.below,
+        address, value, low, high, least, most, number.unit, unit, spec.meaning, source,
+        number.source.kind == "assumed", number=0, inputs=setters, is_driven=False, above=above, below=below,
+        reference=number.reference,
         **(_signal_and_delay(export_model, circuit, setters[0]) if is_input else {}),
     )  # fmt: skip
+
+
+def _is_field(circuit: BaseCircuit, address: str) -> bool:
+    """Return True if an address is that of a field of a part or of a section of the circuit file."""
+    name, *path = address.split(".")
+    owner = circuit.parts.get(name) or {"run": circuit.run, "gas": circuit.gas}.get(name)
+    for field in path:
+        if owner is None or field not in specs(type(owner)):
+            return False
+        owner = getattr(owner, attribute(field))
+    return bool(path)
 
 
 def _signal_and_delay(export_model: ExportModel, circuit: BaseCircuit, index: int) -> dict[str, Any]:
@@ -217,6 +359,8 @@ def _with_range(slider: Slider, span: str, ambient_pressure: float) -> Slider:
             raw = text
         end = quantity(raw, slider.si, kind=_KINDS.get(slider.si, "plain"), name=slider.address)
         ends.append(end.value + (ambient_pressure if end.reference == "gauge" else 0.0))
+    if slider.reference == "gauge":
+        ends = [end - ambient_pressure for end in ends]
     if not slider.least <= ends[0] < ends[1] <= slider.most:
         raise InputError("deploy.live.range", slider.address, text=span)
     return replace(slider, low=ends[0], high=ends[1])

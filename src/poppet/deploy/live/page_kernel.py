@@ -9,7 +9,7 @@ import base64
 import json
 import subprocess
 import zlib
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from importlib.resources import files
 from pathlib import Path
 from typing import Any
@@ -19,6 +19,7 @@ from numpy.typing import NDArray
 
 from poppet.deploy.fmu.binaries import compile_object, kernel_code
 from poppet.deploy.live.linker import LinkError, Module, link
+from poppet.deploy.live.parameter_map import ParameterMap
 from poppet.engine.compiled import INTEGRATOR
 from poppet.engine.job import Job
 from poppet.engine.model import Model
@@ -37,11 +38,11 @@ _MAIN = """
 const fs = require("fs");
 (async () => {
   const kernel = await Kernel.of(await unpacked(fs.readFileSync(0, "utf8")));
-  const numbers = JSON.parse(process.argv[3]);
-  kernel.run(...numbers);
+  const values = JSON.parse(process.argv[3]), changes = values.length ? kernel.changes(values) : [];
+  kernel.run(...changes);
   // The second run finds its code compiled.
   const begin = performance.now();
-  const ended = kernel.run(...numbers);
+  const ended = kernel.run(...changes);
   const seconds = 1e-3 * (performance.now() - begin);
   fs.writeFileSync(process.argv[2], Buffer.from(kernel.table.buffer, kernel.table.byteOffset, kernel.table.byteLength));
   console.log(JSON.stringify({ ...ended, seconds }));
@@ -49,18 +50,22 @@ const fs = require("fs");
 """
 
 
-def live_module(model: Model) -> Module:
+def live_module(model: Model, mapping: ParameterMap | None = None) -> Module:
     """Return the WebAssembly module that simulates a model.
 
-    It exports its memory and the functions `integrate` and `start`.
+    It exports its memory and the functions `integrate` and `start`. If sliders change parameters, as `mapping`
+    describes, it also exports the function `mapped`.
     """
     import llvmlite.binding as llvm
 
     functions = trace_functions(model)
+    if mapping is not None:
+        functions["mapped"] = mapping.function
     llvm_module = llvm.parse_assembly(INTEGRATOR.read())
     llvm_module.link_in(llvm.parse_assembly(kernel_code(model, functions)))
     defined = [function for function in llvm_module.functions if not function.is_declaration]
-    exports, tabled = ("integrate", "start"), [name for name in CALLED if name in {f.name for f in defined}]
+    exports = ("integrate", "start", "mapped")[: 2 + (mapping is not None)]
+    tabled = [name for name in CALLED if name in {f.name for f in defined}]
     for function in defined:
         if function.name not in (*tabled, *exports):
             function.linkage = "internal"  # the optimiser removes unused functions
@@ -78,13 +83,14 @@ def compile_wasm_object(llvm_module: Any) -> bytes:
     return compile_object(llvm_module, "wasm32-unknown-unknown", features=_FEATURES)
 
 
-def run_data(problem: Problem) -> tuple[dict[str, Any], dict[str, bytes]]:
+def run_data(problem: Problem, mapping: ParameterMap | None = None) -> tuple[dict[str, Any], dict[str, bytes]]:
     """Return the data with which a live page simulates a run.
 
     The result contains a header with array lengths, and the bytes of each array by name. The compiled model is one of
-    the arrays.
+    the arrays. `mapping` contains the effect of sliders on parameters.
     """
-    kernel, conditions, module = problem.kernel, problem.stop_conditions, live_module(problem.kernel.model)
+    kernel, conditions = problem.kernel, problem.stop_conditions
+    module = live_module(kernel.model, mapping)
     lengths = {name: value for name, value in kernel.job.items() if name.startswith("n_")}
     lengths |= {
         "n_segments": problem.starts.size, "n_courses": len(problem.coefficients), "n_rows": problem.grid.size,
@@ -101,10 +107,13 @@ def run_data(problem: Problem) -> tuple[dict[str, Any], dict[str, bytes]]:
     n = lengths["n_states"]
     # Sizes in doubles, as in `poppet.engine.call.Call`.
     room = {"x": n, "table": lengths["n_outputs"] * problem.grid.size, "books": 3 * n, "watch": 2, "counts": 5}
-    header = {
+    header: dict[str, Any] = {
         "fields": Job._fields, "functions": {name: module.table.get(name, 0) for name in CALLED}, "heap": module.heap,
         "lengths": lengths, "room": room | {"memory": kernel.memory_size},
     }  # fmt: skip
+    if mapping is not None:
+        header["map"] = mapping.header()
+        header["room"] |= {"sliders": len(mapping.values), "results": mapping.function.numel_out(0)}
     return header, {"module": module.code, **{name: array.tobytes() for name, array in arrays.items()}}
 
 
@@ -122,16 +131,18 @@ def pack_base64(header: Mapping[str, Any], blobs: Mapping[str, bytes]) -> str:
     return base64.b64encode(zlib.compress(len(text).to_bytes(4, "little") + text + body, 9)).decode()
 
 
-def run_in_node(problem: Problem, folder: Path, *numbers: Any) -> tuple[dict[str, Any], NDArray[np.float64]]:
+def run_in_node(
+    problem: Problem, folder: Path, mapping: ParameterMap | None = None, values: Sequence[float] = ()
+) -> tuple[dict[str, Any], NDArray[np.float64]]:
     """Run the WebAssembly model in Node.js, and return the outcome and the outputs.
 
-    The outcome includes the computing time [s], and the outputs have shape (n_outputs, n_times). `numbers` contains
-    pairs of the index of a parameter and its new value.
+    The outcome includes the computing time [s], and the outputs have shape (n_outputs, n_times). `values` are those of
+    the sliders that `mapping` contains.
     """
     script, table = folder / "run.js", folder / "table.bin"
     kernel = (files("poppet.deploy.live") / "kernel.js").read_text(encoding="utf-8")
     script.write_text(kernel + _MAIN, encoding="utf-8")
-    command = ["node", str(script), str(table), json.dumps([numbers])]
-    text = pack_base64(*run_data(problem))
+    command = ["node", str(script), str(table), json.dumps([float(value) for value in values])]
+    text = pack_base64(*run_data(problem, mapping))
     result = subprocess.run(command, input=text, capture_output=True, text=True, check=True, timeout=300)
     return json.loads(result.stdout), np.fromfile(table).reshape(-1, problem.grid.size)

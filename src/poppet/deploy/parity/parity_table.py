@@ -200,7 +200,7 @@ def compare_targets(circuit: BaseCircuit, *, only: Sequence[str] = (), fmu: Path
 def run_kernel(circuit: BaseCircuit, fmu: Path | None = None) -> KernelReference:
     """Run a circuit with poppet's own integrator, and measure the computing time.
 
-    `fmu` is an FMU file to check instead of newly exported ones.
+    If `fmu` is the path of an FMU, the checks use this file instead of newly exported FMUs.
     """
     circuit.simulate()  # compiles everything, and raises the error of a run that fails
     problem = circuit.problem(circuit.run)

@@ -221,7 +221,9 @@ class Statements:
             return self.inputs[instruction.place[0]][instruction.place[1]]
         if name == "assign":
             return arguments[0]
-        if name in ("lt", "le") and arguments[1].is_flag and arguments[0].text in self._thresholds:
+        # A condition is compared with a constant between false and true.
+        thresholds = language.literal(0.0), language.literal(0.5)
+        if name in ("lt", "le") and arguments[1].is_flag and arguments[0].text in thresholds:
             return arguments[1]
         if name in ("and", "or", "not"):
             # A condition that is always true, such as the first of a chain, adds nothing.
@@ -255,11 +257,6 @@ class Statements:
         # An argument in the parentheses of a call needs no parentheses.
         is_call = re.fullmatch(r"\w+\(\{0\}(, \{1\})?\)", form) is not None
         return Value(form.format(*(self._number(a, is_operand=not is_call) for a in arguments)), is_atom=is_call)
-
-    @property
-    def _thresholds(self) -> tuple[str, ...]:
-        """Constants below a true condition and above a false one."""
-        return self.language.literal(0.0), self.language.literal(0.5)
 
     def _merge(self, a: Value, b: Value) -> Value | None:
         """Return the sum of two choices with opposite conditions as one choice; None for other values."""

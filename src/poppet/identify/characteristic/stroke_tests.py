@@ -122,7 +122,7 @@ class TestEvidence:
 
     @property
     def nuisance(self) -> tuple[FreeParameter, ...]:
-        """Free parameters of the test bench: none, because the fit to the test has eliminated them."""
+        """Free parameters of the test bench: none, because the fit of each single test accounts for them."""
         return ()
 
     def evaluate(self, z: Array, nuisance: Array) -> tuple[Array, Array]:

@@ -69,8 +69,8 @@ def simulate_fits(
 ) -> dict[str, SimulatedEstimate]:
     """Fit simulated recordings of the recommended tests, and return the estimates of each free parameter.
 
-    The recordings have the assumed values, random noise, and random offsets of the sensors. `on_fit` is called with the
-    number of completed fits and their total number.
+    Each test is simulated with the assumed values of the parameters; random noise and sensor offsets are added.
+    `on_fit` is called with the number of completed fits and their total number.
 
     Raises
     ------

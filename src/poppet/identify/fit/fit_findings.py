@@ -203,7 +203,7 @@ def parameter_notes(free: Sequence[FreeParameter], estimates: Mapping[str, Estim
     """
     for f in free:
         e = estimates[f.name]
-        is_low = e.value <= f.low + 1e-6 * f.scale
+        is_low = e.value - f.low <= f.high - e.value
         cases = {
             "bound": e.verdict == "at bound",
             "not_determined": e.verdict == "not determined",

@@ -91,7 +91,7 @@ class _Searches:
             fixed=fixed,
             start_point=start_point,
             joinable=[
-                KnownOptimum(o.x, np.linalg.norm(influences(o), axis=1), o.cost)
+                KnownOptimum(o.x, np.linalg.norm(influences(replace(o, inside=np.zeros((0, 0)))), axis=1), o.cost)
                 for o in joinable
                 if self.plan.settings.loss == "linear"
             ],
@@ -274,7 +274,7 @@ def _add_equivalent_optima(searches: _Searches, best: Optimum, least: float) -> 
     spread = error_model_of(plan, best)
     near, distant = near_limit(plan, best), distant_limit(plan, best)
     equivalent: list[Optimum] = []
-    distinct = [estimates(plan.free, best, spread)]
+    distinct = [estimates(plan.free, best, spread, is_conditional=True)]
     for rival in sorted(candidates, key=lambda o: o.cost):
         rival_spread = error_model_of(plan, rival)
         excess = _evidence_against(plan, best, rival, {o.channel for s in (spread, rival_spread) for o in s.offsets})
@@ -283,7 +283,7 @@ def _add_equivalent_optima(searches: _Searches, best: Optimum, least: float) -> 
         limit = distant if is_distant(plan.free, best.x, rival.x) else near
         if excess < limit and not is_same:
             equivalent.append(replace(rival, excess=excess, limit=limit))
-            distinct.append(estimates(plan.free, rival, rival_spread))
+            distinct.append(estimates(plan.free, rival, rival_spread, is_conditional=True))
     is_stopped, evaluations = searches.is_stopped, searches.evaluations
     return replace(best, others=tuple(equivalent), limit=near, interrupted=is_stopped, evaluations=evaluations)
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -26,6 +26,10 @@ SUSPICIOUS = 0.05
 """Probability of white residuals below which the search is restarted; a false alarm only costs time."""
 JOINED = 0.1
 """Tolerances, in standard errors and in the cost, within which a point belongs to a known optimum."""
+INSIDE = 0.1
+"""Largest distance from a bound at which derivatives near it are computed, as a fraction of the typical size."""
+NEAR = 0.01
+"""Distance from a bound below which a parameter is at the bound, in standard errors."""
 INEXACT = 1e-5
 """Relative error of the derivatives from finite differences."""
 WIDTHS = (SAMPLED_DIFFERENCE, 0.02, 0.002)
@@ -107,6 +111,8 @@ class Optimum:
     residual: FloatArray  # weighted residuals, (n_samples,)
     sigmas: list[float]  # noise of each channel, in the order of experiments and channels
     active: NDArray[np.int64]  # -1 at the lower bound, 1 at the upper, 0 between, (n_free,)
+    # Jacobian near the bounds, at a point slightly inside; empty if no parameter is at a bound.
+    inside: FloatArray = field(default_factory=lambda: np.zeros((0, 0)))
     interrupted: bool = False  # True if the user interrupted the search
     evaluations: int = 0  # evaluations of the residuals
     name: str = "given"  # name of the start point
@@ -292,7 +298,55 @@ def optimise(
     cost = 0.5 * float(residual @ residual)
     low, high, scale = np.array([(f.low, f.high, f.scale) for f in free]).reshape(-1, 3).T
     active = np.where(x <= low + 1e-6 * scale, -1, np.where(x >= high - 1e-6 * scale, 1, 0))
-    return Optimum(x, cost, jacobian, residual, objective.sigmas, active, interrupted, objective.evaluations)
+    optimum = Optimum(x, cost, jacobian, residual, objective.sigmas, active)
+    _mark_near_bounds(optimum, free, fixed)
+    inside = _jacobian_inside(optimum, experiments, free, fixed)
+    return replace(optimum, inside=inside, interrupted=interrupted, evaluations=objective.evaluations)
+
+
+def _mark_near_bounds(optimum: Optimum, free: tuple[FreeParameter, ...], fixed: Mapping[str, float]) -> None:
+    """Mark parameters as active if their distance from a bound is small compared with their standard error.
+
+    A search approaches a bound of 0 in steps that halve the parameter, and can end before it reaches the bound.
+    """
+    for k, f in enumerate(free):
+        sides = np.array([optimum.x[k] - f.low, f.high - optimum.x[k]])
+        if optimum.active[k] or f.name in fixed or np.min(sides) > NEAR * INSIDE * f.scale:
+            continue
+        if np.min(sides) <= NEAR * _step_inside(optimum, f, k):
+            optimum.active[k] = 1 if sides[1] < sides[0] else -1
+
+
+def _step_inside(optimum: Optimum, f: FreeParameter, k: int) -> float:
+    """Return the standard error of a parameter for white noise, at most a fraction of its typical size.
+
+    `f` is the parameter, and `k` its index. Other parameters at a bound are treated as fixed.
+    """
+    norms = np.linalg.norm(optimum.jacobian, axis=0)
+    others = (optimum.active == 0) & (norms > 0.0)
+    others[k] = False
+    basis = np.linalg.qr(optimum.jacobian[:, others] / norms[others])[0]
+    column = optimum.jacobian[:, k]
+    sensitivity = float(np.linalg.norm(column - basis @ (basis.T @ column)))
+    return float(min(INSIDE * f.scale, INSIDE * (f.high - f.low), 1.0 / max(sensitivity, INEXACT * norms[k], 1e-300)))
+
+
+def _jacobian_inside(
+    optimum: Optimum, experiments: Sequence[Experiment], free: tuple[FreeParameter, ...], fixed: Mapping[str, float]
+) -> FloatArray:
+    """Return the Jacobian of the weighted residuals at a point slightly inside the active bounds.
+
+    The result is empty if no parameter is at a bound. Parameters in `fixed` do not count.
+    """
+    point = optimum.x.copy()
+    for k, f in enumerate(free):
+        if optimum.active[k] and f.name not in fixed and np.any(optimum.jacobian[:, k]):
+            point[k] -= optimum.active[k] * _step_inside(optimum, f, k)
+    if np.array_equal(point, optimum.x):
+        return np.zeros((0, 0))
+    jacobian = FitObjective(experiments, free, optimum.sigmas, fixed=fixed).residual_and_jacobian(point)[1]
+    # A simulation that fails there gives no derivatives.
+    return np.where(np.linalg.norm(jacobian, axis=0) > 0.0, jacobian, optimum.jacobian)
 
 
 def random_point(free: tuple[FreeParameter, ...], generator: np.random.Generator) -> FloatArray:

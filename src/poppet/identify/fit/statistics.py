@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from itertools import pairwise
+from itertools import combinations, pairwise
 from typing import NamedTuple
 
 import numpy as np
@@ -30,6 +30,8 @@ CHANCE = 6e-5
 """Probability that noise alone is reported as an offset: four sigmas for many samples."""
 UNSEEN = 1e-6
 """Least fraction of a constant that the parameters cannot imitate; below it, the offset is not visible."""
+MOST_JOINT = 4
+"""Number of parameters at a bound up to which the values of all of them are combined; of more, only pairs."""
 EDGE = 1e-3
 """Lower limit on 1 - leverage; below it, one sample alone determines a parameter."""
 OF_RATIOS = 0.05, 0.15
@@ -53,9 +55,13 @@ def influences(optimum: Optimum) -> FloatArray:
     result = np.empty((optimum.x.size, optimum.jacobian.shape[0]))
     # A parameter at a bound is fixed for the others; its row ignores the bound.
     if not np.all(is_inside):
-        result[~is_inside] = _pseudo_inverse(relative)[~is_inside]
+        result[~is_inside] = _pseudo_inverse(_jacobian_near_bounds(optimum) * scale)[~is_inside]
     result[is_inside] = _pseudo_inverse(relative[:, is_inside])
     return result * scale[:, None]
+
+
+def _jacobian_near_bounds(optimum: Optimum) -> FloatArray:
+    return optimum.inside if optimum.inside.size else optimum.jacobian
 
 
 def _scale(optimum: Optimum) -> FloatArray:
@@ -157,13 +163,20 @@ class ErrorModel:
         self.rows = [slice(int(a), int(b)) for a, b in pairwise(ends)]
         self._priors = slice(int(ends[-1]), None)
         # A robust loss reduces the weight of outliers, as in the search.
-        residual = optimum.residual * weights_of(optimum.residual, loss)
+        self.residual = residual = optimum.residual * weights_of(optimum.residual, loss)
         self._seen = _decompose_jacobian((optimum.jacobian * _scale(optimum))[:, optimum.active == 0])[2]
         self._leverage = np.minimum(1.0 - EDGE, np.sum(self._seen**2, axis=1))
         self._square = max(1.0, float(np.mean(residual**2)))
         offsets = [self._offset(k, residual) for k in range(len(self.rows))]
         self.offsets = [offset for offset in offsets if offset is not None]
         self._misfit, self._reaches = self._correct_for_leverage(residual)
+
+    def visible_part(self, columns: FloatArray) -> FloatArray:
+        """Return columns of changes of the residuals without the part that the parameters inside their bounds imitate.
+
+        The columns are (n_rows, k).
+        """
+        return np.asarray(columns - self._seen @ (self._seen.T @ columns))
 
     def deviation(self, weights: FloatArray, *, offsets: Sequence[SensorOffset] | None = None) -> float:
         """Return the standard deviation of a weighted sum of the samples.
@@ -305,19 +318,79 @@ def _correlated_variance(terms: FloatArray, channels: Sequence[slice], lengths: 
 # Estimates and bands ----------------------------------------------------------------------------------------------
 
 
-def estimates(free: Sequence[FreeParameter], optimum: Optimum, spread: ErrorModel) -> dict[str, Estimate]:
+def estimates(
+    free: Sequence[FreeParameter], optimum: Optimum, spread: ErrorModel, *, is_conditional: bool = False
+) -> dict[str, Estimate]:
     """Return the estimate of each free parameter by name.
 
-    An estimate contains the 95 % confidence interval and the verdict. `spread` is the error model of the fit.
+    An estimate contains the 95 % confidence interval and the verdict. `spread` is the error model of the fit. The
+    intervals include the effect of all values of parameters at a bound that the data do not reject. If `is_conditional`
+    is True, these parameters are treated as fixed.
     """
     quantile, result = _quantile(optimum), {}
-    for f, x, weights, active in zip(free, optimum.x, spread.influences, optimum.active, strict=True):
-        value, error = float(x), spread.deviation(weights)
-        half = quantile * error
-        low, high = max(f.low, value - half), min(f.high, value + half)
+    errors = np.array([spread.deviation(weights) for weights in spread.influences])
+    below, above = quantile * errors, quantile * errors
+    if not is_conditional:
+        _extend_into_bounds(below, above, free, optimum, spread, quantile)
+    for k, (f, x, active) in enumerate(zip(free, optimum.x, optimum.active, strict=True)):
+        value, half = float(x), max(float(below[k]), float(above[k]))
+        error = float(errors[k]) if half <= quantile * errors[k] else half / quantile
+        low, high = max(f.low, value - float(below[k])), min(f.high, value + float(above[k]))
         level = "at bound" if active else verdict(f, value, half)
         result[f.name] = Estimate(value, f.unit, error, low, high, level, f.start)
     return result
+
+
+def _extend_into_bounds(
+    below: FloatArray,
+    above: FloatArray,
+    free: Sequence[FreeParameter],
+    optimum: Optimum,
+    spread: ErrorModel,
+    quantile: float,
+) -> None:
+    r"""Extend intervals by the effect of parameters at a bound, which can have values inside their bounds.
+
+    `below` and `above` are the half widths of the intervals of all parameters, with parameters at a bound fixed. They
+    are replaced by the ends of the confidence region of the linear model. For residuals r with the derivatives J, this
+    region contains all changes d with
+
+    .. math:: |r + J d|^2 - |r|^2 \le q^2 w
+
+    that no bound excludes. q is `quantile`, and w is the variance factor of the parameter.
+    """
+    jacobian, scale = _jacobian_near_bounds(optimum), _scale(optimum)
+    norms = np.linalg.norm(jacobian * scale, axis=0)
+    bounded = [k for k, f in enumerate(free) if optimum.active[k] and f.name not in optimum.fixed and norms[k] > UNFELT]
+    inner = [k for k in range(len(free)) if not optimum.active[k] and np.all(np.isfinite(spread.influences[k]))]
+    if not bounded or not inner:
+        return
+    # Positive changes of the bounded parameters are inside, and one unit changes the residuals by one sigma.
+    units = -optimum.active[bounded] * scale[bounded] / norms[bounded]
+    columns = jacobian[:, bounded] * units
+    ranges = np.array([free[k].high - free[k].low for k in bounded]) / np.abs(units)
+    forces = np.maximum(spread.residual @ columns, 0.0)
+    responses = -spread.influences[inner] @ columns
+    visible = spread.visible_part(columns)
+    limits = [np.sum(ranges * side * responses, axis=1, where=side * responses > 0.0) for side in (-1.0, 1.0)]
+    fixed_halves = below[inner].copy()
+    largest = len(bounded) if len(bounded) <= MOST_JOINT else 2
+    for subset in (list(c) for size in range(1, largest + 1) for c in combinations(range(len(bounded)), size)):
+        u, s, vt = np.linalg.svd(visible[:, subset], full_matrices=False)
+        s = np.maximum(s, RANK)
+        inverse = (vt.T / s) @ u.T
+        moves = -((vt.T / s**2) @ (vt @ forces[subset]))  # to the minimum beyond the bounds
+        depth = -float(forces[subset] @ moves)
+        for position, k in enumerate(inner):
+            response = responses[position, subset]
+            weights = spread.influences[k] + response @ inverse
+            size = float(np.linalg.norm(weights))
+            radius = float(np.sqrt(quantile**2 * spread.factor(weights) + depth))
+            direction = inverse @ weights * (radius / size) if size > 0.0 else np.zeros(len(subset))
+            for side, halves, limit in ((-1.0, below, limits[0]), (1.0, above, limits[1])):
+                if np.all(moves + side * direction >= 0.0):
+                    half = side * float(response @ moves) + radius * size
+                    halves[k] = max(halves[k], min(half, fixed_halves[position] + limit[position]))
 
 
 def _quantile(optimum: Optimum) -> float:

@@ -195,8 +195,8 @@ class LawSolution:
     def residuals_for(self, rows: SlidingRows, unknown: Sequence[int] = ()) -> FloatArray:
         """Return modelled minus measured friction at each sample, (n,) [N].
 
-        `unknown` contains the indices of recordings with free offsets. If the solution has no offset for such a
-        recording, its mean residual is subtracted.
+        `rows` contains the samples, and `unknown` the indices of recordings with free offsets. If no offset of such a
+        recording was fitted, the mean of its residuals is subtracted from them.
         """
         errors = self.friction(rows) + self.force_offset(rows) - rows.friction
         for k in unknown:

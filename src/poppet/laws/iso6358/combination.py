@@ -8,13 +8,16 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterable, Sequence
 from functools import reduce
+from typing import Any
 
 from poppet.core.errors import InputError
+from poppet.core.symbolic import is_symbolic, maximum, minimum, sqrt, where
 from poppet.laws.iso6358.domain import DOMAINS, Domain, check
 
 _OPEN = Domain("iso6358.closed_passage", "m^3/(s Pa)", open_low=True)
 _LENGTH = Domain("iso6358.length", "m")
 _DIAMETER = Domain("iso6358.bore", "m", open_low=True)
+_NO_PRESSURE = 1e-300
 
 
 def series(
@@ -213,7 +216,7 @@ def tube(length: float, diameter: float) -> tuple[float, float]:
     (1.196, 0.354)
     """
     check({"length": length, "diameter": diameter}, {"length": _LENGTH, "diameter": _DIAMETER})
-    conductance = 0.029 * diameter**2 / math.sqrt(length / diameter**1.25 + 510.0)
+    conductance = 0.029 * diameter**2 / sqrt(length / diameter**1.25 + 510.0)
     return conductance, 474.0 * conductance / diameter**2
 
 
@@ -263,22 +266,23 @@ def divided(conductance: float, critical_ratio: float, weights: Sequence[float])
         ends[0] = _bisect(1.0, 50.0, lambda k: _excess_capacity(_divide_into_pieces(drops, k, ends[1])[::-1]))
     pieces = _divide_into_pieces(drops, *ends)
     middle = critical_ratio + 0.27 * (1.0 - critical_ratio)  # pressure ratio of the largest excess flow
-    row = _bisect(0.5, 1.5, lambda q: middle - (_outlet_pressure(pieces, q) or 0.0))
+    row = _bisect(0.5, 1.5, lambda q: middle - _outlet_pressure(pieces, q))
     factor = conductance / (1.0 + 0.5 * (row / math.sqrt(1.0 - 0.27**2) - 1.0))
     return [(factor * size, ratio) for size, ratio in pieces]
 
 
-def _divide_into_pieces(drops: Sequence[float], first: float, last: float) -> list[tuple[float, float]]:
+def _divide_into_pieces(drops: Sequence[Any], first: Any, last: Any) -> list[tuple[Any, Any]]:
     """Divide a flow path into pieces in series; return conductance C and critical ratio b of each.
 
     All C are relative to that of the complete flow path. `drops` contains (1 - b)/C^2 of each piece, which determines
     its pressure drop at small flow. `first` and `last` are the largest permitted C of the first and the last piece.
     """
-    sizes = [first, *[min(first, last)] * (len(drops) - 2), last]
-    return [(min(k, drop**-0.5), 1.0 - min(1.0, drop * k * k)) for k, drop in zip(sizes, drops, strict=True)]
+    smaller = minimum if is_symbolic(first, last, drops[0]) else min  # the latter is much faster
+    sizes = [first, *[smaller(first, last)] * (len(drops) - 2), last]
+    return [(smaller(k, drop**-0.5), 1.0 - smaller(1.0, drop * k * k)) for k, drop in zip(sizes, drops, strict=True)]
 
 
-def _excess_capacity(pieces: Sequence[tuple[float, float]]) -> float:
+def _excess_capacity(pieces: Sequence[tuple[Any, Any]]) -> Any:
     """Return the choked flow of the last piece minus the flow through all pieces.
 
     `pieces` contains sonic conductance and critical pressure ratio of each piece. Conductances and flows are relative
@@ -286,29 +290,40 @@ def _excess_capacity(pieces: Sequence[tuple[float, float]]) -> float:
     piece.
     """
     pressure = _outlet_pressure(pieces[:-1], 1.0)
-    return -1.0 if pressure is None else pieces[-1][0] * pressure - 1.0
+    return pieces[-1][0] * pressure - 1.0
 
 
-def _outlet_pressure(pieces: Iterable[tuple[float, float]], flow: float) -> float | None:
+def _outlet_pressure(pieces: Sequence[tuple[Any, Any]], flow: Any) -> Any:
     """Return the outlet pressure of pieces in series, for an upstream pressure of 1.
 
-    `pieces` contains sonic conductance and critical pressure ratio of each piece. The result is None if `flow` is above
+    `pieces` contains sonic conductance and critical pressure ratio of each piece. The result is 0 if `flow` is above
     the choked flow of any piece.
     """
-    pressure = 1.0
+    pressure: Any = 1.0
+    if not is_symbolic(flow, *pieces[0]):
+        for size, ratio in pieces:
+            share = flow / (size * pressure)
+            if share > 1.0:
+                return 0.0
+            pressure *= ratio + (1.0 - ratio) * math.sqrt(1.0 - share * share)
+        return pressure
     for size, ratio in pieces:
-        share = flow / (size * pressure)
-        if share > 1.0:
-            return None
-        pressure *= ratio + (1.0 - ratio) * math.sqrt(1.0 - share * share)
+        # The limits prevent a division by zero after a choked piece, and the square root of a negative number.
+        share = minimum(flow / maximum(size * pressure, _NO_PRESSURE), 2.0)
+        ratio = ratio + (1.0 - ratio) * sqrt(maximum(1.0 - share * share, 0.0))
+        pressure = where(share > 1.0, 0.0, pressure * ratio)
     return pressure
 
 
-def _bisect(low: float, high: float, rising: Callable[[float], float]) -> float:
+def _bisect(low: Any, high: Any, rising: Callable[[Any], Any]) -> Any:
     """Return the root of the increasing function `rising` between `low` and `high`, by bisection."""
     for _ in range(40):
         middle = 0.5 * (low + high)
-        low, high = (middle, high) if rising(middle) < 0.0 else (low, middle)
+        is_below = rising(middle) < 0.0
+        if is_symbolic(is_below):
+            low, high = where(is_below, middle, low), where(is_below, high, middle)
+        else:
+            low, high = (middle, high) if is_below else (low, middle)
     return high
 
 

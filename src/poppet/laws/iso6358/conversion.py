@@ -10,6 +10,7 @@ from dataclasses import dataclass
 from typing import Any, Literal
 
 from poppet.core.errors import InputError, NameSuggestion
+from poppet.core.symbolic import is_symbolic, sqrt
 from poppet.core.units import ANR, ReferenceAtmosphere
 from poppet.laws.iso6358.domain import DOMAINS, Domain, check
 from poppet.laws.iso6358.law import mass_flow_rate as flow_law
@@ -115,13 +116,13 @@ def conductance_from_effective_area(
     0.1992
     """
     check(dict(locals()), _DOMAINS)
-    note = f"isentropic nozzle with exponent {isentropic_exponent:g}"
+    note = f"isentropic nozzle with exponent {_text(isentropic_exponent)}"
     conductance = effective_area * _conductance_per_area(isentropic_exponent, gas_constant)
     # The choked flow alone determines C; a given b has no effect on C.
     if critical_ratio is not None:
         return Conductance(conductance, critical_ratio, note, False)
     ratio = nozzle_critical_ratio(isentropic_exponent)
-    return Conductance(conductance, ratio, f"{note}; b = {ratio:.4f} is its critical ratio, assumed", True)
+    return Conductance(conductance, ratio, f"{note}; b = {_text(ratio, '.4f')} is its critical ratio, assumed", True)
 
 
 def effective_area_from_conductance(
@@ -499,6 +500,11 @@ def _from_cv(cv: float, critical_ratio: float | None, definition: Definition, co
     return Conductance(conductance, ratio, f"{_DEFINITIONS[definition]} of {coefficient}{note}", critical_ratio is None)
 
 
+def _text(value: Any, form: str = "g") -> str:
+    """Return a value as text; a symbol keeps its name."""
+    return str(value) if is_symbolic(value) else format(value, form)
+
+
 def _conductance_per_area(isentropic_exponent: float, gas_constant: float) -> float:
     return nozzle_choked_flux(isentropic_exponent, gas_constant) / (ANR.density * math.sqrt(ANR.temperature))
 
@@ -509,7 +515,7 @@ def _conductance_per_cv(critical_ratio: float, definition: Definition) -> float:
     The value is valid for small pressure drops, where the ellipse of the flow law gives q = C rho0 sqrt(T0/T1) sqrt(2
     dp p/(1 - b)).
     """
-    root = math.sqrt((1.0 - critical_ratio) / (2.0 * ANR.temperature))
+    root: float = sqrt((1.0 - critical_ratio) / (2.0 * ANR.temperature))
     if definition == "pneumatic":
         return _PNEUMATIC_CV * root
     if definition == "small_dp":
@@ -528,5 +534,5 @@ def _nominal_flow_per_conductance(critical_ratio: float, subsonic_index: float, 
         "critical_ratio": critical_ratio,
         "subsonic_index": subsonic_index,
     }
-    flow = flow_law(*pressures, ANR.temperature, **size)
-    return float(flow / ANR.density)
+    flow: float = flow_law(*pressures, ANR.temperature, **size)
+    return flow / ANR.density

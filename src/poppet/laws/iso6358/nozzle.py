@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from typing import Any
 
 from poppet.core.symbolic import clip, maximum, minimum, sqrt, where
@@ -42,7 +41,8 @@ def nozzle_critical_ratio(isentropic_exponent: float = AIR_ISENTROPIC_EXPONENT) 
     0.5283
     """
     kappa = isentropic_exponent
-    return float((2.0 / (kappa + 1.0)) ** (kappa / (kappa - 1.0)))
+    ratio: float = (2.0 / (kappa + 1.0)) ** (kappa / (kappa - 1.0))
+    return ratio
 
 
 def nozzle_choked_flux(
@@ -71,7 +71,8 @@ def nozzle_choked_flux(
     """
     kappa = isentropic_exponent
     exponent = (kappa + 1.0) / (2.0 * (kappa - 1.0))
-    return math.sqrt(kappa / gas_constant) * float((2.0 / (kappa + 1.0)) ** exponent)
+    flux: float = sqrt(kappa / gas_constant) * (2.0 / (kappa + 1.0)) ** exponent
+    return flux
 
 
 def nozzle_mass_flow_rate(

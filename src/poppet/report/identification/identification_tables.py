@@ -299,7 +299,7 @@ def _interval_cell(value: float, low: float, high: float, si_unit: str) -> Marku
 
 
 def law_table(result: Result) -> ReportTable:
-    """Return a table that compares the fits with each thermal law.
+    """Return a table that compares the fits of different thermal laws, one row per law.
 
     A row contains AICc minus that of the best law, the estimates and the residuals.
     """

@@ -49,6 +49,7 @@ static void core_reset(Core *c) {
   memcpy(c->d + AT_P, START_P, sizeof START_P);
   memcpy(c->d + AT_U, START_U, sizeof START_U);
   c->d[AT_OWN + OWN_TOLERANCE] = TOLERANCE;
+  c->d[AT_OWN + OWN_FOLLOWS] = START_FOLLOWS;
   c->state = INSTANTIATED;
   c->stop = HUGE_VAL;
   c->ending = -1;
@@ -174,7 +175,7 @@ static double *inputs_now(Core *c) {
 
 /* Start and memory ------------------------------------------------------------------------------------------------ */
 
-/* The gas in a guided cylinder starts with the volume at the start time. */
+/* States can depend on inputs at the start time: the gas in a guided cylinder on its volume, a sensor on its quantity. */
 static void core_initialise(Core *c) {
   double *d = c->d, *u;
   int k;
