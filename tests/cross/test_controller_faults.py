@@ -159,6 +159,35 @@ def test_target_reacts_to_faults_like_the_program(target, case, folder):
         assert (np.bitwise_or.reduce(bits) & expected) == expected, fault
 
 
+@pytest.mark.slow
+@pytest.mark.parametrize("case", CONTROLLERS)
+@pytest.mark.parametrize("target", ["matiec", "strucpp"])
+def test_compiled_text_equals_compiled_c_in_20000_calls(target, case, folder):
+    """Random and invalid inputs, parameters and times, long faults and restarts: all bits are equal."""
+    program, n, generator = program_of(case), 20_000, np.random.default_rng(3)
+    inputs = usual_inputs(case, n, 7)
+    scale = 10.0 ** generator.uniform(-2, 8, inputs.shape) * generator.choice([-1.0, 1.0], inputs.shape)
+    inputs = np.where(generator.random(inputs.shape) < 0.02, scale * (1.0 + np.abs(inputs)), inputs)
+    inputs[generator.random(inputs.shape) < 0.02] = np.nan
+    for place, first in enumerate(range(500, n, 2000)):
+        inputs[first : first + 400, numeric(case)[place % len(numeric(case))]] = np.nan
+    for k, item in enumerate(program.inputs):
+        if item.address in program.flags:
+            inputs[:, k] = np.repeat(generator.integers(0, 2, n // 25), 25)
+    parameters = np.tile([parameter.value for parameter in program.parameters], (n, 1))
+    for first in range(0, n, 400):
+        wrong = generator.choice([np.nan, np.inf, -1e30])
+        parameters[first : first + 5, generator.integers(parameters.shape[1])] = wrong
+    intervals = program.cycle * generator.choice([0.5, 1.0, 1.0, 1.0, 1.5, 3.0], n)
+    intervals[generator.random(n) < 0.002] = -1.0
+    calls = calls_of(program, inputs, parameters, intervals, generator.random(n) < 0.001)
+    expected, bits = run_on("double", case, calls, folder)
+    outputs, status = run_on(target, case, calls, folder)
+    assert np.array_equal(outputs, expected)
+    assert np.array_equal(status, bits)
+    assert np.bitwise_or.reduce(bits) == HELD | SAFE | SATURATED | LATE | PARAMETER
+
+
 @pytest.mark.parametrize("target", ["double", "single", "evaluator", "matiec", "strucpp"])
 def test_restart_resets_the_memory(target, folder):
     program = program_of("pid")

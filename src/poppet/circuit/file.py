@@ -141,7 +141,10 @@ class _Parts:
         # Paths are relative to the folder of the file, as for signals.
         if key == "characteristic" and isinstance(value, str) and value.endswith(".toml"):
             return str(self.folder / value)
-        return value
+        # The tables of members, such as the main stage of a valve.
+        return (
+            {name: self._value(name, inner) for name, inner in value.items()} if isinstance(value, Mapping) else value
+        )
 
     def signals(self, tables: Mapping[str, Any]) -> dict[str, Any]:
         """Return a mapping from input addresses to the signals of the file."""

@@ -98,7 +98,7 @@ class Number:
     def __float__(self) -> float:
         if self.reference == "gauge":
             raise UnitError("numbers.gauge", shown=self.display())
-        if type(self.value) is not float and is_symbolic(self.value):
+        if is_symbolic(self.value):
             raise SymbolicValueError(self.text)
         return float(self.value)
 
@@ -115,8 +115,7 @@ class Number:
         float
             Value in `unit`, absolute.
         """
-        is_float = type(self.value) is float and type(ambient_pressure) is float
-        if not is_float and is_symbolic(self.value, ambient_pressure):
+        if is_symbolic(self.value, ambient_pressure):
             return self.value + ambient_pressure if self.reference == "gauge" else self.value
         if self.reference != "gauge":
             return float(self.value)

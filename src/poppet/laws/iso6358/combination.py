@@ -290,7 +290,7 @@ def _excess_capacity(pieces: Sequence[tuple[Any, Any]]) -> Any:
     piece.
     """
     pressure = _outlet_pressure(pieces[:-1], 1.0)
-    return where(pressure > 0.0, pieces[-1][0] * pressure - 1.0, -1.0)
+    return pieces[-1][0] * pressure - 1.0
 
 
 def _outlet_pressure(pieces: Sequence[tuple[Any, Any]], flow: Any) -> Any:
@@ -320,7 +320,10 @@ def _bisect(low: Any, high: Any, rising: Callable[[Any], Any]) -> Any:
     for _ in range(40):
         middle = 0.5 * (low + high)
         is_below = rising(middle) < 0.0
-        low, high = where(is_below, middle, low), where(is_below, high, middle)
+        if is_symbolic(is_below):
+            low, high = where(is_below, middle, low), where(is_below, high, middle)
+        else:
+            low, high = (middle, high) if is_below else (low, middle)
     return high
 
 

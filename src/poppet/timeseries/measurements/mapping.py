@@ -100,6 +100,8 @@ def read_measurement(
     >>> read.duration, float(read.channels[0].values[0]), read.channels[0].noise
     (0.17, 680000.0, 2000.0)
     """
+    if not isinstance(table, Mapping):
+        raise InputError("fields.no_table", f"recordings.{name}", value=table)
     reader = _MeasurementReader(table, folder, f"recordings.{name}", source, other_fields, ambient_pressure)
     return reader.measurement(name)
 

@@ -18,6 +18,7 @@ from poppet.core.plugins import Registry
 from poppet.core.units import LARGEST
 from poppet.timeseries.checks import METADATA, FloatArray
 from poppet.timeseries.tables import text
+from poppet.timeseries.tables.formulas import formulas_of, is_arithmetic
 from poppet.timeseries.tables.table import Table, groups_of, seconds, table_of
 
 if TYPE_CHECKING:
@@ -87,6 +88,10 @@ def read_mdf(path: Path, *, group: str | int | None = None) -> Table:
             name = str(getattr(file.groups[k].channel_group, "acq_name", "") or "")
             name = name if name and name not in groups else f"group {k}"
             columns: dict[str, FloatArray] = {}
+            for channel in file.groups[k].channels:
+                for formula in formulas_of(channel.conversion):
+                    if not is_arithmetic(formula):
+                        raise InputError("table.formula", channel=channel.name, formula=formula)
             # Without the master channel, which is the time.
             indices = [i for i in range(len(file.groups[k].channels)) if i != file.masters_db.get(k)]
             for signal in file.select([(None, k, i) for i in indices]) if indices else ():

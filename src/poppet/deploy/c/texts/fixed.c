@@ -53,11 +53,7 @@ static int inputs_now(const model_fixed *m, double t, double *u, double *slopes)
       moves |= m->slopes[k] != 0.0;
       continue;
     }
-    u[k] = own[k];
-    if (!model_input_list[k].is_driven && model_input_list[k].number >= 0) {
-      uint8_t ignored;
-      u[k] = model_limit(k, m->p[model_input_list[k].number], &ignored);
-    }
+    u[k] = model_input_list[k].is_driven || model_input_list[k].number < 0 ? own[k] : m->p[model_input_list[k].number];
     if (slopes) {
       slopes[k] = moving[k];
       moves |= moving[k] != 0.0;
@@ -108,18 +104,12 @@ void model_fixed_restart(model_fixed *m) {
 /* Check the inputs of a step: limit values, and slopes so that they end at the limit; returns a status. */
 static int check_inputs(model_fixed *m, double until) {
   int k, status = MODEL_OK;
-  for (k = 0; k < MODEL_NUMBERS; k++) {
-    if (m->p[k] - m->p[k] != 0.0) return MODEL_INVALID;
-  }
   for (k = 0; k < MODEL_INPUTS; k++) {
     uint8_t at_end = 0;
     double end, limit;
     m->limited[k] = 0;
-    if (!m->by_host[k]) {
-      if (!model_input_list[k].is_driven && model_input_list[k].number >= 0) {
-        model_limit(k, m->p[model_input_list[k].number], m->limited + k);
-      }
-    } else if (m->u[k] - m->u[k] != 0.0 || m->slopes[k] - m->slopes[k] != 0.0) {
+    if (!m->by_host[k]) continue; /* model_set checks parameters */
+    if (m->u[k] - m->u[k] != 0.0 || m->slopes[k] - m->slopes[k] != 0.0) {
       status = MODEL_INVALID;
       if (m->u[k] - m->u[k] != 0.0) m->u[k] = m->accepted[k];
     } else {

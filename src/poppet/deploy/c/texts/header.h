@@ -82,7 +82,7 @@ enum {
   MODEL_OK = 0,
   MODEL_OUTSIDE = 1,  /* fixed step: the state would leave the domain of the model */
   MODEL_TOO_MANY = 2, /* fixed step: more than 256 parts per substep */
-  MODEL_INVALID = 5,  /* an input, a parameter or a time is not finite, or the time runs backwards; nothing was computed */
+  MODEL_INVALID = 5,  /* an input, a time or (adaptive run) a parameter is not finite, or the time runs backwards */
   MODEL_FAILED = 7,   /* mask: (result & MODEL_FAILED) is 0 if a fixed step has reached its time */
   MODEL_LIMITED = 16
 };
