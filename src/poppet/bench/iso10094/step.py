@@ -207,8 +207,8 @@ def _add_characteristic_values(evaluation: Evaluation) -> None:
             if rows:
                 evaluation.add(f"{key}_{direction}", *mean_of(*evaluation.values_of(rows, key)), **_case(rows[0]))
             else:
-                suffix = f"_{direction}" if reason == "unsettled" else ""
-                evaluation.note_absence(f"{reason}{suffix}", f"{key}_{direction}")
+                cause = f"unsettled_{direction}" if reason == "unsettled" else reason
+                evaluation.note_absence(cause, f"{key}_{direction}")
     settled = [row for row in first if "settling_time" in row]
     if settled:
         _add_longest(evaluation, "settling_time", settled)
