@@ -22,6 +22,15 @@ from poppet.deploy.controller_program import STATUS, ControllerProgram
 from poppet.deploy.st.block import function_block
 from structured_text import FunctionBlock
 
+CONTROLLERS = {
+    "pid": ("pressure_control", ()),
+    "schedule": ("pressure_control_scheduled", ()),
+    "feedback linearisation": ("pressure_control_linearising", ()),
+    "position": ("position_control", ()),
+    "electronics": ("pressure_regulator", ()),
+    "cascade": ("muscle_joint", ("position", "inverse", "valve")),
+}
+"""Example file and exported parts of each controller that the tests run."""
 MATIEC, STRUCPP = (os.environ.get(name, "") for name in ("POPPET_MATIEC", "POPPET_STRUCPP"))
 C_COMPILER = shutil.which("cc") or shutil.which("gcc") or shutil.which("clang")
 CPP_COMPILER = shutil.which("g++") or shutil.which("clang++")

@@ -13,6 +13,7 @@ import numpy as np
 import pytest
 
 from controller_targets import (
+    CONTROLLERS,
     calls_of,
     compile_c_export,
     compile_with_matiec,
@@ -27,14 +28,6 @@ from poppet.deploy.controller_program import STATUS
 from poppet.timeseries.signals import Steps
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
-CONTROLLERS = {
-    "pid": ("pressure_control", ()),
-    "schedule": ("pressure_control_scheduled", ()),
-    "feedback linearisation": ("pressure_control_linearising", ()),
-    "position": ("position_control", ()),
-    "electronics": ("pressure_regulator", ()),
-    "cascade": ("muscle_joint", ("position", "inverse", "valve")),
-}
 HELD, SAFE, SATURATED, LATE, PARAMETER = (1 << k for k in range(len(STATUS)))
 TARGETS = ("double", "single", "evaluator", "matiec", "strucpp")
 

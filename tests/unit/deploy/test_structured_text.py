@@ -13,6 +13,7 @@ import casadi as ca
 import numpy as np
 import pytest
 
+from controller_targets import CONTROLLERS as CASES
 from poppet import Circuit, load
 from poppet.cli.main import run
 from poppet.deploy.controller import controller_program
@@ -24,14 +25,6 @@ from refusals import refused
 from structured_text import FunctionBlock
 
 EXAMPLES = Path(__file__).parents[3] / "examples"
-CASES = {
-    "pid": ("pressure_control", ()),
-    "schedule": ("pressure_control_scheduled", ()),
-    "feedback linearisation": ("pressure_control_linearising", ()),
-    "position": ("position_control", ()),
-    "electronics": ("pressure_regulator", ()),
-    "cascade": ("muscle_joint", ("position", "inverse", "valve")),
-}
 
 
 @cache
