@@ -89,7 +89,7 @@ def _check_description(content: bytes, name: str) -> int:
     """Check the model identifiers in a model description, and return the FMI version."""
     try:
         parser = expat.ParserCreate()
-        parser.StartDoctypeDeclHandler = _refuse_entities
+        parser.StartDoctypeDeclHandler = _reject_entities
         parser.Parse(content, True)
         root = ElementTree.fromstring(content)
         version = {"2": 2, "3": 3}[root.attrib["fmiVersion"].partition(".")[0]]
@@ -103,6 +103,6 @@ def _check_description(content: bytes, name: str) -> int:
     return version
 
 
-def _refuse_entities(*_: object) -> None:
+def _reject_entities(*_: object) -> None:
     # Entities can expand to any size or include other files; no FMU needs them.
     raise ValueError("document type")

@@ -171,7 +171,7 @@ class _MeasurementReader:
                 self.errors.add("measured.first_of_none", location)
             elif value == "first" and measured not in self.table:
                 self.errors.add("measured.no_first_sample", location, channel=measured)
-        self._refuse_all()
+        self._reject_all()
         origin, samples = cut_window([column.samples for column in channels], skip, end)
         read, driving = [], []
         for column, shifted in zip(channels, samples, strict=True):
@@ -192,7 +192,7 @@ class _MeasurementReader:
             driving.append(
                 InputChannel(column.address, time, values, column.unit, column.delay, column.lag, fields["hold"])
             )
-        self._refuse_all()
+        self._reject_all()
         gauge = frozenset(column.address for column in (*channels, *inputs) if column.is_gauge)
         return Measurement(
             name, tuple(read), tuple(driving), start, self.ambient, tuple(self.notes),
@@ -206,7 +206,7 @@ class _MeasurementReader:
         Its times are those of all channels. A value is NaN if the channel has no sample at that time.
         """
         columns = self._columns(self.table, _OF_CHANNEL, self.location)
-        self._refuse_all()
+        self._reject_all()
         base = np.unique(np.concatenate([column.samples.time for column in columns]))
         values = np.full((len(columns), base.size), np.nan)
         for row, column in zip(values, columns, strict=True):
@@ -217,7 +217,7 @@ class _MeasurementReader:
             ambient_pressure=self.ambient,
         )  # fmt: skip
 
-    def _refuse_all(self) -> None:
+    def _reject_all(self) -> None:
         # An error of the shared file or time occurs once per channel.
         raise_errors(list({(error.code, error.address): error for error in self.errors.collected}.values()))
 

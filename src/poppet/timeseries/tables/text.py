@@ -154,7 +154,7 @@ def read_exact(path: Path) -> Table:
     table = _all_numbers([text for _, text in body], ",", len(names))
     if table is None:
         rows = [(number, layout.cells(text)) for number, text in body]
-        _refuse_widths(rows, len(names))
+        _reject_widths(rows, len(names))
         for number, cells in rows:
             for name, cell in zip(names, cells, strict=True):
                 # The Fortran form 1.5d3 is not valid here.
@@ -284,7 +284,7 @@ def _columns(body: list[Line], layout: _TextLayout, names: list[str]) -> tuple[l
     notes = []
     if len(rows) > 1 and len(rows[-1][1]) != layout.width:
         notes.append(Note("table.cut_off", number=rows.pop()[0]))
-    _refuse_widths(rows, layout.width)
+    _reject_widths(rows, layout.width)
     columns = [
         _column([(number, cells[k]) for number, cells in rows], layout, names[k], notes) for k in range(layout.width)
     ]
@@ -304,7 +304,7 @@ def _all_numbers(texts: list[str], delimiter: str | None, width: int) -> FloatAr
     return table.T if table.shape[1] == width else None
 
 
-def _refuse_widths(rows: list[tuple[int, list[str]]], width: int) -> None:
+def _reject_widths(rows: list[tuple[int, list[str]]], width: int) -> None:
     for line, cells in rows:
         if len(cells) != width:
             raise InputError("table.cells", cells=len(cells), columns=width, line=line)
