@@ -15,6 +15,7 @@ if TYPE_CHECKING:
     from poppet.parts.cylinder import Cylinder
     from poppet.parts.electronics import Electronics
     from poppet.parts.flow_path import Orifice
+    from poppet.parts.logic_valves import QuickExhaustValve, ShuttleValve, TwoPressureValve
     from poppet.parts.main_stage import Contact, Exhaust, Friction, MainStage, Spring, Stop
     from poppet.parts.muscle import Muscle
     from poppet.parts.pid import PID
@@ -44,6 +45,9 @@ KINDS: Registry[type[Part]] = Registry(
         "check_valve": "poppet.parts.valves:CheckValve",
         "relief_valve": "poppet.parts.valves:ReliefValve",
         "directional_valve": "poppet.parts.valves:DirectionalValve",
+        "shuttle_valve": "poppet.parts.logic_valves:ShuttleValve",
+        "two_pressure_valve": "poppet.parts.logic_valves:TwoPressureValve",
+        "quick_exhaust_valve": "poppet.parts.logic_valves:QuickExhaustValve",
         "spool_valve": "poppet.parts.spool_valve:SpoolValve",
         "silencer": "poppet.parts.valves:Silencer",
         "mass": "poppet.parts.bodies:Mass",
@@ -71,8 +75,8 @@ __all__ = [
     "KINDS", "PID", "Antagonist", "BodyFriction", "BodyStop", "Chamber", "CheckValve", "Contact", "Cylinder",
     "DirectionalValve", "Electronics", "Exhaust", "FlowSource", "Friction", "Guide", "InverseMuscle", "Joint",
     "JointFriction", "JointStop", "MainStage", "Mass", "Muscle", "Orifice", "Part", "Passage", "PilotStage",
-    "PressureController", "ProportionalValve", "ReliefValve", "Reservoir", "Silencer", "Solenoid", "SpoolValve",
-    "Spring", "Stop", "Store", "Tube",
+    "PressureController", "ProportionalValve", "QuickExhaustValve", "ReliefValve", "Reservoir", "ShuttleValve",
+    "Silencer", "Solenoid", "SpoolValve", "Spring", "Stop", "Store", "Tube", "TwoPressureValve",
 ]  # fmt: skip
 
 

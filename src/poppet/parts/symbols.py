@@ -86,6 +86,38 @@ RELIEF_VALVE = (
     + spring(0.4, 0.66, 0.87)
 )
 
+# Two inlets at the left and at the right, the outlet at the top.
+_TWO_INLETS = (
+    rectangle(0.0, 0.24, 1.0, 0.46)
+    + line((-0.14, 0.47), (0.16, 0.47))
+    + line((0.84, 0.47), (1.14, 0.47))
+    + line((0.5, 0.7), (0.5, 0.96))
+)
+SHUTTLE_VALVE = (
+    _TWO_INLETS
+    + line((0.3, 0.66), (0.16, 0.47), (0.3, 0.28))
+    + line((0.7, 0.66), (0.84, 0.47), (0.7, 0.28))
+    + circle(0.36, 0.47, 0.13)
+)
+TWO_PRESSURE_VALVE = (
+    _TWO_INLETS
+    + line((0.16, 0.38), (0.16, 0.56))
+    + line((0.84, 0.38), (0.84, 0.56))
+    + line((0.3, 0.32), (0.3, 0.62))
+    + line((0.7, 0.32), (0.7, 0.62))
+    + line((0.3, 0.47), (0.7, 0.47))
+)
+QUICK_EXHAUST_VALVE = (
+    rectangle(0.0, 0.24, 1.0, 0.46)
+    + line((-0.14, 0.47), (0.16, 0.47))
+    + line((0.5, 0.7), (0.5, 0.96))
+    + line((0.84, 0.47), (1.0, 0.47))
+    + outline((1.0, 0.35), (1.0, 0.59), (1.22, 0.47))
+    + line((0.3, 0.66), (0.16, 0.47), (0.3, 0.28))
+    + line((0.7, 0.66), (0.84, 0.47), (0.7, 0.28))
+    + circle(0.64, 0.47, 0.13)
+)
+
 
 def _blocked_port_lines(*positions: float, depth: float, width: float) -> Symbol:
     """Return the lines that mark a blocked port at the bottom and at the top of a valve square."""

@@ -29,11 +29,14 @@ from poppet.parts import (
     Orifice,
     PilotStage,
     ProportionalValve,
+    QuickExhaustValve,
     ReliefValve,
     Reservoir,
+    ShuttleValve,
     Silencer,
     SpoolValve,
     Tube,
+    TwoPressureValve,
 )
 from poppet.parts.captions import CaptionNumbers
 from poppet.parts.fields import NumberLike, number, port
@@ -63,6 +66,9 @@ def circuit_with_every_kind() -> Circuit:
             "throttle": Orifice(from_="load", to="end", characteristic="varga2012", stroke="0.5 mm"),
             "end": Chamber(volume="0.2 m^3", thermal="isothermal"),
             "four": SpoolValve(supply="rail", a="load", b="end", **SIZE),
+            "or": ShuttleValve(a="rail", b="load", outlet="end", **SIZE),
+            "and": TwoPressureValve(a="rail", b="load", outlet="end", **SIZE),
+            "quick": QuickExhaustValve(inlet="rail", outlet="end", **SIZE),
             "pilot": PilotStage(supply="supply", exhaust="ambient", data="vppm_6l"),
             "brain": Electronics(data="vppm_6l"),
             "hose": Tube(from_="end", to="load", length="3 m", bore="4 mm"),
@@ -188,6 +194,7 @@ def test_schematic_has_names_and_captions(schematic):
         "C = 1 dm³/(s bar)",
         "b = 0.3*",
         "opens at 6 bar g",
+        "switches at 0.05 bar*",
         "3/2, normally closed",
         "pilot pressure: constant, 3 bar",
         "command: steps, 0 ... 1",
