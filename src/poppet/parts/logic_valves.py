@@ -11,7 +11,7 @@ from poppet.core.symbolic import clip
 from poppet.parts import symbols
 from poppet.parts.captions import CaptionNumbers
 from poppet.parts.fields import NumberLike, number, port
-from poppet.parts.flow_path import FlowPath, iso_flow, named_flow
+from poppet.parts.flow_path import FlowPath, named_flow
 from poppet.parts.part import AMBIENT, Flow, GasState, PassageFlows, Quantities, Scope, State, Surroundings
 from poppet.parts.two_positions import switching_rate
 
