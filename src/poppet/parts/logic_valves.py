@@ -75,7 +75,7 @@ class TwoInletValve(LogicValve):
     """Base class of valves that connect one of two inlets with the outlet."""
 
     regimes: ClassVar[tuple[str, ...]] = ("a_regime", "b_regime")
-    inlets: ClassVar[tuple[str, ...]] = ("a", "b")
+    inlet_ports: ClassVar[tuple[str, ...]] = ("a", "b")
 
     a: str | None = port("gas node at the first inlet")
     b: str | None = port("gas node at the second inlet")

@@ -289,9 +289,9 @@ class Part(ABC):
     summary: ClassVar[str]
     symbol: ClassVar[Symbol | str] = ""
     """Strokes of the symbol, or the text of a labelled box; an empty text stands for the kind."""
-    inlets: ClassVar[tuple[str, ...]] = ()
+    inlet_ports: ClassVar[tuple[str, ...]] = ()
     """Ports at which positive flow enters the part; if empty, the first of several ports."""
-    pilots: ClassVar[tuple[str, ...]] = ()
+    pilot_ports: ClassVar[tuple[str, ...]] = ()
     """Ports whose pressure acts on the part, but through which no gas flows."""
     resume: ClassVar[dict[str, str]] = {}
     """Mapping from each output from which a run can continue to the field of the initial value."""

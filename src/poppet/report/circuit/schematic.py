@@ -158,9 +158,8 @@ class _Schematic:
         passages = tuple(dict.fromkeys(edge[0] for edge in edges))
         stores = [name for name in circuit.parts if name not in passages]
         ends = [edge[2] for edge in edges if edge[2] not in passages]  # a tube is a gas node and a flow path
-        inlets = frozenset(
-            edge for edge in edges for part in [circuit.parts[edge[0]]] if edge[1] in (*part.inlets, *part.pilots)
-        )
+        inlet_ports = {name: (*part.inlet_ports, *part.pilot_ports) for name, part in circuit.parts.items()}
+        inlets = frozenset(edge for edge in edges if edge[1] in inlet_ports[edge[0]])
         self.graph = Graph(tuple(dict.fromkeys([*stores, *ends])), passages, tuple(edges), inlets)
         parts = {name: circuit.parts.get(name) for name in self.graph.stores}  # None: the ambient
         sources = [name for name, part in parts.items() if part is None or isinstance(part, Reservoir | Controller)]
@@ -290,8 +289,8 @@ class _Schematic:
                 vertices.append(end)
                 codes.append(Outline.LINETO)
         part = self.circuit.parts[edge[0]]
-        is_pilot = edge[1] in part.pilots
-        line = {"facecolor": "none", "linestyle": (0, (2.5, 1.8)) if is_pilot else "-"}
+        is_pilot = edge[1] in part.pilot_ports
+        line: dict[str, Any] = {"facecolor": "none", "linestyle": (0, (2.5, 1.8)) if is_pilot else "-"}
         # A rod is drawn as two lines.
         for width, color in ((4.5, INK), (3.0, "white")) if edge[1] == BODY else ((1.7, _PIPE),):
             self.axes.add_patch(PathPatch(Outline(vertices, codes), edgecolor=color, linewidth=width, **line))
@@ -301,7 +300,7 @@ class _Schematic:
         a, b = complex(*points[1]), complex(*points[2])
         slope = complex((b - a).real / 2.0, (b - a).imag)  # of the curve at its middle
         ports = [candidate for candidate in self.graph.edges if candidate[0] == edge[0]]
-        is_inlet = edge[1] in (part.inlets or (ports[0][1],)) and len(ports) > 1
+        is_inlet = edge[1] in (part.inlet_ports or (ports[0][1],)) and len(ports) > 1
         direction = slope / (-abs(slope) if is_inlet else abs(slope))
         tip, back, wing = (a + b) / 2.0 + 0.07 * direction, (a + b) / 2.0 - 0.07 * direction, 0.055j * direction
         corners = (tip, back + wing, back - wing)
@@ -384,4 +383,4 @@ class _Schematic:
     def _port_label(self, edge: Edge) -> str:
         part, port = self.circuit.parts[edge[0]], edge[1]
         # Inlets have no number: a and b are outlets of directional valves only.
-        return "" if port == BODY else port if port in part.inlets else _PORT_NUMBERS.get(port, port.rstrip("_"))
+        return "" if port == BODY else port if port in part.inlet_ports else _PORT_NUMBERS.get(port, port.rstrip("_"))
