@@ -14,8 +14,8 @@ def test_element_keeps_both_ends_within_its_hysteresis(drive: float) -> None:
 
 
 def test_element_leaves_an_end_outside_its_hysteresis_at_full_speed() -> None:
-    assert switching_rate(0.0, 1.01, 2e-3) == pytest.approx(500.0)
-    assert switching_rate(1.0, -1.01, 2e-3) == pytest.approx(-500.0)
+    assert switching_rate(0.0, 1.021, 2e-3) == pytest.approx(500.0)
+    assert switching_rate(1.0, -1.021, 2e-3) == pytest.approx(-500.0)
     assert switching_rate(1.0, 5.0, 2e-3) == 0.0
 
 
