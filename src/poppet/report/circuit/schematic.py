@@ -190,8 +190,7 @@ class _Schematic:
             self._draw_box(name, box, positions[name])
         for edge in self.graph.edges:
             self._label_end(self.ends[edge, edge[0]], self.sides[edge], self._port_label(edge))
-            node = self.circuit.parts[edge[0]].ports().get(edge[1], "").partition(".")[2]
-            if node:  # one of several gas nodes of a part
+            if node := self._node_label(edge):
                 self._label_end(self.ends[edge, edge[2]], not self.sides[edge], node)
         if self.circuit.title:
             self._text(0.0, top + head, self.circuit.title, 11, ha="left", va="top", fontweight="bold")
@@ -222,7 +221,9 @@ class _Schematic:
         symbol_height = max(_SYMBOL, _PORT_STEP * max_ports) + 0.06 if name in self.graph.passages else 0.0
         if symbol_height:
             label = max((text_width(self._port_label(edge), 6.5) for edge in ports), default=0.0)
-            widths.append(2.0 * label + (2.4 if isinstance(part.symbol_for(False), str) else 1.6) * _SYMBOL)
+            widths.append(2.0 * label + (_symbol_width(part.symbol_for(False)) + 0.6) * _SYMBOL)
+        else:
+            widths = [max(widths) + 2.0 * max((text_width(self._node_label(edge), 6.5) for edge in ports), default=0.0)]
         body = symbol_height + _LINE * len(lines) + 0.17 + 2.0 * _PAD
         body = max(body, _PORT_STEP * len(ports))
         return _Box(name, lines, tags, max(widths) + 2.0 * _PAD, body + _TAG * len(tags), symbol_height)
@@ -380,7 +381,18 @@ class _Schematic:
         properties: dict[str, Any] = {"ha": "center", "va": "center", "color": INK, "zorder": 4} | options
         self.axes.text(x, y, text, fontsize=size, parse_math=False, **properties)
 
+    def _node_label(self, edge: Edge) -> str:
+        """Return the name of the gas node of an edge if its part has several gas nodes."""
+        return self.circuit.parts[edge[0]].ports().get(edge[1], "").partition(".")[2]
+
     def _port_label(self, edge: Edge) -> str:
         part, port = self.circuit.parts[edge[0]], edge[1]
         # Inlets have no number: a and b are outlets of directional valves only.
         return "" if port == BODY else port if port in part.inlet_ports else _PORT_NUMBERS.get(port, port.rstrip("_"))
+
+
+def _symbol_width(symbol: Symbol | str) -> float:
+    """Return twice the distance of the outermost point of a symbol from its middle; at least 1."""
+    if isinstance(symbol, str):
+        return 1.8  # of the labelled box
+    return max(1.0, *(2.0 * abs(u - 0.5) for stroke in symbol for u, _ in stroke.points))
