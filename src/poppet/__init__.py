@@ -37,8 +37,10 @@ if TYPE_CHECKING:
         ProportionalValve,
         ReliefValve,
         Reservoir,
+        Sequence,
         Silencer,
         SpoolValve,
+        Switch,
         Tube,
     )
     from poppet.timeseries.measurements import read_recording as read
@@ -91,10 +93,12 @@ __all__ = [
     "ReliefValve",
     "Reservoir",
     "Run",
+    "Sequence",
     "Silencer",
     "SimulationError",
     "Source",
     "SpoolValve",
+    "Switch",
     "Tube",
     "UnitError",
     "__version__",

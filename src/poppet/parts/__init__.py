@@ -21,9 +21,11 @@ if TYPE_CHECKING:
     from poppet.parts.pilot_stage import PilotStage
     from poppet.parts.pressure_controller import PressureController
     from poppet.parts.proportional_valve import ProportionalValve
+    from poppet.parts.sequence import Sequence
     from poppet.parts.solenoid import Solenoid
     from poppet.parts.sources import FlowSource, Reservoir
     from poppet.parts.spool_valve import SpoolValve
+    from poppet.parts.switch import Switch
     from poppet.parts.tube import Tube
     from poppet.parts.valves import CheckValve, DirectionalValve, ReliefValve, Silencer
 
@@ -54,6 +56,8 @@ KINDS: Registry[type[Part]] = Registry(
         "inverse_muscle": "poppet.parts.antagonist:InverseMuscle",
         "antagonist": "poppet.parts.antagonist:Antagonist",
         "tube": "poppet.parts.tube:Tube",
+        "switch": "poppet.parts.switch:Switch",
+        "sequence": "poppet.parts.sequence:Sequence",
     },
     lambda name, value: isinstance(value, type) and issubclass(value, Part) and value.kind == name,
 )
@@ -71,8 +75,8 @@ __all__ = [
     "KINDS", "PID", "Antagonist", "BodyFriction", "BodyStop", "Chamber", "CheckValve", "Contact", "Cylinder",
     "DirectionalValve", "Electronics", "Exhaust", "FlowSource", "Friction", "Guide", "InverseMuscle", "Joint",
     "JointFriction", "JointStop", "MainStage", "Mass", "Muscle", "Orifice", "Part", "Passage", "PilotStage",
-    "PressureController", "ProportionalValve", "ReliefValve", "Reservoir", "Silencer", "Solenoid", "SpoolValve",
-    "Spring", "Stop", "Store", "Tube",
+    "PressureController", "ProportionalValve", "ReliefValve", "Reservoir", "Sequence", "Silencer", "Solenoid",
+    "SpoolValve", "Spring", "Stop", "Store", "Switch", "Tube",
 ]  # fmt: skip
 
 
