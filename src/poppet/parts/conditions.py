@@ -100,7 +100,7 @@ Operand = Literal | Reading | Flag | Internal
 
 
 @dataclass(frozen=True)
-class Comparison:
+class Relation:
     """Relation of two operands; `offset` is added to the right operand."""
 
     left: Operand
@@ -130,7 +130,7 @@ class AnyOf:
     terms: tuple[Node, ...]
 
 
-Node = Comparison | Flag | Reading | Not | AllOf | AnyOf
+Node = Relation | Flag | Reading | Not | AllOf | AnyOf
 
 
 @dataclass(frozen=True)
@@ -186,7 +186,7 @@ def written(number: Number) -> str:
 
 def _operands(node: Node | Operand) -> Iterator[Operand]:
     match node:
-        case Comparison():
+        case Relation():
             yield node.left
             yield node.right
             if node.offset is not None:
@@ -202,7 +202,7 @@ def _operands(node: Node | Operand) -> Iterator[Operand]:
 
 def _evaluate(node: Node, value: Callable[[Operand], Any]) -> Any:
     match node:
-        case Comparison():
+        case Relation():
             return _compare(node, value)
         case Not():
             return 1.0 - _evaluate(node.term, value)
@@ -219,7 +219,7 @@ def _evaluate(node: Node, value: Callable[[Operand], Any]) -> Any:
     return where(value(node) > 0.5, 1.0, 0.0)
 
 
-def _compare(node: Comparison, value: Callable[[Operand], Any]) -> Any:
+def _compare(node: Relation, value: Callable[[Operand], Any]) -> Any:
     left, right, relation = value(node.left), value(node.right), node.relation
     if node.offset is not None:
         right = right + value(node.offset)
@@ -233,7 +233,7 @@ def _compare(node: Comparison, value: Callable[[Operand], Any]) -> Any:
     if isinstance(node.left, Internal) and node.left.name == "elapsed":
         margin = _ROUNDING * right
     elif isinstance(node.right, Internal) and node.right.name == "elapsed":
-        margin = -_ROUNDING * left
+        margin = _ROUNDING * left
     match relation:
         case "<":
             return where(left < right - margin, 1.0, 0.0)
@@ -244,15 +244,15 @@ def _compare(node: Comparison, value: Callable[[Operand], Any]) -> Any:
     return where(left >= right - margin, 1.0, 0.0)
 
 
-def read_literal(text: str, name: str = "value") -> tuple[Number, Kind]:
+def read_literal(text: str, *, is_difference: bool = False) -> tuple[Number, Kind]:
     """Return a number with the SI unit that follows from its written unit, and the kind of its quantity.
 
-    A text without a unit is dimensionless. `name` is the name of the value in errors.
+    A text without a unit is dimensionless. If `is_difference` is True, a pressure or temperature is a difference.
     """
     stripped = re.sub(r"^\s*[+-]?(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][+-]?\d+)?", "", text).strip()
     unit = next((si for si in _SI_UNITS if stripped and same_dimension(stripped, si)), "1")
-    kind = KIND_OF_UNIT.get(unit, "plain")
-    parsed = quantity(text, unit, kind=kind, name=name)
+    kind = (_DIFFERENCES if is_difference else KIND_OF_UNIT).get(unit, "plain")
+    parsed = quantity(text, unit, kind=kind)
     return Number(parsed.value, unit, Source("given"), parsed.reference, text), kind
 
 
@@ -315,7 +315,7 @@ def _with_places(condition: Condition, place: str) -> Condition:
         match node:
             case Literal():
                 return replace(node, place=names.get(node.start, ""))
-            case Comparison():
+            case Relation():
                 offset = None if node.offset is None else placed(node.offset)
                 return replace(node, left=placed(node.left), right=placed(node.right), offset=offset)
             case Not():
@@ -329,7 +329,7 @@ def _with_places(condition: Condition, place: str) -> Condition:
 
 def _is_constant(node: Node, literal: Literal) -> bool:
     match node:
-        case Comparison():
+        case Relation():
             return node.relation in ("==", "!=") and literal in (node.left, node.right)
         case Not():
             return _is_constant(node.term, literal)
@@ -363,8 +363,11 @@ class _Parser:
             start, end = match.span(kind)
             if kind == "number":
                 end = self._end_of_number(end)
-            yield _Token(kind, self.text[start:end], start, end)
-            position = end + 1 if kind == "text" else end
+            content = self.text[start:end]
+            if kind == "text":  # with its quotes
+                start, end = start - 1, end + 1
+            yield _Token(kind, content, start, end)
+            position = end
         yield _Token("end", "", len(self.text), len(self.text))
 
     def _end_of_number(self, position: int) -> int:
@@ -440,7 +443,7 @@ class _Parser:
         offset = self._offset(right)
         if self.token.kind == "sign" and self.token.text in RELATIONS:
             raise self._error("chained", self.token)
-        return self._checked(Comparison(left, sign.text, right, offset), first, second)
+        return self._checked(Relation(left, sign.text, right, offset), first, second)
 
     def _offset(self, operand: Any) -> Literal | None:
         sign = self._accept("+", "-")
@@ -493,16 +496,12 @@ class _Parser:
     def _literal(self, token: _Token, sign: str = "", start: int = -1, *, is_difference: bool = False) -> Literal:
         start, text = token.start if start < 0 else start, f"{sign}{token.text}"
         try:
-            number, kind = read_literal(text)
-            if is_difference:
-                kind = _DIFFERENCES.get(number.unit, kind)
-                parsed = quantity(text, number.unit, kind=kind)
-                number = replace(number, value=parsed.value, reference=parsed.reference)
+            number, kind = read_literal(text, is_difference=is_difference)
         except InputError as cause:
             raise self._error("no_value", token._replace(start=start), cause=cause) from None
         return Literal(number, kind, start, token.end)
 
-    def _checked(self, node: Comparison, first: _Token, second: _Token) -> Comparison:
+    def _checked(self, node: Relation, first: _Token, second: _Token) -> Relation:
         """Return a comparison in which both operands have a unit, after a check of its types."""
         left, right = (self._step_reading(a, b) for a, b in ((node.left, node.right), (node.right, node.left)))
         if isinstance(left, _Token) or isinstance(right, _Token):

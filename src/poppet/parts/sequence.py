@@ -9,7 +9,7 @@ from typing import Any, ClassVar
 from poppet.core.codes import Note
 from poppet.core.errors import ErrorCollector
 from poppet.core.provenance import Number
-from poppet.core.symbolic import maximum, where
+from poppet.core.symbolic import clip, maximum, where
 from poppet.parts.captions import CaptionNumbers
 from poppet.parts.conditions import KIND_OF_UNIT, Flag, Internal, Literal, Operand, Reading
 from poppet.parts.electronics import MIN_SAMPLE_TIME
@@ -27,7 +27,7 @@ from poppet.parts.part import (
     advance_clock,
 )
 from poppet.parts.safe_state import FAULT_INPUT, FAULT_MEMORY, NEVER_VALID, fault_state
-from poppet.parts.steps import Form, SequenceSteps, Step, read_names
+from poppet.parts.steps import Form, SequenceProgram, SequenceStep, read_names
 
 _ROUNDING = 1e-6
 """Tolerance of the time of a timeout, relative; it permits single precision."""
@@ -52,7 +52,7 @@ class Sequence(Controller):
     Notes
     -----
     Outputs are the names in `outputs`, the number `step` of the step in the order of declaration (1, 2, ...), the time
-    `elapsed` in the step [s] at the last sample instant, and `cycles`, which counts the transitions to the first step.
+    `elapsed` in the step [s], and `cycles`, which counts the transitions to the first step.
     Inputs are `halt`, `reset`, `emergency` (if there is an emergency step), `input_fault`, the names in `inputs`, and
     one input for each output that a condition reads. The circuit connects the latter.
 
@@ -66,7 +66,6 @@ class Sequence(Controller):
     """
 
     kind: ClassVar[str] = "sequence"
-    symbol: ClassVar[str] = "1 2 3"
     summary: ClassVar[str] = "sampled step sequence with conditions, timeouts and counters"
     resume: ClassVar[dict[str, str]] = {
         "step": "initial_step", "elapsed": "initial_elapsed", "cycles": "initial_cycles"
@@ -120,7 +119,7 @@ class Sequence(Controller):
                     names[name] = read_names(value, name, names["inputs"])
             form = Form(names["outputs"], names["inputs"], self.start_ or "", self.emergency or "")
             with errors.collecting():
-                steps = SequenceSteps.read(self.steps, form)
+                steps = SequenceProgram.read(self.steps, form)
                 number = self.initial_step
                 if number is not None and not 1 <= float(number) <= len(steps.steps):  # type: ignore[arg-type]
                     errors.add("sequence.no_initial_step", "initial_step", value=float(number), most=len(steps.steps))  # type: ignore[arg-type]
@@ -128,9 +127,9 @@ class Sequence(Controller):
             object.__setattr__(self, name, result)
 
     @property
-    def program(self) -> SequenceSteps:
+    def program(self) -> SequenceProgram:
         """Steps with their parsed conditions."""
-        steps: SequenceSteps = self.steps
+        steps: SequenceProgram = self.steps
         return steps
 
     def notes(self) -> tuple[Note, ...]:
@@ -179,7 +178,7 @@ class Sequence(Controller):
 
     def memory(self) -> tuple[DiscreteState, ...]:
         counters = (f"count_{self.program.number(name)}" for name in self.program.counted())
-        names = (*self.program.form.outputs, "step", "elapsed_samples", "cycles", *counters, "sample_count")
+        names = (*self.program.form.outputs, "step", "elapsed_samples", "is_held", "cycles", *counters, "sample_count")
         fault = (state for state in FAULT_MEMORY if state.name != "is_saturated")
         return *(DiscreteState(name, "1") for name in names), *fault
 
@@ -204,13 +203,17 @@ class Sequence(Controller):
             # The first sample is at t = 0 and adds one.
             "elapsed_samples": scope["initial_elapsed"] / scope["sample_time"] - 1.0,
             "cycles": scope["initial_cycles"], "sample": 0.0, "sample_count": 0.0, "faulty_samples": NEVER_VALID,
-            "is_safe": 0.0,
+            "is_safe": 0.0, "is_held": 0.0,
         }  # fmt: skip
 
     def control(self, scope: Scope) -> ControlOutputs:
         memory = scope.memory
         outputs: Quantities = {name: (memory[name], "1") for name in self.program.form.outputs}
-        elapsed = maximum(memory["elapsed_samples"], 0.0) * scope["sample_time"]
+        # Between instants the time continues, unless the sequence is halted.
+        period = scope["sample_time"]
+        since_sample = clip(period - (memory["sample"] - scope.time), 0.0, period)
+        since_sample = where(memory["is_held"] > 0.5, 0.0, since_sample)
+        elapsed = memory["elapsed_samples"] * period + since_sample
         outputs |= {"step": (memory["step"], "1"), "elapsed": (elapsed, "s"), "cycles": (memory["cycles"], "1")}
         # For conditions of other sequences: 1 during the step.
         hidden: Quantities = {
@@ -246,7 +249,7 @@ class Sequence(Controller):
         values = self._output_values(scope, new_step)
         if not form.emergency:
             values = {name: where(is_safe > 0.5, 0.0, value) for name, value in values.items()}
-        result = {"step": new_step, **values, **fault}
+        result = {"step": new_step, "is_held": is_held, **values, **fault}
         continued = where(is_held > 0.5, memory["elapsed_samples"], samples)
         result["elapsed_samples"] = where(is_entered, 0.0, continued)
         begins = where(_is(entered, first), 1.0, 0.0)
@@ -278,7 +281,7 @@ class Sequence(Controller):
                     return scope.memory["cycles"]
             return scope.memory[f"count_{self.program.number(operand.step)}"]
 
-        def target_of(item: Step) -> Any:
+        def target_of(item: SequenceStep) -> Any:
             target: Any = 0.0
             if item.timeout is not None:
                 after = scope[f"steps.{item.timeout.place}"]
@@ -295,7 +298,7 @@ class Sequence(Controller):
     def _output_values(self, scope: Scope, step: Any) -> dict[str, Any]:
         """Return the values of all outputs during the step with a given number."""
 
-        def value(item: Step, name: str) -> Any:
+        def value(item: SequenceStep, name: str) -> Any:
             stated = item.values.get(name, 0.0)
             return scope[f"steps.{stated}"] if isinstance(stated, str) else stated
 

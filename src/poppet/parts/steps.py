@@ -11,7 +11,6 @@ from poppet.core.errors import ErrorCollector, InputError, NameSuggestion
 from poppet.core.provenance import Number
 from poppet.parts.conditions import (
     WORDS,
-    Comparison,
     Condition,
     Flag,
     Internal,
@@ -20,6 +19,7 @@ from poppet.parts.conditions import (
     Node,
     Operand,
     Reading,
+    Relation,
     parse_condition,
     written,
 )
@@ -34,7 +34,17 @@ MAX_STEPS = 500
 BUILT_IN_INPUTS = ("halt", "reset", "emergency", "input_fault")
 BUILT_IN_OUTPUTS = ("step", "elapsed", "cycles")
 _FIELDS = ("on", "set", "next", "timeout")
-_RESERVED = (*BUILT_IN_INPUTS, *BUILT_IN_OUTPUTS, *WORDS, "sample", "sample_count", "faulty_samples", "is_safe")
+_RESERVED = (
+    *BUILT_IN_INPUTS,
+    *BUILT_IN_OUTPUTS,
+    *WORDS,
+    "sample",
+    "sample_count",
+    "elapsed_samples",
+    "faulty_samples",
+    "is_safe",
+    "is_held",
+)
 _AFTER = NumberSpec("s", "time in the step", low=0.0)
 _SET = NumberSpec("1", "value of an output", low=-1.0, high=1.0)
 
@@ -66,7 +76,7 @@ class Timeout:
 
 
 @dataclass(frozen=True)
-class Step:
+class SequenceStep:
     """Step of a sequence.
 
     `values` maps outputs to their values during the step: a number, or the name of its parameter. Other outputs are 0.
@@ -79,12 +89,12 @@ class Step:
 
 
 @dataclass(frozen=True)
-class SequenceSteps:
+class SequenceProgram:
     """Steps of a sequence, in the order of declaration.
 
     Parameters
     ----------
-    steps : tuple of Step
+    steps : tuple of SequenceStep
         The steps. The first has the number 1.
     form : Form
         Outputs, inputs, first step and emergency step of the sequence.
@@ -94,13 +104,13 @@ class SequenceSteps:
         Tables of the steps as the user wrote them.
     """
 
-    steps: tuple[Step, ...]
+    steps: tuple[SequenceStep, ...]
     form: Form
     values: Mapping[str, Number]
     source: Mapping[str, Any] = field(repr=False)
 
     @classmethod
-    def read(cls, table: Any, form: Form) -> SequenceSteps:
+    def read(cls, table: Any, form: Form) -> SequenceProgram:
         """Read and check the steps of a sequence; all errors are raised together."""
         if isinstance(table, cls):
             if table.form == form:
@@ -140,7 +150,7 @@ class SequenceSteps:
         """Return the numbers in the steps by name, for example `extend A.next.extend B`."""
         return dict(self.values)
 
-    def with_numbers(self, changes: Mapping[str, Number]) -> SequenceSteps:
+    def with_numbers(self, changes: Mapping[str, Number]) -> SequenceProgram:
         """Return a copy in which some numbers are replaced."""
         return replace(self, values={**self.values, **changes})
 
@@ -192,7 +202,7 @@ def _shape(node: Any) -> Hashable:
     match node:
         case Literal():
             return node.place or float(node.number.value)
-        case Comparison():
+        case Relation():
             return _shape(node.left), node.relation, _shape(node.right), node.offset and _shape(node.offset)
         case Flag() | Reading() | Internal():
             return node
@@ -225,7 +235,7 @@ class _Reader:
         self.errors = ErrorCollector()
         self.values: dict[str, Number] = {}
 
-    def read(self) -> SequenceSteps:
+    def read(self) -> SequenceProgram:
         if not isinstance(self.table, Mapping) or not self.table:
             raise InputError("sequence.no_steps", "steps", value=self.table)
         if len(self.table) > MAX_STEPS:
@@ -240,26 +250,28 @@ class _Reader:
             if self.form.start in self.table:
                 self._check_reached(steps)
             self._check_units(steps)
-        return SequenceSteps(steps, self.form, self.values, dict(self.table))
+        return SequenceProgram(steps, self.form, self.values, dict(self.table))
 
     def _unknown_step(self, address: str, name: Any) -> None:
         near = NameSuggestion(str(name), self.table)
         self.errors.add("sequence.unknown_step", address, name=name, suggestion=near)
 
-    def _step(self, name: Any, table: Any) -> Step:
+    def _step(self, name: Any, table: Any) -> SequenceStep:
         if not isinstance(name, str) or not STEP_NAME.fullmatch(name):
             self.errors.add("sequence.no_step_name", "steps", name=name)
-            return Step(str(name), {})
+            return SequenceStep(str(name), {})
         address = f"steps.{name}"
         if not isinstance(table, Mapping):
             self.errors.add("sequence.no_table", address, value=table)
-            return Step(name, {})
+            return SequenceStep(name, {})
         for key in table:
             if key not in _FIELDS:
                 near = NameSuggestion(str(key), _FIELDS)
                 self.errors.add("fields.unknown", f"{address}.{key}", table="step", suggestion=near)
         values = self._values(address, table)
-        return Step(name, values, self._transitions(address, table.get("next", {})), self._timeout(address, table))
+        return SequenceStep(
+            name, values, self._transitions(address, table.get("next", {})), self._timeout(address, table)
+        )
 
     def _values(self, address: str, table: Mapping[str, Any]) -> dict[str, float | str]:
         values: dict[str, float | str] = {}
@@ -327,7 +339,7 @@ class _Reader:
             return Timeout(value["to"], place, after)
         return None
 
-    def _check_reached(self, steps: Sequence[Step]) -> None:
+    def _check_reached(self, steps: Sequence[SequenceStep]) -> None:
         """Collect an error for each step to which no transition leads."""
         # From the raw tables: an invalid condition does not make its step unreachable.
         targets: dict[str, set[str]] = {}
@@ -349,7 +361,7 @@ class _Reader:
             if step.name not in reached | near:
                 self.errors.add("sequence.unreachable", f"steps.{step.name}", start=self.form.start)
 
-    def _check_units(self, steps: Sequence[Step]) -> None:
+    def _check_units(self, steps: Sequence[SequenceStep]) -> None:
         """Collect an error for each output that two conditions read with different units."""
         units: dict[str, str] = {}
         for step in steps:

@@ -77,7 +77,6 @@ class Switch(Controller):
     """
 
     kind: ClassVar[str] = "switch"
-    symbol: ClassVar[str] = "on/off"
     summary: ClassVar[str] = "sampled switch with hysteresis: pressure switch, reed switch"
     measured: ClassVar[tuple[str, ...]] = ("measurement",)
     resume: ClassVar[dict[str, str]] = {"state": "initial_state"}
