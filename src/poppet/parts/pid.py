@@ -187,8 +187,9 @@ class PID(SampledLoop):
             return [head, f"gains at {len(self.schedule.columns['gain'])} operating points"]
         times: dict[str, Any] = {"Ti": self.integral_time, "Td": self.derivative_time}
         texts = [f"{symbol} = {numbers.text(t)}" for symbol, t in times.items() if t is not None and float(t) > 0.0]
-        times = {"Ta": self.acceleration_time, "dead zone": self.fill_dead_zone, "dead zone to vent": self.vent_dead_zone}
-        texts += [f"{symbol} = {numbers.text(value)}" for symbol, value in times.items() if value is not None]
+        others = {"Ta": self.acceleration_time, "fill dead zone": self.fill_dead_zone}
+        others["vent dead zone"] = self.vent_dead_zone
+        texts += [f"{symbol} = {numbers.text(value)}" for symbol, value in others.items() if value is not None]
         return [head, f"K = {numbers.text(self.gain)}", *texts]
 
     def numbers(self) -> dict[str, Number]:
@@ -340,7 +341,8 @@ class PID(SampledLoop):
         unlimited = without_integral + integral
         scope.label("unlimited", unlimited, f"command before its limits [{self.command_unit}]")
         is_automatic = scope.inputs["automatic"] > 0.5
-        requested = where(is_automatic, self._command_of_valves(scope, gains, unlimited), scope.inputs["manual_command"])
+        compensated = self._command_of_valves(scope, gains, unlimited)
+        requested = where(is_automatic, compensated, scope.inputs["manual_command"])
         scope.label("requested", requested, f"automatic or manual command before the limits [{self.command_unit}]")
         command = where(is_safe > 0.5, safe, clip(requested, low, high))
         scope.label("new_command", command, f"command [{self.command_unit}]")
@@ -363,7 +365,8 @@ class PID(SampledLoop):
             "last_measurement": measured,
             "last_error": weighted,
             "is_saturated": where(is_safe > 0.5, 0.0, is_cut),
-        } | ({"last_gain": gain} if self.schedule is not None else {}) | additions
+            **additions,
+        } | ({"last_gain": gain} if self.schedule is not None else {})
         if _has_dead_zone(self):
             discrete["uncompensated_command"] = command_of_law
         return command, clip(-gains["vent_factor"] * command, 0.0, 1.0) if self.is_of_openings else None, discrete
