@@ -24,6 +24,7 @@ if TYPE_CHECKING:
     from poppet.parts.solenoid import Solenoid
     from poppet.parts.sources import FlowSource, Reservoir
     from poppet.parts.spool_valve import SpoolValve
+    from poppet.parts.supply import Compressor, PressureRegulator
     from poppet.parts.tube import Tube
     from poppet.parts.valves import CheckValve, DirectionalValve, ReliefValve, Silencer
 
@@ -46,6 +47,8 @@ KINDS: Registry[type[Part]] = Registry(
         "directional_valve": "poppet.parts.valves:DirectionalValve",
         "spool_valve": "poppet.parts.spool_valve:SpoolValve",
         "silencer": "poppet.parts.valves:Silencer",
+        "pressure_regulator": "poppet.parts.supply:PressureRegulator",
+        "compressor": "poppet.parts.supply:Compressor",
         "mass": "poppet.parts.bodies:Mass",
         "joint": "poppet.parts.bodies:Joint",
         "guide": "poppet.parts.bodies:Guide",
@@ -68,10 +71,12 @@ _PATHS = {
 
 # Literal, so that type checkers can read it.
 __all__ = [
-    "KINDS", "PID", "Antagonist", "BodyFriction", "BodyStop", "Chamber", "CheckValve", "Contact", "Cylinder",
+    "KINDS", "PID", "Antagonist", "BodyFriction", "BodyStop", "Chamber", "CheckValve", "Compressor",
+    "Contact", "Cylinder",
     "DirectionalValve", "Electronics", "Exhaust", "FlowSource", "Friction", "Guide", "InverseMuscle", "Joint",
     "JointFriction", "JointStop", "MainStage", "Mass", "Muscle", "Orifice", "Part", "Passage", "PilotStage",
-    "PressureController", "ProportionalValve", "ReliefValve", "Reservoir", "Silencer", "Solenoid", "SpoolValve",
+    "PressureController", "PressureRegulator", "ProportionalValve", "ReliefValve", "Reservoir", "Silencer",
+    "Solenoid", "SpoolValve",
     "Spring", "Stop", "Store", "Tube",
 ]  # fmt: skip
 
