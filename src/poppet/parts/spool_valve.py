@@ -112,7 +112,7 @@ class SpoolValve(FlowPath):
     symbol: ClassVar[symbols.Symbol | str] = symbols.SPOOL_VALVE
     summary: ClassVar[str] = "directional valve with five ports, 5/3 or 5/2, proportional or switched"
     resume: ClassVar[dict[str, str]] = {"position": "initial_position"}
-    pilots: ClassVar[tuple[str, ...]] = PILOTS
+    pilot_ports: ClassVar[tuple[str, ...]] = PILOTS
 
     supply: str | None = port("gas node at port 1")
     a: str | None = port("gas node at port 4")
