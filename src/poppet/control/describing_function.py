@@ -225,7 +225,7 @@ class SettledPlant:
                 run = driven.simulate(count * period, step)
             except SimulationError:
                 return None
-            outputs = [self.loop.sensor_output, f"{name}.command", *self.sticking.outputs]
+            outputs = [self.loop.sensor_output, self.loop.command_output, *self.sticking.outputs]
             series = np.stack([run[output] for output in outputs])[:, : count * rows]
             quarters = series[:2].reshape(2, 4, -1)
             third, last = (y / u for y, u in (_fit_sine(quarters[:, k], rows)[0] for k in (2, 3)))
@@ -332,7 +332,7 @@ class MeasuredLoop(Plant):
         for _ in range(_RUNS):
             steady_run = controlled.simulate(duration, start=steady_run)
             is_late = steady_run.time > 0.5 * duration
-            outputs = self.loop.sensor_output, f"{name}.command"
+            outputs = self.loop.sensor_output, self.loop.command_output
             value, command = (float(np.mean(steady_run[output][is_late])) for output in outputs)
             if abs(command - previous) <= _QUIET * min(self.amplitudes):
                 break
@@ -390,7 +390,8 @@ class MeasuredLoop(Plant):
             responses |= {} if answer is None else {period: answer}
         order = sorted(responses, reverse=True)
         frequencies = 1.0 / (time * np.array(order))
-        delay = np.exp(-2j * np.pi * frequencies * time * self.delay)
+        # Without compensation, the measured command is the delayed one.
+        delay = np.exp(-2j * np.pi * frequencies * time * (0 if self.loop.has_dead_zone else self.delay))
         measured = np.array([responses[n] for n in order]) * delay
         sticks_above = min(settled.stuck, default=order[-1]) < order[-1]
         return MeasuredPlant(frequencies, measured, time, settled.weak_gains, sticks_above)

@@ -374,6 +374,8 @@ def _prepare(
     plant = measured or plant_of(circuit, controller)
     if not isinstance(plant.part, PID):
         raise InputError("tuning.no_pid", plant.controller, kind=plant.part.kind)
+    if plant.part.acceleration_time is not None:
+        raise InputError("tuning.acceleration", f"{plant.controller}.acceleration_time")
     values, setpoint = at, f"{plant.controller}.setpoint"
     if values is None:
         signal = circuit.signals.get(setpoint)

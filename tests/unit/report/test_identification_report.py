@@ -181,7 +181,9 @@ def test_comparison_has_both_models_and_verdict():
         second, residuals={"discharge.tank.pressure": ResidualSummary(4900.0, 0.008, 10.0, "Pa", TIME.size)}
     )
     text = Page(identification_page(compare_results(first, second, "adiabatic.toml"))).text
-    assert "clearly better than adiabatic (adiabatic.toml) (AICc lower by 400.0)" in text
+    assert (
+        "clearly better than adiabatic (adiabatic.toml) (the model selection criterion AICc is lower by 400.0)" in text
+    )
     assert "Discharge of the tank 1000.0 3 0.690 kPa" in text
     assert "adiabatic.toml 1400.0 2 4.900 kPa" in text
     assert "Comparison" not in Page(example_page()).text

@@ -287,5 +287,5 @@ def _point_facts(indices: Any, points: FlowPoints) -> dict[str, Any]:
 
     They contain the numbers of the first points, counted from 1, with their p2/p1, and the count of further points.
     """
-    texts = [f"{k + 1} at {points.pressure_ratio[k]:.4g}" for k in indices[:4]]
+    texts = [f"point {k + 1} (p2/p1 = {points.pressure_ratio[k]:.4g})" for k in indices[:4]]
     return {"points": texts, "more": max(len(indices) - 4, 0) or None}
