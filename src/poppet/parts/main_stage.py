@@ -110,8 +110,9 @@ class MainStage(Passage):
     In the mode `paper`, the equations are eqs (5)-(8) of the reference; the gauge pressure of the pilot is the only
     drive. In the mode `regulator`, the outlet pressure acts against the pilot pressure, and the pressure drop of the
     supply seat acts on the poppet. The leaks are parallel to the seats, with the same critical ratio. Each increases
-    the conductance of its seat at all strokes. By default, both are equal. The default characteristic has the name in `data` with the suffix `.closed`; its C
-    is 0 for strokes up to 0. The default pilot pressure is the ambient pressure.
+    the conductance of its seat at all strokes. By default, both are equal. The default characteristic has the name in
+    `data` with the suffix `.closed`; its C is 0 for strokes up to 0. The default pilot pressure is the ambient
+    pressure.
 
     Fig. 5 of the reference shows the spring force k2 (h2 - x), but eq. (5) contains k2 (h2 + x); the model follows the
     equation. At a stroke of 0, the force of the lower spring is discontinuous in the equations. In the model, it
