@@ -71,18 +71,6 @@ class SineComponent:
 def _evaluate(evaluation: Evaluation, records: Sequence[Record]) -> None:
     rows = [row for record in records for row in sine_rows(evaluation, record)]
     add_frequency_results(evaluation, rows)
-    _note_suspicions(evaluation, rows)
-    clipped_frequencies = [note.facts["frequency"] for note in evaluation.notes if note.code in CLIPPED]
-    if clipped_frequencies:
-        evaluation.limit_to_bounds("distortion")
-        # Gains and phases are relative to the lowest frequency; other clipped frequencies do not affect them.
-        is_relative = min(clipped_frequencies) < min((row["frequency"] for row in evaluation.rows), default=math.inf)
-        names = ("bandwidth_gain", "bandwidth_phase")
-        evaluation.remove_values(*(name for name in names if is_relative or name not in evaluation.figures))
-
-
-def _note_suspicions(evaluation: Evaluation, rows: Sequence[Row]) -> None:
-    """Add notes on a sensor without signal and on exchanged columns."""
     lowest = min((row["frequency"] for row in rows), default=math.inf)
     lost = [note.facts["frequency"] for note in evaluation.notes if note.code == "bench.frequency.lost"]
     if lost and min(lost) < lowest:
@@ -92,6 +80,13 @@ def _note_suspicions(evaluation: Evaluation, rows: Sequence[Row]) -> None:
     if len(leads) > MOSTLY * len(rows) and leads[0]["frequency"] == lowest and leads[0]["phase"] < 90.0:
         facts = {"phase": leads[0]["phase"], "frequency": lowest}
         evaluation.note("frequency.leads", count=len(leads), total=len(rows), **facts)
+    clipped_frequencies = [note.facts["frequency"] for note in evaluation.notes if note.code in CLIPPED]
+    if clipped_frequencies:
+        evaluation.limit_to_bounds("distortion")
+        # Gains and phases are relative to the lowest frequency; other clipped frequencies do not affect them.
+        is_relative = min(clipped_frequencies) < min((row["frequency"] for row in evaluation.rows), default=math.inf)
+        names = ("bandwidth_gain", "bandwidth_phase")
+        evaluation.remove_values(*(name for name in names if is_relative or name not in evaluation.figures))
 
 
 def sine_rows(evaluation: Evaluation, record: Record) -> list[Row]:
