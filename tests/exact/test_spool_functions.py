@@ -21,9 +21,7 @@ END = 2.0 / 50.0
 
 def circuit(function, instants, commands, parts=None, **fields):
     names = ["command"] if function == "5/2 monostable" else ["command_a", "command_b"]
-    signals = {
-        f"valve.{name}": Steps(instants, [float(pair[k]) for pair in commands]) for k, name in enumerate(names)
-    }
+    signals = {f"valve.{name}": Steps(instants, [float(pair[k]) for pair in commands]) for k, name in enumerate(names)}
     chambers = {"first": Chamber(volume="0.2 l"), "second": Chamber(volume="0.1 l")}
     valve = SpoolValve(**PORTS, **SIZE, function=function, **fields)
     return Circuit({"rail": Reservoir(pressure="7 bar"), **chambers, "valve": valve, **(parts or {})}, signals)
