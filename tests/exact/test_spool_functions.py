@@ -6,8 +6,8 @@ import itertools
 
 import numpy as np
 import pytest
-from exact.independent_spool import KNOTS, OPENINGS, chamber_pressures, selected_position, spool_path
 
+from exact.independent_spool import KNOTS, OPENINGS, chamber_pressures, selected_position, spool_path
 from poppet import Chamber, Circuit, Reservoir, Run, SpoolValve
 from poppet.parts.part import GasState, Scope, Surroundings
 from poppet.signals import Points, Steps
