@@ -130,6 +130,10 @@ def _change_nested(current: Any, spec: Spec, name: str, path: str, value: Any) -
             value = Number(read.value, unit, Source("given"), read.reference, text)
         return current.with_numbers({path: value})
     valid = specs(spec.group) if isinstance(spec, GroupSpec) else {}
+    head, _, rest = path.partition(".")
+    if rest and hasattr(table := getattr(current, attribute(head), None), "with_numbers"):
+        table = _change_nested(table, valid[head], f"{name}.{head}", rest, value)
+        return dataclasses.replace(current, **{attribute(head): table})
     if not isinstance(spec, GroupSpec) or path not in valid:
         raise _unknown_field(name, path, valid)
     # An omitted group is created with this value.

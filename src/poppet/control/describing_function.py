@@ -470,8 +470,7 @@ def make_measured_loop(
         if friction.kind == "stribeck":
             sticking = Sticking((f"{name}.position",), 0.0, values["friction.transition_velocity"])
         else:
-            level = max(values[f"friction.{kind}_{part.effort}"] for kind in ("coulomb", "static"))
-            sticking = Sticking((f"{name}.position",), level / values["friction.bristle_stiffness"])
+            sticking = Sticking((f"{name}.position",), part.largest_deflection(values))
     return MeasuredLoop(
         circuit.instance, loop.controller, loop.part, loop.measurement, loop.commands, loop.begins,
         loop=loop, amplitudes=tuple(sizes), report_progress=progress or (lambda text: None),

@@ -28,9 +28,10 @@ _QUANTITIES: tuple[tuple[str, str, float], ...] = (
     ("rad", "angle", 1.0),
     ("rad/s", "angular velocity", 10.0),
     ("N m", "torque", 10.0),
+    ("J", "energy", 10.0),
     ("1", "ratio", 1.0),
     ("kg/s", "mass flow rate", 1.0),
-    ("W", "heat flow rate", 10.0),
+    ("W", "power", 10.0),
     ("kg", "mass", 1.0),
     ("m^3", "volume", 1.0),
 )
@@ -171,7 +172,7 @@ def panels_of(
         title = quantity
         if quantity == "stroke" and "position" in phrases:
             title = "position"
-        elif len(phrases) == 1 and quantity in ("ratio", "stroke", "angle", ""):
+        elif len(phrases) == 1 and quantity in ("ratio", "stroke", "angle", "power", ""):
             # The quantity is unspecific: the title is the common name of the series.
             title = phrases.pop()
         ranked.append(((order, rank), Panel(title, unit, tuple(members))))
@@ -247,8 +248,9 @@ def _series(
     recording: Columns, source: int, name: str, requests: Sequence[tuple[str, str]], applied: set[int]
 ) -> Series:
     recorded_unit = recording.unit(name) or "1"
-    dimensions = enumerate(_QUANTITIES)
-    rank = next((k for k, (si, _, _) in dimensions if same_dimension(recorded_unit, si)), len(_QUANTITIES))
+    ranks = [k for k, (si, _, _) in enumerate(_QUANTITIES) if same_dimension(recorded_unit, si)] or [len(_QUANTITIES)]
+    # Energy and torque have the same dimension, so the text of the unit distinguishes them.
+    rank = ranks[-1 if "J" in recorded_unit else 0]
     reference, quantity, _ = (*_QUANTITIES, (recorded_unit, "", 0.0))[rank]
     unit = USUAL.get(reference, reference) if rank < len(_QUANTITIES) else recorded_unit
     for index, (pattern, requested) in enumerate(requests):
