@@ -71,7 +71,7 @@ class BaseCircuit(HtmlMixin):
     Parameters
     ----------
     parts, signals, run, ambient, gas, title, connections, origin, like : optional
-        See `poppet.Circuit`, a subclass with methods of other packages, for example for identification.
+        The subclass `poppet.Circuit`, which adds the methods of other packages, describes these arguments.
     is_excerpt : bool, optional
         True if the parts belong to a larger circuit. Inputs that absent parts drive are then free.
 
@@ -500,7 +500,7 @@ class BaseCircuit(HtmlMixin):
         Parameters
         ----------
         duration : float or str, optional
-            Duration [s]; default that of `run`.
+            Duration [s] (default: duration in the run options).
         output_step : float or str, optional
             Time between rows [s]; default a thousandth of the duration.
         relative_tolerance : float, optional
@@ -514,7 +514,8 @@ class BaseCircuit(HtmlMixin):
         progress : callable, optional
             Called with the time reached [s]. With it, Ctrl-C ends the run with a partial result.
         throw : bool, optional
-            Raise an error if the run fails; otherwise return the partial recording with the reason in `outcome`.
+            If True, a failed run raises an error. Otherwise the result is the partial recording, and `outcome` states
+            the reason.
 
         Returns
         -------
@@ -550,7 +551,7 @@ class BaseCircuit(HtmlMixin):
         Parameters
         ----------
         inputs : mapping, optional
-            Address to value, SI or text with a unit; default the value of each input at the start of a run.
+            Address to value, SI or text with a unit; default: value of each input at the start of a run.
 
         Returns
         -------
@@ -600,7 +601,7 @@ class BaseCircuit(HtmlMixin):
         inputs : mapping, optional
             Address to value, SI or text with a unit.
         at : Recording, optional
-            The last row is the operating point; default the steady state.
+            Recording whose last row is the operating point (default: the steady state).
 
         Returns
         -------

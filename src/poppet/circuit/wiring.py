@@ -127,12 +127,14 @@ def check_wiring(errors: ErrorCollector, wiring: Wiring) -> None:
                 errors.add("fields.not_an_option", address, value=store, meaning="gas node", suggestion=suggestion)
         # A gas node that a part joins at both ends of a flow path. All paths of a valve with three ports end at the
         # outlet, of a valve with five ports at a or b.
-        ends = list(part.ports.values())
+        ends = [store for port, store in part.ports.items() if port not in part.kind.pilot_ports]
         outlets = [part.ports[port] for port in ("outlet", "a", "b") if port in part.ports]
         ends_of_paths = outlets or (ends if len(set(ends)) == 1 else [])
         twice = next((store for store in ends_of_paths if ends.count(store) > 1), None)
         if twice is not None:
-            errors.add("wiring.joined_twice", f"parts.{name}", store=twice)
+            inlets = [part.ports.get(port) for port in part.kind.inlet_ports]
+            code = "wiring.equal_inlets" if inlets.count(twice) > 1 else "wiring.joined_twice"
+            errors.add(code, f"parts.{name}", store=twice)
         # Enclosed gas that a body compresses changes without a connection.
         elif name in stores and name not in joined and not issubclass(part.kind, Passage) and part.body is None:
             errors.add("wiring.alone", f"parts.{name}")
@@ -202,7 +204,7 @@ def find_drives(wiring: Wiring, connections: Mapping[str, str], inputs: Mapping[
     """Return the addresses of the inputs that can move each body, by body.
 
     The effect of an input continues through connections, through gas nodes at the ports of parts, and through
-    actuators. A part has no effect on its supply, nor on a reservoir, whose pressure is prescribed.
+    actuators. A part has no effect on its supply and its pilot ports, nor on a reservoir, whose pressure is prescribed.
     """
     successors: dict[str, set[str]] = {name: set() for name in wiring}
     for target, source in connections.items():
@@ -211,7 +213,7 @@ def find_drives(wiring: Wiring, connections: Mapping[str, str], inputs: Mapping[
         nodes = {port: node.partition(".")[0] for port, node in part.ports.items() if node != AMBIENT}
         for port, node in nodes.items():
             successors[node].add(name)
-            if port != "supply" and wiring[node].kind is not Reservoir:
+            if port not in ("supply", *part.kind.pilot_ports) and wiring[node].kind is not Reservoir:
                 successors[name].add(node)
         if part.body is not None:
             successors[name].add(part.body)

@@ -98,6 +98,16 @@ class Loop(NamedTuple):
         """Address of the output with the value that the sensor of the controller measures."""
         return f"{self.controller}.sensor_{self.part.controls}"
 
+    @property
+    def has_dead_zone(self) -> bool:
+        """True if the controller compensates dead zones of its valves."""
+        return "dead_zone_smoothing" in self.numbers
+
+    @property
+    def command_output(self) -> str:
+        """Address of the output with the command of the control law, without the compensation of dead zones."""
+        return f"{self.controller}.{'uncompensated_command' if self.has_dead_zone else 'command'}"
+
 
 def loop_of(circuit: BaseCircuit, controller: str | None = None) -> Loop:
     """Return the loop of the controller with a given name.

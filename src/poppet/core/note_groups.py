@@ -65,7 +65,7 @@ def grouped(notes: Iterable[Note | str]) -> list[Note]:
     --------
     >>> print(*grouped([Note("bench.doubtful", name) for name in "abcdefg"]))
     The measurement uncertainty of a could not be determined.
-    Number of further notes of this kind: 6, on b, c, d and 3 others.
+    There are 6 further notes of this kind, on b, c, d and 3 others.
     """
     unique_notes = list(dict.fromkeys(notes_of(notes)))
     kinds: dict[str, list[Note]] = {}

@@ -15,8 +15,10 @@ if TYPE_CHECKING:
     from poppet.parts.cylinder import Cylinder
     from poppet.parts.electronics import Electronics
     from poppet.parts.flow_path import Orifice
+    from poppet.parts.logic_valves import QuickExhaustValve, ShuttleValve, TwoPressureValve
     from poppet.parts.main_stage import Contact, Exhaust, Friction, MainStage, Spring, Stop
     from poppet.parts.muscle import Muscle
+    from poppet.parts.one_way_valves import FlowControlValve, PilotedCheckValve
     from poppet.parts.pid import PID
     from poppet.parts.pilot_stage import PilotStage
     from poppet.parts.pressure_controller import PressureController
@@ -25,9 +27,10 @@ if TYPE_CHECKING:
     from poppet.parts.solenoid import Solenoid
     from poppet.parts.sources import FlowSource, Reservoir
     from poppet.parts.spool_valve import SpoolValve
+    from poppet.parts.supply import Compressor, PressureRegulator
     from poppet.parts.switch import Switch
     from poppet.parts.tube import Tube
-    from poppet.parts.valves import CheckValve, DirectionalValve, ReliefValve, Silencer
+    from poppet.parts.valves import CheckValve, DirectionalValve, Filter, ReliefValve, Silencer
 
 
 KINDS: Registry[type[Part]] = Registry(
@@ -46,8 +49,16 @@ KINDS: Registry[type[Part]] = Registry(
         "check_valve": "poppet.parts.valves:CheckValve",
         "relief_valve": "poppet.parts.valves:ReliefValve",
         "directional_valve": "poppet.parts.valves:DirectionalValve",
+        "flow_control_valve": "poppet.parts.one_way_valves:FlowControlValve",
+        "piloted_check_valve": "poppet.parts.one_way_valves:PilotedCheckValve",
+        "shuttle_valve": "poppet.parts.logic_valves:ShuttleValve",
+        "two_pressure_valve": "poppet.parts.logic_valves:TwoPressureValve",
+        "quick_exhaust_valve": "poppet.parts.logic_valves:QuickExhaustValve",
         "spool_valve": "poppet.parts.spool_valve:SpoolValve",
         "silencer": "poppet.parts.valves:Silencer",
+        "filter": "poppet.parts.valves:Filter",
+        "pressure_regulator": "poppet.parts.supply:PressureRegulator",
+        "compressor": "poppet.parts.supply:Compressor",
         "mass": "poppet.parts.bodies:Mass",
         "joint": "poppet.parts.bodies:Joint",
         "guide": "poppet.parts.bodies:Guide",
@@ -72,11 +83,12 @@ _PATHS = {
 
 # Literal, so that type checkers can read it.
 __all__ = [
-    "KINDS", "PID", "Antagonist", "BodyFriction", "BodyStop", "Chamber", "CheckValve", "Contact", "Cylinder",
-    "DirectionalValve", "Electronics", "Exhaust", "FlowSource", "Friction", "Guide", "InverseMuscle", "Joint",
-    "JointFriction", "JointStop", "MainStage", "Mass", "Muscle", "Orifice", "Part", "Passage", "PilotStage",
-    "PressureController", "ProportionalValve", "ReliefValve", "Reservoir", "Sequence", "Silencer", "Solenoid",
-    "SpoolValve", "Spring", "Stop", "Store", "Switch", "Tube",
+    "KINDS", "PID", "Antagonist", "BodyFriction", "BodyStop", "Chamber", "CheckValve", "Compressor", "Contact",
+    "Cylinder", "DirectionalValve", "Electronics", "Exhaust", "Filter", "FlowControlValve", "FlowSource", "Friction",
+    "Guide", "InverseMuscle", "Joint", "JointFriction", "JointStop", "MainStage", "Mass", "Muscle", "Orifice", "Part",
+    "Passage", "PilotStage", "PilotedCheckValve", "PressureController", "PressureRegulator", "ProportionalValve",
+    "QuickExhaustValve", "ReliefValve", "Reservoir", "Sequence", "ShuttleValve", "Silencer", "Solenoid", "SpoolValve",
+    "Spring", "Stop", "Store", "Switch", "Tube", "TwoPressureValve",
 ]  # fmt: skip
 
 

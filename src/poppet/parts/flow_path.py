@@ -227,15 +227,15 @@ def single_flow(scope: Scope, gas: Mapping[str, GasState], size: tuple[Any, Any]
 
 
 def named_flow(
-    scope: Scope, gas: Mapping[str, GasState], name: str, ends: tuple[str, str], size: tuple[Any, Any]
+    scope: Scope, gas: Mapping[str, GasState], name: str, ends: tuple[str, str], size: tuple[Any, Any], **law: Any
 ) -> tuple[Flow, Quantities]:
     """Return one of several flows of a part, and its outputs.
 
     `gas` contains the gas states at all ports, `ends` the two ports of the flow, and `size` sonic conductance and
-    critical pressure ratio. The names of the outputs begin with `name`.
+    critical pressure ratio. The names of the outputs begin with `name`. `law` contains further arguments of `iso_flow`.
     """
-    first, second = ends
-    return iso_flow(scope, f"{name}_mass_flow_rate", ends, (gas[first], gas[second]), size, regime=f"{name}_regime")
+    states = gas[ends[0]], gas[ends[1]]
+    return iso_flow(scope, f"{name}_mass_flow_rate", ends, states, size, regime=f"{name}_regime", **law)
 
 
 @dataclass(frozen=True)

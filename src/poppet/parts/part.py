@@ -48,7 +48,10 @@ SELF = "self"
 """Name of the end of a flow in the part itself, for parts that are also gas nodes."""
 TUBE = "tube"
 """Kind of the parts whose ends can name ports of other parts."""
-PORTS = ("from", "to", "supply", "outlet", "exhaust", "pilot_exhaust", "a", "b", "exhaust_a", "exhaust_b")
+PORTS = (
+    "from", "to", "supply", "inlet", "outlet", "exhaust", "pilot", "pilot_exhaust", "a", "b", "exhaust_a", "exhaust_b",
+    "pilot_a", "pilot_b",
+)  # fmt: skip
 """Names of ports that the end of a tube can refer to: `valve.outlet`."""
 
 Quantities = dict[str, tuple[Any, str]]
@@ -301,6 +304,10 @@ class Part(ABC):
     summary: ClassVar[str]
     symbol: ClassVar[Symbol | str] = ""
     """Strokes of the symbol, or the text of a labelled box; an empty text stands for the kind."""
+    inlet_ports: ClassVar[tuple[str, ...]] = ()
+    """Ports at which positive flow enters the part; if empty, the first of several ports."""
+    pilot_ports: ClassVar[tuple[str, ...]] = ()
+    """Ports whose pressure acts on the part, but through which no gas flows."""
     resume: ClassVar[dict[str, str]] = {}
     """Mapping from each output from which a run can continue to the field of the initial value."""
     internal_outputs: ClassVar[tuple[str, ...]] = ()

@@ -1,4 +1,4 @@
-"""Check valve, relief valve, on/off directional valve and silencer."""
+"""Check valve, relief valve, on/off directional valve, silencer and filter."""
 
 from __future__ import annotations
 
@@ -183,3 +183,25 @@ class Silencer(FlowPath):
     def flows(self, scope: Scope, gas: Mapping[str, GasState]) -> PassageFlows:
         conductance, ratio = self.size_at(scope, None)
         return single_flow(scope, gas, (conductance * (1.0 - scope["clogging"]), ratio))
+
+
+@dataclass(frozen=True)
+class Filter(FlowPath):
+    """Filter: a flow path whose sonic conductance is reduced by clogging, which can change during a run."""
+
+    kind: ClassVar[str] = "filter"
+    symbol: ClassVar[symbols.Symbol | str] = symbols.FILTER
+    summary: ClassVar[str] = "a flow path that clogs during a run"
+
+    from_: str | None = port("gas node at the inlet")
+    to: str | None = port("gas node at the outlet")
+    clogging: NumberLike = number(
+        "1", 0.0, doc="lost fraction of the conductance", low=0.0, high=1.0, note="clean by default"
+    )
+
+    def inputs(self) -> tuple[Input, ...]:
+        return (Input("clogging", "1", "clogging", low=0.0, high=1.0),)
+
+    def flows(self, scope: Scope, gas: Mapping[str, GasState]) -> PassageFlows:
+        conductance, ratio = self.size_at(scope, None)
+        return single_flow(scope, gas, (conductance * (1.0 - scope.inputs["clogging"]), ratio))

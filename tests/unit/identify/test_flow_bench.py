@@ -261,7 +261,7 @@ def test_influential_point_is_reported():
     points = bench(np.linspace(0.05, 0.95, 20))
     points.mass_flow_rate[15] *= 1.05
     result = identify_flow(points)
-    assert has_finding(result, "(point number at p2/p1: 16 at ")
+    assert has_finding(result, ": point 16 (p2/p1 = ")
 
 
 # Parameters that are not determined
@@ -327,7 +327,7 @@ def test_points_near_equal_pressure_do_not_determine_the_law():
 
 def test_points_near_equal_pressure_are_reported_and_have_no_effect():
     result = identify_flow(bench([*np.linspace(0.05, 0.95, 12), 0.996, 0.999, 1.0], meters=METERS))
-    assert has_finding(result, "(point number at p2/p1: 13 at 0.996, 14 at 0.999, 15 at 1) have little weight")
+    assert has_finding(result, ": point 13 (p2/p1 = 0.996), point 14 (p2/p1 = 0.999), point 15 (p2/p1 = 1).")
     assert abs(result.parameters["critical_ratio"].value - 0.3) < 0.02
     without_uncertainty = identify_flow(bench([*np.linspace(0.05, 0.95, 12), 0.996], meters={}))
     assert has_finding(without_uncertainty, "the uncertainty of the pressures is not stated")

@@ -127,7 +127,10 @@ def test_page_states_reason_of_each_other_verdict():
     bound = Note("finding.number.bound", "tank.wall_conductance", **facts)
     text = Page(identification_page(example_result(remarks=(bound,)))).text.partition("Findings")[0]
     assert "valve.critical_ratio: the 95 % interval is 0.130 ... 0.490. A ratio is determined if half its" in text
-    assert "is at most 5 % of the range between its bounds (0 to 1 by default). Half the interval is 0.18." in text
+    assert (
+        "is at most 5 % of the range between its bounds (0 to 1 by default). For this ratio, half the interval is 0.18."
+        in text
+    )
     assert "tank.wall_conductance reached its lower bound" in text
     assert text.count("valve.sonic_conductance") == 1  # determined: only in the table
     residuals = Note("finding.residuals.large", "discharge.tank.pressure", times=6.0, noise=50.0, unit="Pa")
@@ -181,7 +184,9 @@ def test_comparison_has_both_models_and_verdict():
         second, residuals={"discharge.tank.pressure": ResidualSummary(4900.0, 0.008, 10.0, "Pa", TIME.size)}
     )
     text = Page(identification_page(compare_results(first, second, "adiabatic.toml"))).text
-    assert "clearly better than adiabatic (adiabatic.toml) (AICc lower by 400.0)" in text
+    assert (
+        "clearly better than adiabatic (adiabatic.toml) (the model selection criterion AICc is lower by 400.0)" in text
+    )
     assert "Discharge of the tank 1000.0 3 0.690 kPa" in text
     assert "adiabatic.toml 1400.0 2 4.900 kPa" in text
     assert "Comparison" not in Page(example_page()).text

@@ -24,6 +24,7 @@ class Graph:
     stores: tuple[str, ...]
     passages: tuple[str, ...]
     edges: tuple[Edge, ...]  # the first port of a flow path first
+    inlets: frozenset[Edge] = frozenset()  # further ports that gas enters, and pilot ports
 
 
 @dataclass(frozen=True)
@@ -55,7 +56,8 @@ def assign_layers(graph: Graph, fixed: Iterable[str]) -> dict[str, int]:
         neighbours[passage].append(store)
         neighbours[store].append(passage)
     # Gas comes from the node at the first port: in reverse order, the first edge of a flow path remains.
-    firsts = {passage: store for passage, _, store in reversed(graph.edges)}.values()
+    firsts = {*{passage: store for passage, _, store in reversed(graph.edges)}.values()}
+    firsts |= {store for _, _, store in graph.inlets}
     closing = {passage for passage in graph.passages if len(neighbours[passage]) < 2}
     ends = {name for name in fixed if name not in firsts}
     supplies = [name for name in fixed if name in firsts]

@@ -27,7 +27,7 @@ _LINE, _PAD, _SYMBOL, _PORT_STEP, _TAG, _VENT = 0.145, 0.1, 0.42, 0.2, 0.2, 0.3
 _GAPS = (0.62, 0.3)
 _MARGIN = 0.2
 _PORT_NUMBERS = {
-    "supply": "1 supply", "outlet": "2 outlet", "exhaust": "3 exhaust",
+    "supply": "1 supply", "inlet": "1 inlet", "outlet": "2 outlet", "exhaust": "3 exhaust",
     "a": "4 a", "b": "2 b", "exhaust_a": "5 exhaust", "exhaust_b": "3 exhaust",
 }  # fmt: skip
 _STORE_FILL, _RESERVOIR_FILL, _PASSAGE_FILL, _PIPE = "#eaf2fb", "#f3f4f6", "white", "#49525e"
@@ -158,7 +158,9 @@ class _Schematic:
         passages = tuple(dict.fromkeys(edge[0] for edge in edges))
         stores = [name for name in circuit.parts if name not in passages]
         ends = [edge[2] for edge in edges if edge[2] not in passages]  # a tube is a gas node and a flow path
-        self.graph = Graph(tuple(dict.fromkeys([*stores, *ends])), passages, tuple(edges))
+        inlet_ports = {name: (*part.inlet_ports, *part.pilot_ports) for name, part in circuit.parts.items()}
+        inlets = frozenset(edge for edge in edges if edge[1] in inlet_ports[edge[0]])
+        self.graph = Graph(tuple(dict.fromkeys([*stores, *ends])), passages, tuple(edges), inlets)
         parts = {name: circuit.parts.get(name) for name in self.graph.stores}  # None: the ambient
         sources = [name for name, part in parts.items() if part is None or isinstance(part, Reservoir | Controller)]
         layers = assign_layers(self.graph, sources)
@@ -187,7 +189,7 @@ class _Schematic:
         for name, box in self.boxes.items():
             self._draw_box(name, box, positions[name])
         for edge in self.graph.edges:
-            self._label_end(self.ends[edge, edge[0]], self.sides[edge], _port_label(edge[1]))
+            self._label_end(self.ends[edge, edge[0]], self.sides[edge], self._port_label(edge))
             node = self.circuit.parts[edge[0]].ports().get(edge[1], "").partition(".")[2]
             if node:  # one of several gas nodes of a part
                 self._label_end(self.ends[edge, edge[2]], not self.sides[edge], node)
@@ -219,7 +221,7 @@ class _Schematic:
         max_ports = max(sum(self.sides[edge] is side for edge in ports) for side in (True, False)) if ports else 0
         symbol_height = max(_SYMBOL, _PORT_STEP * max_ports) + 0.06 if name in self.graph.passages else 0.0
         if symbol_height:
-            label = max((text_width(_port_label(edge[1]), 6.5) for edge in ports), default=0.0)
+            label = max((text_width(self._port_label(edge), 6.5) for edge in ports), default=0.0)
             widths.append(2.0 * label + (2.4 if isinstance(part.symbol_for(False), str) else 1.6) * _SYMBOL)
         body = symbol_height + _LINE * len(lines) + 0.17 + 2.0 * _PAD
         body = max(body, _PORT_STEP * len(ports))
@@ -286,16 +288,19 @@ class _Schematic:
             else:
                 vertices.append(end)
                 codes.append(Outline.LINETO)
+        part = self.circuit.parts[edge[0]]
+        is_pilot = edge[1] in part.pilot_ports
+        line: dict[str, Any] = {"facecolor": "none", "linestyle": (0, (2.5, 1.8)) if is_pilot else "-"}
         # A rod is drawn as two lines.
         for width, color in ((4.5, INK), (3.0, "white")) if edge[1] == BODY else ((1.7, _PIPE),):
-            self.axes.add_patch(PathPatch(Outline(vertices, codes), facecolor="none", edgecolor=color, linewidth=width))
-        if edge[1] == BODY:
+            self.axes.add_patch(PathPatch(Outline(vertices, codes), edgecolor=color, linewidth=width, **line))
+        if edge[1] == BODY or is_pilot:
             return
         # An arrow in the direction of positive flow, halfway to the next layer.
         a, b = complex(*points[1]), complex(*points[2])
         slope = complex((b - a).real / 2.0, (b - a).imag)  # of the curve at its middle
         ports = [candidate for candidate in self.graph.edges if candidate[0] == edge[0]]
-        is_inlet = len(ports) > 1 and ports[0] == edge  # positive flow enters a flow path at its first port
+        is_inlet = edge[1] in (part.inlet_ports or (ports[0][1],)) and len(ports) > 1
         direction = slope / (-abs(slope) if is_inlet else abs(slope))
         tip, back, wing = (a + b) / 2.0 + 0.07 * direction, (a + b) / 2.0 - 0.07 * direction, 0.055j * direction
         corners = (tip, back + wing, back - wing)
@@ -375,6 +380,7 @@ class _Schematic:
         properties: dict[str, Any] = {"ha": "center", "va": "center", "color": INK, "zorder": 4} | options
         self.axes.text(x, y, text, fontsize=size, parse_math=False, **properties)
 
-
-def _port_label(port: str) -> str:
-    return "" if port == BODY else _PORT_NUMBERS.get(port, port.rstrip("_"))
+    def _port_label(self, edge: Edge) -> str:
+        part, port = self.circuit.parts[edge[0]], edge[1]
+        # Inlets have no number: a and b are outlets of directional valves only.
+        return "" if port == BODY else port if port in part.inlet_ports else _PORT_NUMBERS.get(port, port.rstrip("_"))

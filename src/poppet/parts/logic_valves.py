@@ -1,0 +1,201 @@
+"""Valves that the pressures at their ports switch: shuttle valve, two-pressure valve and quick exhaust valve."""
+
+from __future__ import annotations
+
+from abc import abstractmethod
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any, ClassVar
+
+from poppet.core.symbolic import clip
+from poppet.parts import symbols
+from poppet.parts.captions import CaptionNumbers
+from poppet.parts.fields import NumberLike, number, port
+from poppet.parts.flow_path import FlowPath, named_flow
+from poppet.parts.part import AMBIENT, Flow, GasState, PassageFlows, Quantities, Scope, State, Surroundings
+from poppet.parts.two_positions import switching_rate
+
+
+@dataclass(frozen=True)
+class LogicValve(FlowPath):
+    """Base class of valves with a closing element that moves between two seats.
+
+    The difference of two pressures moves the element. At position 0, the first flow path is open, at position 1 the
+    second one. Both are closed at the middle position, so they are never open at the same time.
+    """
+
+    resume: ClassVar[dict[str, str]] = {"position": "initial_position"}
+
+    switching_pressure: NumberLike = number(
+        "Pa",
+        "0.05 bar",
+        doc="switching pressure; pressure difference that moves the closing element in either direction",
+        kind="pressure_difference",
+        above=0.0,
+        note="a light closing element",
+    )
+    switching_time: NumberLike = number(
+        "s", "2 ms", doc="switching time; travel time from seat to seat", above=0.0, note="a small valve"
+    )
+    initial_position: NumberLike = number(
+        "1", 0.0, doc="initial position of the closing element", low=0.0, high=1.0, note="first flow path open"
+    )
+
+    @abstractmethod
+    def pressure_difference(self, gas: Mapping[str, GasState]) -> Any:
+        """Return the pressure difference that moves the closing element to position 1 [Pa]."""
+
+    def caption(self, numbers: CaptionNumbers) -> list[str]:
+        return [*super().caption(numbers), f"switches at {numbers.text(self.switching_pressure)}"]
+
+    def states(self) -> tuple[State, ...]:
+        return (State("position", "1", 1.0, floor=1.0),)
+
+    def start(self, scope: Scope) -> dict[str, Any]:
+        return {"position": scope["initial_position"]}
+
+    def openings(self, scope: Scope) -> tuple[Any, Any]:
+        """Return the open fractions of the first and of the second flow path."""
+        position = scope.states["position"]
+        return clip(1.0 - 2.0 * position, 0.0, 1.0), clip(2.0 * position - 1.0, 0.0, 1.0)
+
+    def valve_flows(self, scope: Scope, gas: Mapping[str, GasState], *paths: tuple[Flow, Quantities]) -> PassageFlows:
+        """Return the flows of both flow paths, all outputs, and the speed of the closing element."""
+        position = scope.states["position"]
+        drive = self.pressure_difference(gas) / scope["switching_pressure"]
+        outputs: Quantities = {"position": (position, "1")}
+        for _, path_outputs in paths:
+            outputs |= path_outputs
+        rate = switching_rate(position, drive, scope["switching_time"])
+        return PassageFlows(tuple(flow for flow, _ in paths), outputs, {"position": rate})
+
+
+@dataclass(frozen=True)
+class TwoInletValve(LogicValve):
+    """Base class of valves that connect one of two inlets with the outlet."""
+
+    regimes: ClassVar[tuple[str, ...]] = ("a_regime", "b_regime")
+    inlet_ports: ClassVar[tuple[str, ...]] = ("a", "b")
+
+    a: str | None = port("gas node at the first inlet")
+    b: str | None = port("gas node at the second inlet")
+    outlet: str | None = port("gas node at the outlet")
+
+    def flows(self, scope: Scope, gas: Mapping[str, GasState]) -> PassageFlows:
+        conductance, ratio = self.size_at(scope, None)
+        paths = (
+            named_flow(scope, gas, inlet, (inlet, "outlet"), (conductance * opening, ratio))
+            for inlet, opening in zip(("a", "b"), self.openings(scope), strict=True)
+        )
+        return self.valve_flows(scope, gas, *paths)
+
+
+@dataclass(frozen=True)
+class ShuttleValve(TwoInletValve):
+    r"""Shuttle valve (OR): the inlet with the higher pressure is connected with the outlet.
+
+    .. math:: C_a = C \operatorname{clip}(1 - 2 x, 0, 1), \qquad C_b = C \operatorname{clip}(2 x - 1, 0, 1)
+
+    Notes
+    -----
+    In the equation, x is the position of the closing element. It moves to 1 if the pressure at `b` exceeds that at `a`
+    by `switching_pressure`, and to 0 in the opposite case. Between these limits it keeps its seat. Gas flows in both
+    directions through the open inlet: the outlet vents through the inlet that has filled it.
+
+    Examples
+    --------
+    >>> valve = ShuttleValve(a="button", b="pedal", outlet="signal", nominal_flow="100 l/min ANR")
+    >>> valve.switching_pressure.display()
+    '0.05 bar'
+    """
+
+    kind: ClassVar[str] = "shuttle_valve"
+    symbol: ClassVar[symbols.Symbol | str] = symbols.SHUTTLE_VALVE
+    summary: ClassVar[str] = "OR: the inlet with the higher pressure feeds the outlet"
+
+    def pressure_difference(self, gas: Mapping[str, GasState]) -> Any:
+        return gas["b"].pressure - gas["a"].pressure
+
+
+@dataclass(frozen=True)
+class TwoPressureValve(TwoInletValve):
+    r"""Two-pressure valve (AND): the inlet with the lower pressure is connected with the outlet.
+
+    .. math:: C_a = C \operatorname{clip}(1 - 2 x, 0, 1), \qquad C_b = C \operatorname{clip}(2 x - 1, 0, 1)
+
+    Notes
+    -----
+    In the equation, x is the position of the closing element. It moves to 1 if the pressure at `a` exceeds that at `b`
+    by `switching_pressure`, and to 0 in the opposite case. Between these limits it keeps its seat. The outlet has
+    pressure only if both inlets have pressure. Gas flows in both directions through the open inlet.
+
+    Examples
+    --------
+    >>> valve = TwoPressureValve(a="left", b="right", outlet="press", nominal_flow="100 l/min ANR")
+    >>> valve.ports()
+    {'a': 'left', 'b': 'right', 'outlet': 'press'}
+    """
+
+    kind: ClassVar[str] = "two_pressure_valve"
+    symbol: ClassVar[symbols.Symbol | str] = symbols.TWO_PRESSURE_VALVE
+    summary: ClassVar[str] = "AND: the inlet with the lower pressure feeds the outlet"
+
+    def pressure_difference(self, gas: Mapping[str, GasState]) -> Any:
+        return gas["a"].pressure - gas["b"].pressure
+
+
+@dataclass(frozen=True)
+class QuickExhaustValve(LogicValve):
+    r"""Quick exhaust valve: fills the outlet from the inlet, and vents it to the exhaust.
+
+    .. math:: C_i = C \operatorname{clip}(1 - 2 x, 0, 1), \qquad C_e = C_{23} \operatorname{clip}(2 x - 1, 0, 1)
+
+    Notes
+    -----
+    In the equation, x is the position of the lip seal and :math:`C_{23}` the field `exhaust_conductance`. The seal
+    moves to 1 if the pressure at the outlet exceeds that at the inlet by `switching_pressure`, and to 0 in the opposite
+    case. Between these limits it keeps its position. No gas flows from the outlet to the inlet. By default, the exhaust
+    is the ambient, and has the flow capacity of the path from the inlet to the outlet.
+
+    Examples
+    --------
+    >>> valve = QuickExhaustValve(inlet="line", outlet="cylinder.rod", nominal_flow="300 l/min ANR")
+    >>> valve.ports()["exhaust"]
+    'ambient'
+    """
+
+    kind: ClassVar[str] = "quick_exhaust_valve"
+    regimes: ClassVar[tuple[str, ...]] = ("inlet_regime", "exhaust_regime")
+    symbol: ClassVar[symbols.Symbol | str] = symbols.QUICK_EXHAUST_VALVE
+    summary: ClassVar[str] = "fills a load from its inlet and vents it through its exhaust"
+
+    inlet: str | None = port("gas node at the inlet")
+    outlet: str | None = port("gas node that is filled and vented")
+    exhaust: str | None = port("gas node at the exhaust", optional=True)
+    exhaust_conductance: NumberLike = number("m^3/(s Pa)", optional=True, doc="conductance C from 2 to 3", low=0.0)
+    exhaust_ratio: NumberLike = number("1", optional=True, doc="critical ratio b from 2 to 3", low=0.0, below=1.0)
+
+    def ports(self) -> dict[str, str]:
+        ports = super().ports()
+        ports.setdefault("exhaust", AMBIENT)
+        return ports
+
+    def parameters(self, ambient: Surroundings) -> dict[str, float]:
+        values = super().parameters(ambient)
+        values.setdefault("exhaust_conductance", values["sonic_conductance"])
+        values.setdefault("exhaust_ratio", values["critical_ratio"])
+        return values
+
+    def pressure_difference(self, gas: Mapping[str, GasState]) -> Any:
+        return gas["outlet"].pressure - gas["inlet"].pressure
+
+    def flows(self, scope: Scope, gas: Mapping[str, GasState]) -> PassageFlows:
+        conductance, ratio = self.size_at(scope, None)
+        fills, vents = self.openings(scope)
+        size, exhaust_size = (
+            (conductance * fills, ratio),
+            (scope["exhaust_conductance"] * vents, scope["exhaust_ratio"]),
+        )
+        inlet = named_flow(scope, gas, "inlet", ("inlet", "outlet"), size, one_way=True)
+        exhaust = named_flow(scope, gas, "exhaust", ("outlet", "exhaust"), exhaust_size)
+        return self.valve_flows(scope, gas, inlet, exhaust)
