@@ -115,10 +115,12 @@ class LinearModel(HtmlMixin):
     rates : (n,) array
         x' at the operating point, SI per second: zero for a steady state, otherwise a term of the first equation.
 
-    Notes ----- The model is valid for amplitudes that do not change the flow regime and do not open or close a contact.
-    Between two gas nodes at equal pressure, it is valid in the regularised zone of the flow law, by default 0.1 % of
-    the upstream pressure (`laminar_ratio`). Beyond it, the flow increases with the root of the pressure drop, more
-    slowly than in the linear model. On a kink, the derivatives are valid for one side only.
+    Notes
+    -----
+    The model is valid for amplitudes that do not change the flow regime and do not open or close a contact. Between two
+    gas nodes at equal pressure, it is valid in the regularised zone of the flow law, by default 0.1 % of the upstream
+    pressure (`laminar_ratio`). Beyond it, the flow increases with the root of the pressure drop, more slowly than in
+    the linear model. On a kink, the derivatives are valid for one side only.
     """
 
     A: Array

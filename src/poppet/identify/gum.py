@@ -227,8 +227,10 @@ def cluster_covariance(
         V = M \Big(\sum_g J_g^\mathsf{T} A_g e_g e_g^\mathsf{T} A_g J_g\Big) M, \quad
         M = (J^\mathsf{T} J)^{-1}, \quad A_g = (1 - J_g M J_g^\mathsf{T})^{-1/2}
 
-    Notes ----- With the factors A, the variance is unbiased for residuals of equal size, also for few groups and groups
-    of large leverage. The degrees of freedom belong to a chi-square distribution with the same mean and variance.
+    Notes
+    -----
+    With the factors A, the variance is unbiased for residuals of equal size, also for few groups and groups of large
+    leverage. The degrees of freedom belong to a chi-square distribution with the same mean and variance.
 
     References
     ----------

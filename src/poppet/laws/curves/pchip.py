@@ -29,8 +29,10 @@ def pchip_slopes(x: Sequence[float], y: Sequence[float]) -> list[float]:
     list of float, shape (n,)
         Slopes at the knots, in the unit of `y` per metre.
 
-    Notes ----- scipy.interpolate.PchipInterpolator uses the same slopes. At the ends, the slope is that of the parabola
-    through three points, limited so that the first and the last segment are monotone.
+    Notes
+    -----
+    scipy.interpolate.PchipInterpolator uses the same slopes. At the ends, the slope is that of the parabola through
+    three points, limited so that the first and the last segment are monotone.
 
     References
     ----------

@@ -238,10 +238,12 @@ def divided(conductance: float, critical_ratio: float, weights: Sequence[float])
     list of (float, float)
         Sonic conductance C [m^3/(s Pa)] and critical pressure ratio b [1] of each piece, upstream first.
 
-    Notes ----- C and b without index belong to the complete flow path. The first equation makes the pressure drops of
-    the pieces at small flow add up to the drop of the complete flow path. :math:`k_\mathrm{end}` has one value for the
-    first and one for the last piece: with these values, the pieces choke at the choked flow of the complete flow path
-    in both directions. Inner pieces use the smaller value. k is the factor at which b of a piece is 0.
+    Notes
+    -----
+    C and b without index belong to the complete flow path. The first equation makes the pressure drops of the pieces at
+    small flow add up to the drop of the complete flow path. :math:`k_\mathrm{end}` has one value for the first and one
+    for the last piece: with these values, the pieces choke at the choked flow of the complete flow path in both
+    directions. Inner pieces use the smaller value. k is the factor at which b of a piece is 0.
 
     All C are then reduced by half of the relative excess flow at intermediate pressure ratios. Without heat exchange,
     the flow of the pieces differs from that of the complete flow path by less than 1.5 % for all pressure ratios, b up

@@ -144,8 +144,10 @@ def lugre_force(
     float, array or symbol
         Force against the motion [N].
 
-    Notes ----- With constant damping, the LuGre model generates energy at moderate speeds. With the decreasing damping
-    it generates none if :math:`\sigma_1 e^{-(v/v_s)^2} \le 4 g(v)/|v|`, where g is the friction of `sliding_level`. The
+    Notes
+    -----
+    With constant damping, the LuGre model generates energy at moderate speeds. With the decreasing damping it generates
+    none if :math:`\sigma_1 e^{-(v/v_s)^2} \le 4 g(v)/|v|`, where g is the friction of `sliding_level`. The
     elasto-plastic model needs this condition only while the deflection exceeds the deflection of steady sliding.
 
     References
