@@ -1,4 +1,4 @@
-"""Logic valves and one-way valves against closed forms and an independent event-driven model in SciPy."""
+"""Logic valves and one-way valves against closed forms and an independent model in SciPy."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ from poppet import (
 from poppet.signals import Points, Steps
 
 sys.path.insert(0, str(Path(__file__).parent))
-from independent_logic import DENSITY, GAS_CONSTANT, TEMPERATURE, Element, Network, flow, one_way
+from independent_logic import DENSITY, GAS_CONSTANT, TEMPERATURE, Element, flow, one_way, simulate
 
 SIZE: dict[str, Any] = {"sonic_conductance": 2e-8, "critical_ratio": 0.3}
 
@@ -59,20 +59,26 @@ def test_quick_exhaust_discharges_the_load_by_the_closed_form(switching_time):
 
 
 @pytest.mark.parametrize(("kind", "side"), [(ShuttleValve, 1.0), (TwoPressureValve, -1.0)])
-def test_element_switches_at_the_switching_pressure_in_both_directions(kind, side):
-    """Slow ramps: the middle position is reached half a switching time after the limit of the hysteresis."""
-    valve = kind(a="left", b="right", outlet="load", **SIZE, switching_pressure="0.2 bar", switching_time="1 ms")
+@pytest.mark.parametrize("slope", [1e4, 1e5, 1e6])
+def test_element_switches_at_the_switching_pressure_in_both_directions(kind, side, slope):
+    """Closed form for a ramp of the drive, 1 + r t: T dx/dt = r t + 2 x, up to full speed at r t + 2 x = 1."""
+    limit, switching_time = 2e4, 1e-3
+    valve = kind(
+        a="left", b="right", outlet="load", **SIZE, switching_pressure=limit, switching_time=switching_time,
+        initial_position=0.0 if side > 0.0 else 1.0,
+    )  # fmt: skip
     parts = {"left": Reservoir(pressure=4e5), "right": Reservoir(pressure=4e5), "valve": valve, "load": chamber(1e-5)}
-    slope = 1e5
-    ramps = Points([0.0, 1.0, 3.0, 4.0], [4e5, 4e5 - slope, 4e5 + slope, 4e5])
-    recording = Circuit(parts, {"right.pressure": ramps}).simulate(4.0, 1e-3, relative_tolerance=1e-8)
+    up, end = 1e5 / slope, 3e5 / slope
+    ramps = Points([0.0, up, end], [4e5, 5e5, 3e5])
+    step = 1e-5 * end
+    recording = Circuit(parts, {"right.pressure": ramps}).simulate(end, step, relative_tolerance=1e-9)
     position = recording["valve.position"]
     changes = np.flatnonzero(np.diff(position > 0.5))
-    crossing = recording.time[changes] + 1e-3 * (0.5 - position[changes]) / (position[changes + 1] - position[changes])
-    difference = np.interp(crossing - 0.5e-3, recording.time, recording["right.pressure"]) - 4e5
-    # The two-pressure valve starts at a and moves to b when b falls, the shuttle valve when b rises.
-    known = [0.2e5] if side > 0.0 else [-0.2e5, 0.2e5]
-    assert difference == pytest.approx(known, abs=0.006 * 0.2e5)
+    crossing = recording.time[changes] + step * (0.5 - position[changes]) / np.diff(position)[changes]
+    rate = slope / limit
+    delay = 0.5 * switching_time * np.log(1.0 + 2.0 / (rate * switching_time))
+    delay *= 1.0 + 0.5 * rate * switching_time
+    assert crossing == pytest.approx([limit / slope + delay, up + (1e5 + limit) / slope + delay], abs=1e-2 * delay)
 
 
 def test_hysteresis_is_twice_the_switching_pressure():
@@ -82,8 +88,8 @@ def test_hysteresis_is_twice_the_switching_pressure():
     recording = Circuit(parts, {"right.pressure": triangle}).simulate(20.0, 5e-3)
     at_b = recording["valve.position"] > 0.5
     difference = recording["right.pressure"] - 4e5
-    assert difference[np.flatnonzero(np.diff(at_b.astype(int)) > 0)] == pytest.approx([1e4], abs=100.0)
-    assert difference[np.flatnonzero(np.diff(at_b.astype(int)) < 0)] == pytest.approx([-1e4], abs=100.0)
+    assert difference[np.flatnonzero(np.diff(at_b.astype(int)) > 0)] == pytest.approx([1e4], rel=0.02)
+    assert difference[np.flatnonzero(np.diff(at_b.astype(int)) < 0)] == pytest.approx([-1e4], rel=0.02)
 
 
 def test_pilot_holds_an_equilibrium_by_the_closed_form():
@@ -143,7 +149,7 @@ def test_no_gas_flows_between_two_closed_inlets(kind):
     final = recording["load.pressure"][-1]
     if kind is ShuttleValve:
         # It takes gas from both in turn, so that they differ by little more than the switching pressure.
-        assert np.abs(drop).max() < 0.06e5
+        assert np.abs(drop).max() < 0.08e5
         assert final == pytest.approx(11e5 / 3.0, rel=0.01)
     else:
         # It keeps the inlet that it has, because its pressure falls.
@@ -200,7 +206,8 @@ def independent_flows(p: dict[str, float], x: dict[str, float]) -> dict[str, flo
     def two_inlets(name: str, outlet: str) -> float:
         opened = max(1.0 - 2.0 * x[name], 0.0), max(2.0 * x[name] - 1.0, 0.0)
         return sum(
-            flow(p[side], p[outlet], 2e-8 * opening, 0.3) for side, opening in zip(("left", "right"), opened, strict=True)
+            flow(p[side], p[outlet], 2e-8 * opening, 0.3)
+            for side, opening in zip(("left", "right"), opened, strict=True)
         )
 
     either, both = two_inlets("or", "t1"), two_inlets("and", "t2")
@@ -215,7 +222,7 @@ def independent_flows(p: dict[str, float], x: dict[str, float]) -> dict[str, flo
     return {"t1": either - fills - lock, "t2": both - meter, "t3": fills - vents, "t4": meter - leak, "t5": lock}
 
 
-def test_network_agrees_with_an_event_driven_model_in_scipy():
+def test_network_agrees_with_an_independent_model_in_scipy():
     parts: dict[str, Any] = {side: Reservoir(pressure=values[0]) for side, (_, values) in PRESSURES.items()}
     parts |= {name: chamber(volume) for name, volume in VOLUMES.items()}
     parts |= {
@@ -247,15 +254,13 @@ def test_network_agrees_with_an_event_driven_model_in_scipy():
         "and": Element(lambda p: p["left"] - p["right"], 5e3, T["and"]),
         "quick": Element(lambda p: p["t3"] - p["t1"], 5e3, T["quick"]),
     }
-    network = Network(VOLUMES, PRESSURES, elements, independent_flows)
-    known = network.run(dict.fromkeys(VOLUMES, 1e5), recording.time)
-    assert {name for _, name, _ in network.switching} == set(elements)
-    assert len(network.switching) >= 7
+    known = simulate(VOLUMES, PRESSURES, elements, independent_flows, recording.time)
     for name in VOLUMES:
-        assert np.abs(recording[f"{name}.pressure"] / known[name] - 1.0).max() < 2e-3, name
+        assert np.abs(recording[f"{name}.pressure"] / known[name] - 1.0).max() < 5e-4, name
         assert np.ptp(known[name]) > 1e5
     for name in elements:
-        assert np.abs(recording[f"{name}.position"] - known[name]).mean() < 2e-3, name
+        assert np.abs(recording[f"{name}.position"] - known[name]).max() < 0.05, name
+        assert np.abs(np.diff(known[name] > 0.5)).sum() >= 3, name
 
 
 def _fields(part: Any) -> dict[str, Any]:

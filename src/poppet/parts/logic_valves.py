@@ -13,7 +13,7 @@ from poppet.parts.captions import CaptionNumbers
 from poppet.parts.fields import NumberLike, number, port
 from poppet.parts.flow_path import FlowPath, named_flow
 from poppet.parts.part import AMBIENT, Flow, GasState, PassageFlows, Quantities, Scope, State, Surroundings
-from poppet.parts.two_positions import switching_rate
+from poppet.parts.two_positions import gradual_switching_rate
 
 
 @dataclass(frozen=True)
@@ -35,7 +35,11 @@ class LogicValve(FlowPath):
         note="a light closing element",
     )
     switching_time: NumberLike = number(
-        "s", "2 ms", doc="switching time; travel time from seat to seat", above=0.0, note="a small valve"
+        "s",
+        "2 ms",
+        doc="switching time; travel time from seat to seat at twice the switching pressure or more",
+        above=0.0,
+        note="a small valve",
     )
     initial_position: NumberLike = number(
         "1", 0.0, doc="initial position of the closing element", low=0.0, high=1.0, note="first flow path open"
@@ -66,7 +70,7 @@ class LogicValve(FlowPath):
         outputs: Quantities = {"position": (position, "1")}
         for _, path_outputs in paths:
             outputs |= path_outputs
-        rate = switching_rate(position, drive, scope["switching_time"])
+        rate = gradual_switching_rate(position, drive, scope["switching_time"])
         return PassageFlows(tuple(flow for flow, _ in paths), outputs, {"position": rate})
 
 

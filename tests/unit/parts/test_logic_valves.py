@@ -50,7 +50,10 @@ def test_inlets_are_never_open_together(kind, position, a, b):
 @pytest.mark.parametrize(("kind", "side"), [(ShuttleValve, 1.0), (TwoPressureValve, -1.0)])
 def test_element_moves_outside_its_hysteresis_only(kind, side):
     valve = kind(**INLETS, **SIZE, switching_pressure="0.2 bar", switching_time="5 ms")
-    assert result(valve, 0.5 - 0.5 * side, a=3e5, b=3.21e5).rates["position"] == pytest.approx(side * 200.0)
+    start = 0.5 - 0.5 * side
+    assert result(valve, start, a=3e5, b=3.21e5).rates["position"] == pytest.approx(side * 10.0)
+    for b in (3.4e5, 9e5):
+        assert result(valve, start, a=3e5, b=b).rates["position"] == pytest.approx(side * 200.0)
     for position in (0.0, 1.0):
         for b in (2.801e5, 3e5, 3.199e5):
             assert result(valve, position, a=3e5, b=b).rates["position"] == 0.0
@@ -103,8 +106,8 @@ class TestQuickExhaustValve:
         assert result(self.valve, position, inlet=2e5, outlet=5e5).outputs["inlet_mass_flow_rate"][0] == 0.0
 
     def test_seal_moves_outside_its_hysteresis_only(self):
-        assert result(self.valve, 0.0, inlet=3e5, outlet=3.06e5).rates["position"] == pytest.approx(500.0)
-        assert result(self.valve, 1.0, inlet=3.06e5, outlet=3e5).rates["position"] == pytest.approx(-500.0)
+        assert result(self.valve, 0.0, inlet=3e5, outlet=3.11e5).rates["position"] == pytest.approx(500.0)
+        assert result(self.valve, 1.0, inlet=3.11e5, outlet=3e5).rates["position"] == pytest.approx(-500.0)
         for position in (0.0, 1.0):
             for outlet in (2.951e5, 3e5, 3.049e5):
                 assert result(self.valve, position, inlet=3e5, outlet=outlet).rates["position"] == 0.0

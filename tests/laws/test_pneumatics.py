@@ -1,0 +1,51 @@
+"""Second law and balances in random circuits of all kinds of flow paths."""
+
+from __future__ import annotations
+
+import sys
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+sys.path.insert(0, str(Path(__file__).parent))
+from seeded_pneumatics import PASSAGES, RandomCircuit, entropy_production, gas_entropy, random_circuit
+
+ROWS = 40
+
+
+def violations(item: RandomCircuit) -> list[str]:
+    """Simulate a circuit, and return the laws that the recording violates."""
+    recording = item.circuit.simulate(item.duration, item.duration / ROWS)
+    found = [] if np.isfinite(recording.values).all() else ["not finite"]
+    found += [f"pressure of {node}" for node in item.stores if recording[f"{node}.pressure"].min() <= 0.0]
+    found += [str(residual) for residual in recording.residuals if not residual.is_kept]
+    for flow in item.flows:
+        production, scale = entropy_production(item, recording, flow)
+        if np.any(production < -1e-12 * scale):
+            found.append(f"entropy of {flow}")
+    if item.is_closed:
+        total, scale = gas_entropy(item, recording)
+        if np.diff(total).min() < -1e-6 * scale.max():
+            found.append("total entropy")
+    return found
+
+
+def run_circuits(shapes: range, each: int) -> set[str]:
+    """Check random circuits, and return the kinds of flow paths in them."""
+    kinds: set[str] = set()
+    for shape in shapes:
+        for number in range(each):
+            item = random_circuit(np.random.default_rng([1, shape]), np.random.default_rng([2, shape, number]))
+            assert violations(item) == [], (shape, number)
+            kinds |= item.kinds
+    return kinds
+
+
+def test_a_few_random_circuits_obey_the_second_law_and_keep_their_balances() -> None:
+    run_circuits(range(1000, 1004), 5)
+
+
+@pytest.mark.parametrize(("shapes", "each"), [(30, 10), pytest.param(500, 20, marks=pytest.mark.slow)])
+def test_random_circuits_of_all_kinds_obey_the_second_law_and_keep_their_balances(shapes: int, each: int) -> None:
+    assert run_circuits(range(shapes), each) == {item.kind for item in PASSAGES}
