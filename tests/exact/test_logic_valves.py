@@ -22,7 +22,7 @@ from poppet import (
     ShuttleValve,
     TwoPressureValve,
 )
-from poppet.signals import Points, Steps
+from poppet.signals import Points
 
 sys.path.insert(0, str(Path(__file__).parent))
 from independent_logic import DENSITY, GAS_CONSTANT, TEMPERATURE, Element, flow, one_way, simulate

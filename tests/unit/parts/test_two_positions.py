@@ -8,7 +8,6 @@ import pytest
 
 from poppet.parts.two_positions import gradual_switching_rate, switching_rate
 
-
 LAWS = [switching_rate, gradual_switching_rate]
 
 
