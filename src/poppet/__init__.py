@@ -46,8 +46,10 @@ if TYPE_CHECKING:
         ShuttleValve,
         Silencer,
         SpoolValve,
+        SuctionCup,
         Tube,
         TwoPressureValve,
+        VacuumEjector,
     )
     from poppet.timeseries.measurements import read_recording as read
     from poppet.timeseries.recording import Recording
@@ -110,9 +112,11 @@ __all__ = [
     "SimulationError",
     "Source",
     "SpoolValve",
+    "SuctionCup",
     "Tube",
     "TwoPressureValve",
     "UnitError",
+    "VacuumEjector",
     "__version__",
     "iso6358",
     "library",
