@@ -30,6 +30,7 @@ from poppet.parts.part import (
     Input,
     Passage,
     PassageFlows,
+    Quantities,
     Scope,
     State,
     Surroundings,
@@ -331,7 +332,7 @@ class SuctionCup(Chamber, Passage):
     def flows(self, scope: Scope, gas: Mapping[str, GasState]) -> PassageFlows:
         gas = {**gas, SELF: self.gas(scope)}
         leak = scope["leak_conductance"] + (1.0 - self._contact(scope)) * scope["lip_conductance"]
-        flows, outputs = [], {}
+        flows, outputs = list[Flow](), Quantities()
         for name, ends, size in (
             ("port", ("port", SELF), (scope["port_conductance"], scope["port_ratio"])),
             ("leak", (LIP, SELF), (leak, scope["leak_ratio"])),
