@@ -97,7 +97,7 @@ def identify_fit(
 def describe_optimum(plan: FitPlan, optimum: Optimum, *, with_trials: bool = True) -> Result:
     """Return the result of a fit from its optimum: estimates, residuals and findings.
 
-    If `with_trials` is True, the findings include refits with other critical ratios.
+    If the keyword `with_trials` is True, the findings include refits with other critical ratios.
     """
     values = by_name(plan.free, optimum.x)
     fitted, validation = channel_fits(plan.experiments, values), channel_fits(plan.validation, values)
