@@ -59,9 +59,9 @@ class SearchSettings:
     seed : int
         Seed of the random start points.
     kicks : int or None
-        Maximum number of rounds of restarts near the optimum, if the residuals are not white. None selects 3 rounds, or
-        0 for circuits with sampled controllers, because their residuals are seldom white and their simulations take
-        long.
+        Maximum number of rounds of restarts near the optimum, if the residuals are not white. If it is None, the number
+        is 3. For circuits with sampled controllers it is then 0, because their residuals are seldom white and their
+        simulations take long.
     """
 
     loss: str = "linear"
