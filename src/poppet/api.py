@@ -306,8 +306,8 @@ class Circuit(BaseCircuit, metaclass=_ListedNames):
         Parameters
         ----------
         inputs : sequence of str, optional
-            Addresses of the inputs in u (default: all). Other inputs are constant: they have their values at the start of
-            a run.
+            Addresses of the inputs in u (default: all). Other inputs are constant, with their values at the start of a
+            run.
         numbers : sequence of str, optional
             Addresses of the parameters in p (default: none). Other parameters are constant.
         without : str or sequence of str, optional

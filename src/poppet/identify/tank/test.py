@@ -53,8 +53,8 @@ class TankTest:
     subsonic_index : number
         Subsonic index m (default: 0.5).
     wall_conductance : number
-        Wall conductance h A for `energy` [W/K] (default: `free`). All recordings share it if they have the same direction
-        and volume; else each recording has its own value.
+        Wall conductance h A for `energy` [W/K] (default: `free`). Recordings with the same direction and volume share
+        one value. Otherwise, each recording has its own value.
     polytropic_exponent : number
         Exponent n for `polytropic` (default: `free`).
     supply_pressure : number
