@@ -413,7 +413,7 @@ class BaseCircuit(HtmlMixin):
             initial={output: number for part in placed for output, number in part.initial.items()},
             inner=frozenset(self.connections).union(*(part.inner for part in placed)),
             sources={address: number for part in placed for address, number in part.numbers.items()},
-            bodies={name: part.body for name, part in self._wiring.items() if part.body},
+            bodies={name: body for name, part in self._wiring.items() if (body := part.acts_on(name)) is not None},
         )
 
     def result_notes(self, series: Series) -> Iterator[Note]:

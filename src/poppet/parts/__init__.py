@@ -23,6 +23,7 @@ if TYPE_CHECKING:
     from poppet.parts.pilot_stage import PilotStage
     from poppet.parts.pressure_controller import PressureController
     from poppet.parts.proportional_valve import ProportionalValve
+    from poppet.parts.rotary_actuator import RotaryActuator
     from poppet.parts.solenoid import Solenoid
     from poppet.parts.sources import FlowSource, Reservoir
     from poppet.parts.spool_valve import SpoolValve
@@ -61,6 +62,7 @@ KINDS: Registry[type[Part]] = Registry(
         "joint": "poppet.parts.bodies:Joint",
         "guide": "poppet.parts.bodies:Guide",
         "cylinder": "poppet.parts.cylinder:Cylinder",
+        "rotary_actuator": "poppet.parts.rotary_actuator:RotaryActuator",
         "muscle": "poppet.parts.muscle:Muscle",
         "inverse_muscle": "poppet.parts.antagonist:InverseMuscle",
         "antagonist": "poppet.parts.antagonist:Antagonist",
@@ -83,8 +85,8 @@ __all__ = [
     "Cylinder", "DirectionalValve", "Electronics", "Exhaust", "Filter", "FlowControlValve", "FlowSource", "Friction",
     "Guide", "InverseMuscle", "Joint", "JointFriction", "JointStop", "MainStage", "Mass", "Muscle", "Orifice", "Part",
     "Passage", "PilotStage", "PilotedCheckValve", "PressureController", "PressureRegulator", "ProportionalValve",
-    "QuickExhaustValve", "ReliefValve", "Reservoir", "ShuttleValve", "Silencer", "Solenoid", "SpoolValve", "Spring",
-    "Stop", "Store", "Tube", "TwoPressureValve",
+    "QuickExhaustValve", "ReliefValve", "Reservoir", "RotaryActuator", "ShuttleValve", "Silencer", "Solenoid",
+    "SpoolValve", "Spring", "Stop", "Store", "Tube", "TwoPressureValve",
 ]  # fmt: skip
 
 

@@ -405,6 +405,10 @@ class Part(ABC):
         """Return the name of the body on which the part acts, or None if it acts on no body."""
         return next((getattr(self, attribute) for _, attribute, _ in declared(type(self), BodySpec)), None)
 
+    def inner_bodies(self) -> tuple[str, ...]:
+        """Return the names of the bodies within the part."""
+        return ()
+
     def list_internal_outputs(self) -> tuple[str, ...]:
         """Return the names of the outputs that plots omit by default."""
         return self.internal_outputs
