@@ -47,8 +47,8 @@ def frequency_trial(
 ) -> Trial:
     """Return a trial with a sinusoidal setpoint about a mean value.
 
-    `mean` and `amplitude` are in % FS, `frequency` is in Hz, `hold` is the settling time of the valve [s], and `volume`
-    the outlet volume [m^3]. Six periods are recorded after the transient.
+    The keywords `mean` and `amplitude` are in % FS, `frequency` is in Hz, `hold` is the settling time of the valve [s],
+    and `volume` the outlet volume [m^3]. Six periods are recorded after the transient.
     """
     settling = max(2.0, math.ceil(hold * frequency)) / frequency
     unit = (scale.setpoint_high - scale.setpoint_low) / 100.0
@@ -107,7 +107,7 @@ def add_frequency_results(evaluation: Evaluation, rows: Sequence[Row]) -> None:
 
     `rows` are the table rows of all sines. Sines with the same amplitude, mean and volume form one Bode plot. Its rows
     are sorted by frequency, with continuous phases, and with gains relative to the gain at the lowest frequency. Of
-    several rows with the same frequency, the one with the most periods is used. The bandwidths are those of the first
+    several rows with the same frequency, the one with the most periods is used. The bandwidths are read from the first
     Bode plot.
     """
     series: dict[str, list[Row]] = {}
@@ -138,8 +138,8 @@ def add_frequency_results(evaluation: Evaluation, rows: Sequence[Row]) -> None:
 def _sides_of_middle(values: FloatArray) -> NDArray[np.int64]:
     """Return +1, -1 or 0 for each sample above, below or near the middle.
 
-    The middle is that of the range of the series. Samples within a quarter of the range on either side are near it,
-    which avoids repeated crossings by noise.
+    The middle is halfway between the minimum and the maximum of the series. Samples within a quarter of the range on
+    either side are near it, which avoids repeated crossings by noise.
     """
     low, high = float(np.min(values)), float(np.max(values))
     middle, swing = 0.5 * (low + high), 0.25 * float(np.ptp(values))
@@ -283,8 +283,8 @@ def fit_sine(
 ) -> SineComponent:
     """Fit a sine of known frequency [Hz] to a series by least squares.
 
-    The fit includes harmonics up to the order `highest`, a mean and a linear drift. If `is_coloured` is True, the
-    standard error takes correlated noise into account.
+    The fit includes harmonics up to the order `highest` (a keyword), a mean and a linear drift. If the keyword
+    `is_coloured` is True, the standard error takes correlated noise into account.
 
     Examples
     --------
