@@ -69,7 +69,7 @@ class BaseCircuit(HtmlMixin):
     Parameters
     ----------
     parts, signals, run, ambient, gas, title, connections, origin, like : optional
-        See `poppet.Circuit`, a subclass with methods of other packages, for example for identification.
+        The subclass `poppet.Circuit`, which adds the methods of other packages, describes these arguments.
 
     Raises
     ------
@@ -473,7 +473,7 @@ class BaseCircuit(HtmlMixin):
         Parameters
         ----------
         duration : float or str, optional
-            Duration [s]; default that of `run`.
+            Duration [s] (default: duration in the run options).
         output_step : float or str, optional
             Time between rows [s]; default a thousandth of the duration.
         relative_tolerance : float, optional
@@ -487,7 +487,8 @@ class BaseCircuit(HtmlMixin):
         progress : callable, optional
             Called with the time reached [s]. With it, Ctrl-C ends the run with a partial result.
         throw : bool, optional
-            Raise an error if the run fails; otherwise return the partial recording with the reason in `outcome`.
+            If True, a failed run raises an error. Otherwise the result is the partial recording, and `outcome` states
+            the reason.
 
         Returns
         -------
@@ -523,7 +524,7 @@ class BaseCircuit(HtmlMixin):
         Parameters
         ----------
         inputs : mapping, optional
-            Address to value, SI or text with a unit; default the value of each input at the start of a run.
+            Address to value, SI or text with a unit; default: value of each input at the start of a run.
 
         Returns
         -------
@@ -573,7 +574,7 @@ class BaseCircuit(HtmlMixin):
         inputs : mapping, optional
             Address to value, SI or text with a unit.
         at : Recording, optional
-            The last row is the operating point; default the steady state.
+            Recording whose last row is the operating point (default: the steady state).
 
         Returns
         -------

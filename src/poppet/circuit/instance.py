@@ -97,8 +97,8 @@ class CircuitVariants(Protocol):
 class Instance:
     """Compiled model with parameter values, signals and ambient conditions.
 
-    Unlike a circuit, an instance contains no parts. Its field `circuit` is a factory of changed circuits, for changes
-    that affect the parts.
+    Unlike a circuit, an instance contains no parts. For changes that affect the parts, its field `circuit` returns
+    changed circuits.
     """
 
     kernel: Kernel
