@@ -15,7 +15,7 @@ from poppet.core.provenance import SOURCE_KINDS
 from poppet.parts import KINDS
 from poppet.parts.fields import OFF_ON, BodySpec, GroupSpec, MemberSpec, NumberSpec, OptionSpec, PortSpec, Spec, specs
 from poppet.parts.quantities import QUANTITIES
-from poppet.parts.rows import ForceRows, FrictionFactor, GainSchedule
+from poppet.parts.rows import ForceRows, FrictionFactor, GainSchedule, SuctionRows
 from poppet.parts.spool_curves import CURVE_FIELDS
 from poppet.parts.spool_edges import EDGE_TABLES
 from poppet.parts.spool_functions import command_properties
@@ -223,6 +223,7 @@ _REFERENCES: dict[str, Callable[[], Schema]] = {
     "position_factor": lambda: closed(
         dict.fromkeys(FrictionFactor.column_specs(), _LIST), FrictionFactor.column_specs()
     ),
+    "suction_curve": lambda: closed(dict.fromkeys(SuctionRows.column_specs(), _LIST), SuctionRows.column_specs()),
     "name": _gas_name,
     "profile": lambda: {"type": "object", "additionalProperties": {"$ref": "#/$defs/value"}},
     "stop_when": lambda: {"anyOf": [_TEXT, {"type": "array", "items": _TEXT}]},
