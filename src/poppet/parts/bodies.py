@@ -189,9 +189,11 @@ class MovingBody(Body):
 
     def list_outputs(self) -> tuple[str, ...]:
         """Return the names of all outputs of the body, with its load."""
-        names = (f"load_{self.effort}", "position", "velocity", "acceleration", f"actuator_{self.effort}")
-        names += f"friction_{self.effort}", f"stop_{self.effort}"
-        return (*names, "friction_state", f"breakaway_{self.effort}") if self._law in BRISTLE_LAWS else names
+        load, actuator, friction, stop, breakaway = (
+            f"{name}_{self.effort}" for name in ("load", "actuator", "friction", "stop", "breakaway")
+        )
+        names = load, "position", "velocity", "acceleration", actuator, friction, stop
+        return (*names, "friction_state", breakaway) if self._law in BRISTLE_LAWS else names
 
     @property
     def _law(self) -> str:
