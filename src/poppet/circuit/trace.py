@@ -317,7 +317,7 @@ class _Tracer:
                 unit, input_unit = all_outputs[source][1], all_outputs[target][1]
                 if target in self.declared:
                     # The unit of the input follows from a written unit, which can have another name (J, N m).
-                    if not same_dimension(unit, input_unit):
+                    if input_unit and not same_dimension(unit, input_unit):
                         facts = {"source": self._shown(source), "unit": unit, "given": input_unit}
                         errors.add("wiring.condition_unit", self._place(target), **facts)
                 elif unit != input_unit:

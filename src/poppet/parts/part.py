@@ -470,6 +470,14 @@ class Part(ABC):
         """
         return {}
 
+    @classmethod
+    def stated_connections(cls, table: Mapping[str, Any]) -> dict[str, tuple[PartConnection, str]]:
+        """Return the connections that the table of an invalid part declares, each with the unit of its input.
+
+        Invalid fields are omitted. The outputs can thus be checked together with the other errors of a circuit file.
+        """
+        return {}
+
     def output_ranges(self) -> dict[str, tuple[str | float, str | float]]:
         """Return the ranges of outputs that are limited, by name.
 

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Hashable
-from dataclasses import dataclass
+from collections.abc import Hashable, Mapping
+from dataclasses import dataclass, replace
 from typing import Any, ClassVar
 
 from poppet.core.codes import Note
@@ -11,7 +11,7 @@ from poppet.core.errors import ErrorCollector
 from poppet.core.provenance import Number
 from poppet.core.symbolic import clip, maximum, where
 from poppet.parts.captions import CaptionNumbers
-from poppet.parts.conditions import KIND_OF_UNIT, Flag, Internal, Literal, Operand, Reading
+from poppet.parts.conditions import KIND_OF_UNIT, Flag, Internal, Literal, Operand, Reading, never_true
 from poppet.parts.electronics import MIN_SAMPLE_TIME
 from poppet.parts.fields import NumberLike, number, reference
 from poppet.parts.part import (
@@ -27,7 +27,7 @@ from poppet.parts.part import (
     advance_clock,
 )
 from poppet.parts.safe_state import FAULT_INPUT, FAULT_MEMORY, NEVER_VALID, fault_state
-from poppet.parts.steps import Form, SequenceProgram, SequenceStep, read_names
+from poppet.parts.steps import Form, SequenceProgram, SequenceStep, read_names, stated_conditions
 
 _ROUNDING = 1e-6
 """Tolerance of the time of a timeout, relative; it permits single precision."""
@@ -137,7 +137,14 @@ class Sequence(Controller):
             step.name for step in self.program.steps
             if not step.transitions and step.timeout is None and step.name != self.emergency
         ]  # fmt: skip
-        return tuple(Note("sequence.no_exit", f"steps.{name}", name=name) for name in dead_ends)
+        never = [
+            Note("sequence.never_true", f"steps.{step.name}.next.{transition.target}", input=name)
+            for step in self.program.steps
+            for transition in step.transitions
+            for relation in transition.condition.relations()
+            if (name := never_true(relation))
+        ]
+        return *(Note("sequence.no_exit", f"steps.{name}", name=name) for name in dead_ends), *never
 
     def caption(self, numbers: CaptionNumbers) -> list[str]:
         return [f"sequence of {len(self.program.steps)} steps", f"sampled every {numbers.text(self.sample_time)}"]
@@ -164,17 +171,30 @@ class Sequence(Controller):
             for name, (reading, place) in self.program.readings().items()
         }
 
+    @classmethod
+    def stated_connections(cls, table: Mapping[str, Any]) -> dict[str, tuple[PartConnection, str]]:
+        readings = (
+            (PartConnection(operand.address, place), operand.unit)
+            for place, condition in stated_conditions(table)
+            for operand in condition.operands()
+            if isinstance(operand, Reading)
+        )
+        return {f"reading_{k}": reading for k, reading in enumerate(readings)}
+
     def inputs(self) -> tuple[Input, ...]:
         def flag(name: str, **properties: Any) -> Input:
             return Input(name, "1", 0.0, low=0.0, high=1.0, is_flag=True, **properties)
 
-        emergency = (flag("emergency"),) if self.program.form.emergency else ()
+        emergency = (flag("emergency", at_rest=0.0),) if self.program.form.emergency else ()
         readings = (
             Input(name, reading.unit, 0.0, kind=KIND_OF_UNIT.get(reading.unit, "plain"))
             for name, (reading, _) in self.program.readings().items()
         )
         declared = (flag(name, is_command=True) for name in self.program.form.inputs)
-        return flag("halt", at_rest=1.0), flag("reset"), *emergency, *declared, *readings, FAULT_INPUT
+        return (
+            flag("halt", at_rest=1.0), flag("reset"), *emergency, *declared, *readings,
+            replace(FAULT_INPUT, at_rest=0.0),
+        )  # fmt: skip
 
     def memory(self) -> tuple[DiscreteState, ...]:
         counters = (f"count_{self.program.number(name)}" for name in self.program.counted())
@@ -213,7 +233,7 @@ class Sequence(Controller):
         period = scope["sample_time"]
         since_sample = clip(period - (memory["sample"] - scope.time), 0.0, period)
         since_sample = where(memory["is_held"] > 0.5, 0.0, since_sample)
-        elapsed = memory["elapsed_samples"] * period + since_sample
+        elapsed = maximum(memory["elapsed_samples"] * period + since_sample, 0.0)
         outputs |= {"step": (memory["step"], "1"), "elapsed": (elapsed, "s"), "cycles": (memory["cycles"], "1")}
         # For conditions of other sequences: 1 during the step.
         hidden: Quantities = {

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Hashable, Mapping, Sequence
+from collections.abc import Hashable, Iterator, Mapping, Sequence
+from contextlib import suppress
 from dataclasses import dataclass, field, replace
 from typing import Any, NamedTuple
 
@@ -16,7 +17,6 @@ from poppet.parts.conditions import (
     Internal,
     Literal,
     Names,
-    Node,
     Operand,
     Reading,
     Relation,
@@ -376,7 +376,19 @@ class _Reader:
                             )
 
 
-def nodes_of(node: Node) -> list[Node]:
-    """Return a tree of a condition and all conditions in it."""
-    terms: tuple[Node, ...] = (node.term,) if hasattr(node, "term") else getattr(node, "terms", ())
-    return [node, *(inner for term in terms for inner in nodes_of(term))]
+def stated_conditions(table: Mapping[str, Any]) -> Iterator[tuple[str, Condition]]:
+    """Yield the valid conditions in the table of a sequence, each with its address in the part.
+
+    The table can have other errors.
+    """
+    steps, inputs = table.get("steps"), table.get("inputs")
+    if not isinstance(steps, Mapping):
+        return
+    listed = inputs if isinstance(inputs, Sequence) and not isinstance(inputs, str) else ()
+    names = Names([str(name) for name in (*listed, "emergency")], [str(name) for name in steps])
+    for name, step in steps.items():
+        transitions = step.get("next") if isinstance(step, Mapping) else None
+        for target, text in transitions.items() if isinstance(transitions, Mapping) else ():
+            place = f"steps.{name}.next.{target}"
+            with suppress(InputError):
+                yield place, parse_condition(text, names, place)

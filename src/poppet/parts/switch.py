@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Hashable
+from collections.abc import Hashable, Mapping
 from dataclasses import dataclass
 from typing import Any, ClassVar
 
@@ -133,6 +133,12 @@ class Switch(Controller):
 
     def connections(self) -> dict[str, PartConnection]:
         return {} if self.measurement is None else {"measurement": PartConnection(self.measurement, "measurement")}
+
+    @classmethod
+    def stated_connections(cls, table: Mapping[str, Any]) -> dict[str, tuple[PartConnection, str]]:
+        address = table.get("measurement")
+        # The unit of an invalid switch is not known.
+        return {"measurement": (PartConnection(address, "measurement"), "")} if isinstance(address, str) else {}
 
     def inputs(self) -> tuple[Input, ...]:
         return (Input("measurement", self.unit, "measurement", kind=KIND_OF_UNIT.get(self.unit, "plain")),)

@@ -373,6 +373,7 @@ def test_all_errors_are_reported_together():
         ("sequence.unknown_output", "parts.plc.steps.one.on"),
         ("sequence.unknown_step", "parts.plc.steps.one.next.tow"),
         ("condition.unknown_name", "parts.plc.steps.two.next.three"),
+        ("fields.not_an_option", "parts.plc.steps.two.next.one"),
         ("quantity.other_quantity", "parts.plc.steps.two.timeout.after"),
         ("sequence.unknown_step", "parts.plc.steps.two.timeout.to"),
         ("sequence.unreachable", "parts.plc.steps.island"),
@@ -380,6 +381,25 @@ def test_all_errors_are_reported_together():
     }
     assert all(problem.line for problem in caught.value.problems)
     assert "two" in str(caught.value)
+
+
+def test_an_invalid_sequence_alone_is_one_error():
+    text = INVALID.replace('on_above = "3 bar"', 'on_above = "4.5 bar"')
+    plc = """
+[parts.plc]
+kind = "sequence"
+start = "one"
+steps.one.next = { two = "supply.pressure > 3 bar and low.state and line.pressure > 1 bar" }
+
+[connections]
+"vent.opening" = "plc.a"
+"""
+    with pytest.raises(InputError) as caught:
+        poppet.loads(text.partition("[parts.plc]")[0] + plc)
+    assert [(problem.code, problem.address) for problem in caught.value.problems] == [
+        ("sequence.unknown_step", "parts.plc.steps.one.next.two"),
+        ("fields.not_an_option", "parts.plc.steps.one.next.two"),
+    ]
 
 
 @pytest.mark.parametrize(
@@ -423,6 +443,17 @@ def test_step_without_exit_is_a_note():
     assert [(note.code, note.address) for note in notes] == [("sequence.no_exit", "steps.two")]
 
 
+def test_comparison_that_is_never_true_is_a_note():
+    def notes_of(condition):
+        steps = {"one": {"next": {"one": condition}}}
+        return [(n.code, n.address) for n in Sequence(steps=steps, start="one", inputs=["go"]).notes()]
+
+    for condition in ("go > 1", "1 < go", "go == 2", "not go < 0 or go"):
+        assert notes_of(condition) == [("sequence.never_true", "steps.one.next.one")]
+    for condition in ("go", "go >= 1", "0 < go", "go != 1", "elapsed > 1 s"):
+        assert notes_of(condition) == []
+
+
 def test_conditions_on_unknown_outputs_and_parts():
     def circuit_of(condition):
         steps = {"one": {"next": {"one": condition}}}
@@ -434,5 +465,5 @@ def test_conditions_on_unknown_outputs_and_parts():
         "supply.pressure > 1 mm": "wiring.condition_unit",
     }.items():
         with pytest.raises(InputError) as caught:
-            _ = circuit_of(condition).model
+            circuit_of(condition)
         assert (caught.value.code, caught.value.address) == (code, "parts.plc.steps.one.next.one")
