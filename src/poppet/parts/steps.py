@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
+import dataclasses
 import re
 from collections.abc import Hashable, Iterator, Mapping, Sequence
 from contextlib import suppress
-from dataclasses import dataclass, field, replace
-from typing import Any, NamedTuple
+from dataclasses import dataclass, replace
+from typing import Any, ClassVar, NamedTuple
 
 from poppet.core.errors import ErrorCollector, InputError, NameSuggestion
 from poppet.core.provenance import Number
+from poppet.core.symbolic import is_symbolic
 from poppet.parts.conditions import (
     WORDS,
     Condition,
@@ -107,7 +109,10 @@ class SequenceProgram:
     steps: tuple[SequenceStep, ...]
     form: Form
     values: Mapping[str, Number]
-    source: Mapping[str, Any] = field(repr=False)
+    source: Mapping[str, Any] = dataclasses.field(repr=False)
+
+    field: ClassVar[str] = "steps"
+    """Field of the part that contains the program."""
 
     @classmethod
     def read(cls, table: Any, form: Form) -> SequenceProgram:
@@ -150,8 +155,29 @@ class SequenceProgram:
         """Return the numbers in the steps by name, for example `extend A.next.extend B`."""
         return dict(self.values)
 
+    def number_specs(self) -> dict[str, NumberSpec]:
+        """Return the declaration of each number, under the names that `numbers` returns."""
+        result: dict[str, NumberSpec] = {}
+        for step in self.steps:
+            for output, value in step.values.items():
+                if isinstance(value, str):
+                    result[value] = replace(_SET, doc=f"value of {output} during the step {step.name}")
+            for transition in step.transitions:
+                doc = f"number in the condition from {step.name} to {transition.target}"
+                for literal in transition.condition.literals():
+                    result[literal.place] = NumberSpec(literal.number.unit, doc, kind=literal.kind)
+            if step.timeout is not None:
+                doc = f"time in the step {step.name} until the transition to {step.timeout.target}"
+                result[step.timeout.place] = replace(_AFTER, doc=doc)
+        return result
+
     def with_numbers(self, changes: Mapping[str, Number]) -> SequenceProgram:
         """Return a copy in which some numbers are replaced."""
+        specs = self.number_specs()
+        for name, number in changes.items():
+            # A gauge value is in a condition, which has no limits.
+            if not is_symbolic(number.value) and number.reference != "gauge":
+                specs[name].check(name, number.value, number.display())
         return replace(self, values={**self.values, **changes})
 
     def operands(self) -> dict[Operand, str]:
