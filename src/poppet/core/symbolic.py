@@ -24,6 +24,11 @@ def is_symbolic(*values: Any) -> bool:
     return False
 
 
+def new_symbol(name: str) -> Any:
+    """Return a new CasADi symbol."""
+    return _casadi().SX.sym(name)
+
+
 class SymbolicValueError(TypeError):
     """Error raised if a symbol is used in place of a float, for example in a check of its value."""
 

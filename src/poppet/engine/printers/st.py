@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import math
 
-from poppet.engine.printers.statements import Language, UnsupportedOperationError
+from poppet.engine.printers.statements import BlockForms, Language, UnsupportedOperationError
 
 _OPERATIONS = {
     "add": "{0} + {1}", "sub": "{0} - {1}", "mul": "{0} * {1}", "div": "{0} / {1}", "neg": "-{0}", "sq": "{0} * {0}",
@@ -82,4 +82,17 @@ STRUCTURED_TEXT = Language(
     declaration="{name} := {text};",
     assignment="{name} := {text};",
     comment="(* {text} *)",
+    blocks=BlockForms(
+        indent="",
+        variable="{name} := {text};",
+        switch="CASE LREAL_TO_INT({0}) OF",
+        case="{0}: {1}",
+        end_case=(),
+        end_switch=("END_CASE;",),
+        if_true="IF {0} THEN",
+        else_if="ELSIF {0} THEN",
+        otherwise="ELSE",
+        end_if="END_IF;",
+        has_last_else=False,
+    ),
 )
