@@ -341,7 +341,8 @@ class Scope:
         """
         names = tuple(dict.fromkeys(name for case in cases for name in case.values))
         results = {name: _value_of_case(selector, cases, name) for name in names}
-        if not (self.has_relative_time and is_symbolic(selector)):
+        # Initial values, for which there is no memory, are not selections of a program.
+        if not (self.has_relative_time and self.memory and is_symbolic(selector)):
             return results
         symbols = {name: new_symbol(name) for name, value in results.items() if is_symbolic(value)}
         if symbols:

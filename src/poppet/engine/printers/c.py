@@ -149,6 +149,7 @@ def statement_language(precision: Precision) -> Language:
     return Language(
         operations=operations,
         comparisons={"lt": "{0} < {1}", "le": "{0} <= {1}", "eq": "{0} == {1}", "ne": "{0} != {1}"},
+        reversed={"lt": "{1} > {0}", "le": "{1} >= {0}"},
         logic={"and": "{0} && {1}", "or": "{0} || {1}", "not": "!{0}", "true": "true", "false": "false"},
         literal=precision.literal,
         choice="{0} ? {1} : {2}",

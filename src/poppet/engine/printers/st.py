@@ -74,6 +74,7 @@ def literal(value: float) -> str:
 STRUCTURED_TEXT = Language(
     operations=_OPERATIONS,
     comparisons={"lt": "{0} < {1}", "le": "{0} <= {1}", "eq": "{0} = {1}", "ne": "{0} <> {1}"},
+    reversed={"lt": "{1} > {0}", "le": "{1} >= {0}"},
     logic={"and": "{0} AND {1}", "or": "{0} OR {1}", "not": "NOT {0}", "true": "TRUE", "false": "FALSE"},
     literal=literal,
     choice="SEL({0}, {2}, {1})",

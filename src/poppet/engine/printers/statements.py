@@ -14,6 +14,8 @@ from typing import NamedTuple
 
 from poppet.engine.printers.instructions import Instruction
 
+_LONGEST_IN_CASE = 100
+"""Maximum length of an operand in a condition of a case, in characters."""
 _NAME = re.compile(r"[A-Za-z_][\w.\[\]]*(->[\w.]+)?")
 
 
@@ -42,6 +44,7 @@ class Language(NamedTuple):
 
     operations: Mapping[str, str]  # forms of operations with a number as result
     comparisons: Mapping[str, str]  # forms of comparisons of numbers
+    reversed: Mapping[str, str]  # forms of comparisons with the second argument on the left
     logic: Mapping[str, str]  # forms of operations on conditions
     literal: Callable[[float], str]  # text of a constant
     choice: str  # form of a choice: {0} condition, {1} value if it is true, {2} value if it is false
@@ -64,6 +67,7 @@ class Value(NamedTuple):
     choice: tuple[str, bool, str, Value] | None = None
     negated: str = ""  # argument of a `not`
     alternatives: tuple[str, Value, Value] | None = None  # of a choice: condition, value if it is true or false
+    rank: int = 0  # index of the last input in it; a comparison in a case has the operand of lower rank first
 
     @property
     def operand(self) -> str:
@@ -154,13 +158,18 @@ class Statements:
                 continue
             if k not in needed:
                 continue
-            value = self._value(instruction, [slots[slot] for slot in instruction.arguments])
+            arguments = [slots[slot] for slot in instruction.arguments]
+            value = self._condition_of_case(instruction, arguments) if k in in_cases else None
+            if value is None:
+                value = self._value(instruction, arguments)
+            rank = instruction.place[1] if instruction.operation == "input" else max((a.rank for a in arguments), default=0)
+            value = value._replace(rank=rank)
             # Names, constants and negations need no variable.
             is_simple = instruction.operation in ("const", "input", "assign", "not") or _NAME.fullmatch(value.text)
             is_long = len(value.text) > self.language.longest and not ends[k]
             # A condition of a case is part of its statement, even if several cases have it.
             is_repeated = uses[k] != 1 and not (k in in_cases and (value.is_flag or value.alternatives is not None))
-            is_long = is_long and not (k in in_cases and value.is_flag)
+            is_long = is_long and not (k in in_cases and (value.is_flag or len(value.text) <= _LONGEST_IN_CASE))
             if not is_simple and (is_repeated or k in names or is_long):
                 owner = owners[k]
                 meaning = dict(self.labels).get(owner, "")
@@ -232,13 +241,18 @@ class Statements:
                 for line in self._case_lines(result, value, selection.titles)
             ]
             self._add(blocks.case.format(k + 1, self.language.comment.format(text=title).strip()), 1)
-            for line in (*lines, *blocks.end_case) if lines or blocks.end_case else (";",):
+            if not (lines or blocks.end_case):  # some compilers reject a case without a statement
+                lines = [self._assignment(result, self._default(result)) for result in selection.results]
+            for line in (*lines, *blocks.end_case):
                 self._add(line, 2)
         for line in blocks.end_switch:
             self._add(line)
 
     def _add(self, line: str, depth: int = 0) -> None:
         self.lines.append(f"{self.language.blocks.indent}{'  ' * depth}{line}")
+
+    def _assignment(self, result: ResultVariable, text: str) -> str:
+        return self.language.assignment.format(name=result.name, text=text).strip()
 
     def _default(self, result: ResultVariable) -> str:
         return self.language.logic["false"] if result.is_flag else self.language.literal(0.0)
@@ -250,7 +264,7 @@ class Statements:
         if value.alternatives is None:
             if text == default:
                 return []
-            line = self.language.assignment.format(name=result.name, text=text).strip()
+            line = self._assignment(result, text)
             title = next((titles[k] for k in titles if text == self.language.literal(float(k))), "")
             return [f"{line} {self.language.comment.format(text=title).strip()}" if title else line]
         lines, form = list[str](), blocks.if_true
@@ -263,7 +277,7 @@ class Statements:
             form, value = (blocks.else_if if lines else form), no
         last = self._case_lines(result, value, titles)
         if not last and blocks.has_last_else and any(line.startswith(blocks.else_if[:6]) for line in lines):
-            last = [self.language.assignment.format(name=result.name, text=default).strip()]
+            last = [self._assignment(result, default)]
         lines += [blocks.otherwise, *(f"  {line}" for line in last)] if last else []
         return [*lines, blocks.end_if] if lines else []
 
@@ -401,6 +415,28 @@ class Statements:
         # An argument in the parentheses of a call needs no parentheses.
         is_call = re.fullmatch(r"\w+\(\{0\}(, \{1\})?\)", form) is not None
         return Value(form.format(*(self._number(a, is_operand=not is_call) for a in arguments)), is_atom=is_call)
+
+    def _condition_of_case(self, instruction: Instruction, arguments: Sequence[Value]) -> Value | None:
+        """Return the expression of a condition as a user writes it; None for other instructions.
+
+        The measured value of a comparison is on the left, and minima and maxima of conditions become `and` and `or`.
+        """
+        name, language = instruction.operation, self.language
+        if name in ("fmin", "fmax") and all(argument.is_flag for argument in arguments):
+            logic = language.logic["and" if name == "fmin" else "or"]
+            return Value(logic.format(*(self._operand_flag(argument) for argument in arguments)), True, False)
+        if name == "not" and arguments[0].negated:
+            return Value(arguments[0].negated, True)
+        if name == "sub" and arguments[0].text == language.literal(1.0) and arguments[1].is_flag:
+            operand = self._operand_flag(arguments[1])
+            return Value(language.logic["not"].format(operand), True, False, negated=operand)
+        thresholds = language.literal(0.0), language.literal(0.5)
+        if name in ("lt", "le") and not any(argument.is_flag for argument in arguments):
+            left, right = arguments
+            is_constant = left.text[:1].isdigit() or left.text.startswith("(-")
+            if (left.rank > right.rank or is_constant) and left.text not in thresholds:
+                return Value(language.reversed[name].format(*map(self._number, arguments)), True, False)
+        return None
 
     def _merge(self, a: Value, b: Value) -> Value | None:
         """Return the sum of two choices with opposite conditions as one choice; None for other values."""
