@@ -150,7 +150,7 @@ class Circuit(BaseCircuit, metaclass=_ListedNames):
         contour : bool, optional
             If True, compute the chi-square contour over sonic conductance and wall conductance.
         title : str, optional
-            Title of the result; default the title of the circuit.
+            Title of the result (default: title of the circuit).
         progress : callable, optional
             Function that is called with the number of evaluations and the lowest cost.
         stages : callable, optional
@@ -223,8 +223,8 @@ class Circuit(BaseCircuit, metaclass=_ListedNames):
             Function that is called with the number of completed runs, the total, and the kind of run: `runs`, `tornado`
             or `indices`.
         requirements : mapping, optional
-            Mapping from names to requirements such as `fill_time < 12 s`; default the table `requirements` of the
-            circuit file.
+            Mapping from names to requirements such as `fill_time < 12 s` (default: table `requirements` of the
+            circuit file).
         allow_python : bool, optional
             Permit metrics by Python functions in files, `FILE.py:FUNCTION`, which executes these files.
         **fields
@@ -270,7 +270,7 @@ class Circuit(BaseCircuit, metaclass=_ListedNames):
         Parameters
         ----------
         duration : float or str, optional
-            Time range of the signals [s]; default the duration in the run options of the circuit.
+            Time range of the signals [s] (default: duration in the run options of the circuit).
 
         Returns
         -------
@@ -420,7 +420,7 @@ def loads(text: str, *, name: str = "circuit", folder: Path | None = None) -> Ci
     name : str, optional
         File name in error messages.
     folder : Path, optional
-        Folder for relative paths; default the working directory.
+        Folder for relative paths (default: working directory).
 
     Returns
     -------

@@ -124,8 +124,8 @@ class SineRig:
     ) -> SineResponse:
         """Return the response to a sine after the transient has decayed.
 
-        `frequency` is that of the sine [Hz], and `rows` the number of samples per period. At most `attempts` runs are
-        made, each twice as long as the previous one.
+        `frequency` is the frequency of the sine [Hz], and `rows` the number of samples per period. At most `attempts`
+        runs are made, each twice as long as the previous one.
         """
         periods = max(PERIODS, int(np.ceil(SAMPLES * self.sample_time * frequency)))
         for k in range(attempts):
@@ -192,10 +192,10 @@ _OPTIONS = {"pilot_stage": {"drive": "averaged"}}
 
 
 def without_bands(circuit: BaseCircuit) -> BaseCircuit:
-    """Return the circuit with continuous instead of sampled and pulsed behaviour of its controllers.
+    """Return a copy of the circuit without dead bands, delays and switching in its valves.
 
-    Dead bands, hold bands, delays and quantisation are set to zero, and each pulsed solenoid has its mean flow over a
-    period.
+    Dead bands, hold bands, delays and the steps of converters are set to zero. Each pulsed solenoid valve has its mean
+    flow over a period, so the circuit behaves smoothly for small motions.
     """
     changes: dict[str, float | str] = {}
     for name, part in circuit.parts.items():

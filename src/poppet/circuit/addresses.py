@@ -84,9 +84,9 @@ def _change_owner(owner: _Owner, name: str, changes: Mapping[str, Any], inherite
 def _change_field(owner: Any, name: str, field: str, changes: Mapping[str, Any], inherited: Sequence[str]) -> object:
     """Return the new value of one field of a part.
 
-    The keys of `changes` are addresses inside the field; an empty key replaces the whole field. `owner` is the part
-    with the address `name` that contains the field. The fields in `inherited` cannot be changed, because the enclosing
-    compound part sets them.
+    The keys of `changes` are addresses inside the field. A value with an empty key replaces the whole field. `owner` is
+    the part with the address `name` that contains the field. The fields in `inherited` cannot be changed, because the
+    enclosing compound part sets them.
     """
     if field in inherited:
         raise InputError("address.told", f"{name}.{field}", whole=name.rpartition(".")[0])

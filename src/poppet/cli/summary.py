@@ -84,7 +84,10 @@ def print_notes(notes: Iterable[Note]) -> None:
 
 
 def print_written(*paths: Path | None) -> None:
-    """Print the names of the files that a command has written; None is ignored."""
+    """Print the names of the files that a command has written.
+
+    A name that is None is ignored.
+    """
     for path in paths:
         if path is not None:
             print(f"{path}: written.")

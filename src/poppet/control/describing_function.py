@@ -186,8 +186,8 @@ class Sticking(NamedTuple):
     def slides(self, amplitude: float, angular_frequency: float) -> bool:
         """Return True if a body in sinusoidal motion slides and does not stick.
 
-        `amplitude` is that of the position. It must exceed 20 deflections of the bristles of the friction model, and
-        the velocity amplitude must exceed 5 times the velocity of full friction.
+        `amplitude` is the amplitude of the position. It must exceed 20 deflections of the bristles of the friction
+        model, and the velocity amplitude must exceed 5 times the velocity of full friction.
         """
         return amplitude > _SLIDES * self.deflection and amplitude * angular_frequency > _FAST * self.velocity
 
@@ -246,8 +246,8 @@ class SettledPlant:
 def _fit_sine(series: Array, rows: int) -> tuple[Complex, float]:
     """Fit a sine to each series, and return complex amplitudes and a distortion.
 
-    `series` has shape (series, rows), and `rows` is the period of the sine in rows. The distortion is that of the first
-    series: the amplitude of the residuals relative to that of the sine.
+    `series` has shape (series, rows), and `rows` is the period of the sine in rows. The distortion is the amplitude of
+    the residuals of the first series, divided by the amplitude of its sine.
     """
     k = np.arange(series.shape[1])
     angle, drift = 2.0 * np.pi * k / rows, k / k.size - 0.5

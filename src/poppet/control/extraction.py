@@ -171,6 +171,7 @@ def release_command(circuit: BaseCircuit, controller: str, *, keeps: bool) -> Ba
         parts={name: part for name, part in circuit.parts.items() if keeps or name != controller},
         connections={target: source for target, source in circuit.connections.items() if stays(target, source)},
         signals={a: s for a, s in circuit.signals.items() if a.partition(".")[0] != controller},
+        is_excerpt=True,
     )
 
 
@@ -198,4 +199,5 @@ def _remove_outer_loops(circuit: BaseCircuit, controller: str) -> BaseCircuit:
         parts={name: part for name, part in circuit.parts.items() if stays(name)},
         connections={target: source for target, source in circuit.connections.items() if stays(target, source)},
         signals={address: signal for address, signal in circuit.signals.items() if stays(address)},
+        is_excerpt=True,
     )

@@ -24,7 +24,7 @@ _UNOBSERVABLE = 1e-9
 
 @dataclass(frozen=True)
 class Gains:
-    """Gains of a PID controller, as in the part `pid`.
+    """Gains of a PID controller, under the names that the part `pid` uses.
 
     Parameters
     ----------

@@ -307,7 +307,7 @@ def schedule(
     form : str, optional
         `pi` or `pid`; the velocity form of a schedule needs an integral.
     sensitivity : float, optional
-        Bound M of Ms and Mt, as in `tune`.
+        Largest permitted value of Ms and Mt; the function `tune` describes both.
     amplitudes, progress
         As in `tune`.
 
@@ -459,8 +459,9 @@ class _GainSearch:
     def best(self, form: str, filter_time: float | None) -> Gains:
         """Return the gains with the largest integral gain that keep the bound.
 
-        For `form` `p`, the proportional gain is the largest. `filter_time` is that of the derivative [s]; None selects
-        an eighth of the derivative time, but at least one sample.
+        The form `p` has no integral part, so its gains are those with the largest proportional gain. `filter_time` is
+        the filter time of the derivative [s]. If it is None, an eighth of the derivative time is used, but at least one
+        sample.
         """
         if form == "p":
             return Gains(self.largest_gain(Gains(1.0)))

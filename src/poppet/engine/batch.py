@@ -150,7 +150,7 @@ def run_batch(
     batch : Batch
         Problem and parameter values.
     reduce : callable, optional
-        Function from the rows of some runs to their results; without it, rows are discarded.
+        Function that converts the rows of some runs to results. If it is omitted, the rows are discarded.
     threads : int, optional
         Maximum number of threads; default one per processor that is available to this process.
     lanes : int, optional

@@ -80,8 +80,8 @@ class JointNormal:
 class EnsemblePlan:
     """All settings that determine the runs of an ensemble.
 
-    A sample is an array with one row for each run and one column for each uncertain parameter. Columns of independent
-    parameters (`alone`) come first; those of jointly distributed parameters (`joint`) follow.
+    A sample is an array with one row for each run and one column for each uncertain parameter. The columns of
+    independent parameters (`alone`) come first. The columns of jointly distributed parameters (`joint`) follow.
     """
 
     circuit: BaseCircuit = field(repr=False)

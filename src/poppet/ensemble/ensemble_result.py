@@ -137,7 +137,7 @@ class Ensemble(HtmlMixin):
     def yields(self) -> list[Yield]:
         """Return the yield of each requirement: the fraction of runs that meet it.
 
-        If there are several requirements, the last yield is that of all together.
+        If there are several requirements, the last yield is the fraction of runs that meet all of them.
 
         Returns
         -------

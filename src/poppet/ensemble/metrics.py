@@ -54,7 +54,7 @@ class Metric:
 
     @property
     def python_location(self) -> str:
-        """Location of the Python function in a file, `ripple.py:ripple`; empty if there is none."""
+        """Location of the Python function in a file, for example `ripple.py:ripple`, or an empty text."""
         return self.function if isinstance(self.function, str) else ""
 
     @property

@@ -56,7 +56,8 @@ class Sizing(ResultFileMixin):
     is_largest : bool
         True if the largest value was requested instead of the smallest.
     value : float
-        The smallest (largest) value that meets all requirements, to `resolution`; NaN if there is none.
+        Smallest or largest value that meets all requirements, with an accuracy of `resolution`. It is NaN if there is
+        no such value.
     resolution : float
         Relative distance to the nearest failing value; 0 at an end of the range.
     share : float
@@ -69,7 +70,7 @@ class Sizing(ResultFileMixin):
     limiting : str
         Requirement that fails at the next value; empty if there is none.
     size : float
-        Next standard size; NaN without sizes or if no size is valid.
+        Next standard size. It is NaN if no sizes are given, or no size is valid.
     values : (n,) array
         All evaluated values in ascending order.
     shares : (n,) array
@@ -170,7 +171,7 @@ def size(
     allow_python : bool, optional
         Permit metrics by Python functions in files, `FILE.py:FUNCTION`, which executes these files.
     **fields
-        Fields of the table `ensemble`, and `requirements`; they override those of the file.
+        Fields of the table `ensemble`, and `requirements`; they replace the entries of the file.
 
     Returns
     -------
@@ -336,8 +337,8 @@ def _search_range(
 ) -> tuple[float, float]:
     """Return both ends of the search range.
 
-    `ends` is the range that the user requested; None selects a default range about the value `nominal`. `limits` are
-    the valid values of the parameter `free`, and `read_value` converts a value to SI units.
+    `ends` is the range that the user requested. If it is None, the result is a default range about the value `nominal`.
+    `limits` are the valid values of the parameter `free`, and `read_value` converts a value to SI units.
     """
     if ends is None:
         if not nominal > 0.0:

@@ -210,7 +210,10 @@ def in_usual_unit(values: Array, unit: str) -> Array:
 
 
 def usual_unit(unit: str) -> str:
-    """Return the unit that reports use for an SI unit; empty for a dimensionless quantity."""
+    """Return the unit that reports use for an SI unit.
+
+    The text is empty for a dimensionless quantity.
+    """
     return "" if unit == "1" else pretty(USUAL.get(unit, unit))
 
 

@@ -78,7 +78,7 @@ class BenchSettings:
 class Pace(NamedTuple):
     """Settling time and sweep time of a test valve, which determine the durations of trials.
 
-    Both times are those with the first volume of the settings.
+    Both times are valid for the first volume of the settings.
     """
 
     specimen: Specimen
@@ -315,7 +315,8 @@ class Evaluation:
     ) -> None:
         """Add a characteristic value, or an upper bound if noise hides it.
 
-        `limit` is the smallest magnitude that can be distinguished from noise. It is the bound of a smaller value.
+        `limit` is the smallest magnitude that can be distinguished from noise. If the value is smaller than `limit`,
+        `limit` is added as the upper bound.
         """
         if abs(value) >= limit:
             self.add(name, value, uncertainty, **conditions)

@@ -107,7 +107,7 @@ def add_frequency_results(evaluation: Evaluation, rows: Sequence[Row]) -> None:
 
     `rows` are the table rows of all sines. Sines with the same amplitude, mean and volume form one Bode plot. Its rows
     are sorted by frequency, with continuous phases, and with gains relative to the gain at the lowest frequency. Of
-    several rows with the same frequency, the one with the most periods is used. The bandwidths are those of the first
+    several rows with the same frequency, the one with the most periods is used. The bandwidths are read from the first
     Bode plot.
     """
     series: dict[str, list[Row]] = {}
@@ -138,8 +138,8 @@ def add_frequency_results(evaluation: Evaluation, rows: Sequence[Row]) -> None:
 def _sides_of_middle(values: FloatArray) -> NDArray[np.int64]:
     """Return +1, -1 or 0 for each sample above, below or near the middle.
 
-    The middle is that of the range of the series. Samples within a quarter of the range on either side are near it,
-    which avoids repeated crossings by noise.
+    The middle is halfway between the minimum and the maximum of the series. Samples within a quarter of the range on
+    either side are near it, which avoids repeated crossings by noise.
     """
     low, high = float(np.min(values)), float(np.max(values))
     middle, swing = 0.5 * (low + high), 0.25 * float(np.ptp(values))

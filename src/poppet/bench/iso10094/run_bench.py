@@ -135,8 +135,8 @@ class BenchRun:
     def _sweep_time(self) -> float:
         """Return the duration of a sweep over the full range [s].
 
-        It is specified in the settings, or 200 times the response time, within limits. A specified duration below the
-        response time raises an error.
+        The duration is specified in the settings. By default, it is 200 times the response time, within limits. A
+        specified duration below the response time raises an error.
         """
         first = self.settings.volumes[0]
         response = max(self._response_times(step for (volume, _), step in self.steps.items() if volume == first))

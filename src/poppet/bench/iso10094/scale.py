@@ -149,7 +149,7 @@ def setpoint_scale(raw: Any, full_scale: tuple[float, float], ambient: float, un
     """Return the scale that relates a setpoint range to a range of outlet pressures.
 
     `raw` contains the ends of the setpoint range as texts with units, and `full_scale` the absolute outlet pressures
-    [Pa]. If `raw` is None, the setpoint has the usual range of its SI unit `unit`.
+    [Pa]. If `raw` is None, the result has the usual setpoint range for the SI unit `unit`.
 
     Examples
     --------

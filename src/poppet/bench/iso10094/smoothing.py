@@ -146,8 +146,8 @@ class SmoothedSeries:
     def _crossing_time(self, level: float, *, last: bool) -> float:
         """Return the time at which a noisy series crosses a level [s].
 
-        Noise can cause several crossings: the result is the mean of the first and the last one of the rise to the
-        level. If `last` is True, it is that of the final fall below the level.
+        Noise can cause several crossings, so the result is the mean of the first and the last crossing during the rise
+        to the level. If `last` is True, the crossings during the final fall below the level are used.
         """
         if not last:
             risen = np.flatnonzero(self.values >= level)
@@ -185,9 +185,9 @@ class SmoothedSeries:
 def smooth_response(time: FloatArray, values: FloatArray, noise: Noise, narrowest: int = 0) -> SmoothedSeries:
     """Smooth a series by local parabolas, whose widths adapt to the curvature.
 
-    The method is the intersection of confidence intervals [1]_: a parabola widens while its value agrees with those of
-    the narrower parabolas. `narrowest` is the smallest half width of a parabola [samples]; the result omits this number
-    of samples at the end.
+    The method is the intersection of confidence intervals [1]_: a parabola widens while its value agrees with the
+    values of the narrower parabolas. `narrowest` is the smallest half width of a parabola [samples]; the result omits
+    this number of samples at the end.
 
     References
     ----------

@@ -93,7 +93,7 @@ class LimitsResult(ResultFileMixin, HtmlMixin):
     def content(self) -> dict[str, Any]:
         """Return the content of the result file as nested dictionaries.
 
-        The keys are those of the TOML and JSON files.
+        The dictionaries have the same keys as the TOML and JSON files.
         """
         plan = self.plan
         names = ("gain_frequency", "phase_frequency", "rise_up", "rise_down", "noise", "limiting")

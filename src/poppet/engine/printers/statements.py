@@ -58,7 +58,10 @@ class Language(NamedTuple):
 
 
 class Value(NamedTuple):
-    """Expression. If it is not an atom, such as a name or a call, it needs parentheses inside other expressions."""
+    """Expression in the text of a program.
+
+    An expression that is not an atom (a name, a constant or a call) needs parentheses inside other expressions.
+    """
 
     text: str
     is_flag: bool = False
@@ -289,9 +292,9 @@ class Statements:
     ) -> tuple[list[int], dict[int, str], list[str], set[int], list[bool]]:
         """Return data on the use of each instruction, by its index.
 
-        The results are the number of uses of its value; its label, if it has one; and the name of the result or label
-        for which it is computed. The set of needed instructions follows. The last list is True for values whose
-        expression can be long, because they are results or halves of a choice.
+        The result has five items. The first three are the number of uses of the value, its label (if it has one), and
+        the name of the result or label for which it is computed. The fourth item is the set of needed instructions. The
+        last item is True for values whose expression can be long, because they are results or halves of a choice.
         """
         uses, names, consumers = [0] * len(function), dict[int, str](), [list[int]() for _ in function]
         last: dict[int, int] = {}
@@ -349,7 +352,10 @@ class Statements:
                 self.lines.append(self.language.assignment.format(name=name, text=remaining.pop(name)))
 
     def _number(self, value: Value, *, is_operand: bool = True) -> str:
-        """Return an expression as a number; a condition becomes 0 or 1."""
+        """Return an expression as a number.
+
+        A condition becomes 0 or 1.
+        """
         if not value.is_flag:
             return value.operand if is_operand else value.text
         one, zero = (self.language.literal(number) for number in (1.0, 0.0))
@@ -357,7 +363,10 @@ class Statements:
         return text if (text.endswith(")") and not text.startswith("(")) or not is_operand else f"({text})"
 
     def _flag(self, value: Value) -> str:
-        """Return an expression as a condition; a number is compared with zero."""
+        """Return an expression as a condition.
+
+        A number is compared with zero.
+        """
         if value.is_flag:
             return value.text
         if value.text == self.language.literal(1.0) or value.text == self.language.literal(0.0):
@@ -439,7 +448,10 @@ class Statements:
         return None
 
     def _merge(self, a: Value, b: Value) -> Value | None:
-        """Return the sum of two choices with opposite conditions as one choice; None for other values."""
+        """Return the sum of two choices with opposite conditions as one choice.
+
+        The result is None for other values.
+        """
         if a.choice is None or b.choice is None or a.choice[0] != b.choice[0] or a.choice[1] == b.choice[1]:
             return None
         yes, no = (b, a) if a.choice[1] else (a, b)

@@ -134,7 +134,7 @@ def read_circuit(data: Mapping[str, Any], folder: Path) -> BaseCircuit:
 def _read_search_settings(data: Mapping[str, Any]) -> tuple[SearchSettings, dict[str, Any]]:
     """Return the search settings of a fit file, and the remaining tables.
 
-    The remaining tables are those of the free parameters. Settings can be in several tables, but must agree.
+    The remaining tables describe the free parameters. Settings can be in several tables, but must agree.
     """
     parameters = {k: dict(v) if isinstance(v, Mapping) else v for k, v in data["free"].items() if k not in SEARCH}
     tables = {"": data, "free.": data["free"]} | {f"free.{k}.": v for k, v in parameters.items() if isinstance(v, dict)}

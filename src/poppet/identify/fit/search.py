@@ -128,7 +128,7 @@ class Optimum:
 class FitObjective:
     """Residuals of all recordings as a function of the free parameters.
 
-    The residuals are divided by the noise. Those of the priors come last.
+    The residuals are divided by the noise. The residuals of the priors come last.
     """
 
     experiments: Sequence[Experiment]
@@ -156,14 +156,18 @@ class FitObjective:
         return np.array([k for k, f in enumerate(self.free) if f.name not in self.fixed], dtype=np.int64)
 
     def cost(self, x: FloatArray, loss: str = "linear") -> float:
-        """Return the cost at the point `x`: half the sum of squared residuals, or that of a robust loss."""
+        """Return the cost at the point `x`.
+
+        The cost is half the sum of the squared residuals. For a robust loss, the sum of the losses replaces the sum of
+        squares.
+        """
         residual = self.residual(x)
         return self._last_residual[2] if loss == "linear" else float(np.sum(costs_of(residual, loss)))
 
     def residual(self, x: FloatArray) -> FloatArray:
         """Return the residuals at the point `x`, divided by the noise.
 
-        Those of the priors follow those of the samples.
+        The residuals of the priors follow the residuals of the samples.
         """
         key = x.tobytes()
         if self._last_residual[0] != key:

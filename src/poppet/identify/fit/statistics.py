@@ -106,7 +106,7 @@ class SensorLimits(NamedTuple):
 
 
 class SensorOffset(NamedTuple):
-    """Detected offset of a sensor, in units of the noise of the channel.
+    """Offset of a sensor that the residuals indicate, in units of the noise of the channel.
 
     `bias` is the mean of model - measurement. `size` is the estimated offset if no other sensor has one, and `error` is
     the standard deviation of this estimate. Both are limited to the largest possible offset of the sensor.
@@ -125,7 +125,7 @@ class SensorOffset(NamedTuple):
 class ErrorModel:
     r"""Error model of a fit: it gives the standard deviation of any weighted sum of the samples.
 
-    A parameter estimate is such a sum.
+    A parameter estimate is an example of such a sum.
 
     .. math:: \sigma^2 = \max\Big(w \sum_i k_i^2,\; \sum_c \sum_{i,j \in c} \beta_{ij} m_i m_j,\;
         s^2 \sum_i k_i^2 + \sum_c e_c\Big)
@@ -228,8 +228,8 @@ class ErrorModel:
     def is_local(self, weights: FloatArray, factor: float) -> bool:
         """Return True if few samples with a large lack of fit dominate the variance of a weighted sum.
 
-        `weights` are those of the samples in the sum. The variance from the lack of fit of each sample must exceed
-        `factor` squared times that from the mean lack of fit.
+        `weights` contains the weight of each sample in the sum. The variance is computed from the lack of fit of each
+        sample, and from the mean lack of fit. The first value must exceed `factor` squared times the second.
         """
         if not np.all(np.isfinite(weights)):
             return False
@@ -241,7 +241,7 @@ class ErrorModel:
     def _rounding_variance(self, weights: FloatArray) -> float:
         """Return the variance of a weighted sum of the samples, with correlated rounding errors of coarse sensors.
 
-        `weights` are those of the samples. The result is 0 if no sensor is coarse.
+        `weights` contains the weight of each sample. The result is 0 if no sensor is coarse.
         """
         pairs = [(gauge.steps, rows) for gauge, rows in zip(self._gauges, self.rows, strict=True) if gauge.steps]
         if not pairs:

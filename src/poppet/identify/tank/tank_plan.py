@@ -108,7 +108,8 @@ class TankRun:
     def supply(self) -> NumberLike:
         """Supply pressure of the recording, as stated.
 
-        If it is free, this is its start value, by default the highest recorded tank pressure.
+        If the supply pressure is a free parameter, the value is its start value (default: highest recorded tank
+        pressure).
         """
         return _start_value(self.supply_pressure, float(np.max(self.pressure.values)))
 

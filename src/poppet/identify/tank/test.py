@@ -79,8 +79,8 @@ class TankTest:
     pressure_lag : number
         Time constant of the pressure sensor [s]; default 0. It applies to channels that state no time constant.
     bore : number
-        Diameter of the narrowest section of the component, optional [m]. The conductance cannot exceed that of a nozzle
-        of this bore.
+        Diameter of the narrowest section of the component, optional [m]. The conductance cannot exceed the conductance
+        of a nozzle of this bore.
     bore_uncertainty : number
         Standard deviation of the bore [m].
     pressure_offset : str
@@ -182,7 +182,10 @@ class TankTest:
 
     @property
     def effective_ambient_temperature(self) -> NumberLike:
-        """Ambient temperature of the test, as stated; 293.15 K if the test does not state it."""
+        """Ambient temperature of the test.
+
+        The value is 293.15 K if the test does not state it.
+        """
         return ROOM if self.ambient_temperature is None else self.ambient_temperature
 
 

@@ -96,7 +96,7 @@ def conductance_from_effective_area(
     effective_area : float
         Area of the ideal nozzle with the same choked flow [m^2].
     critical_ratio : float, optional
-        Critical pressure ratio b [1]; default that of the isentropic nozzle (0.5283 for air).
+        Critical pressure ratio b [1]; default: value of the isentropic nozzle (0.5283 for air).
     isentropic_exponent, gas_constant : float, optional
         Ratio of specific heats, above 1, and specific gas constant [J/(kg K)].
 
@@ -501,7 +501,7 @@ def _from_cv(cv: float, critical_ratio: float | None, definition: Definition, co
 
 
 def _text(value: Any, form: str = "g") -> str:
-    """Return a value as text; a symbol keeps its name."""
+    """Return a value as text. A symbol is shown by its name."""
     return str(value) if is_symbolic(value) else format(value, form)
 
 

@@ -180,7 +180,7 @@ def flow(
     mass_flow_rate : float, array or symbol
         Positive from port 1 to port 2 [kg/s].
     upstream_temperature : float, array or symbol
-        Stagnation temperature of the flow: that of the upstream port, smoothed at flow reversal [K].
+        Stagnation temperature of the flow: temperature of the upstream port, smoothed at flow reversal [K].
 
     Notes
     -----

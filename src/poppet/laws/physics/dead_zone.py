@@ -50,7 +50,7 @@ def add_dead_zone(command: Any, positive: Any, negative: Any, smoothing: Any) ->
 
 
 def remove_dead_zone(command: Any, positive: Any, negative: Any, smoothing: Any) -> Any:
-    r"""Return the command of the control law for a command with compensation.
+    r"""Return the command before dead-zone compensation, from the compensated command.
 
     It is the inverse of `add_dead_zone`.
 

@@ -56,7 +56,10 @@ def verdict_reasons(result: Result) -> list[str]:
 
 
 def _ratio_limit(result: Result, name: str, estimate: Estimate) -> str:
-    """Return a sentence on the limit of the verdict on a critical ratio; empty for other parameters."""
+    """Return a sentence on the limit of the verdict on a critical ratio.
+
+    The text is empty for other parameters.
+    """
     half, limit = 0.5 * (estimate.high - estimate.low), verdict_limits(result)["ratio_determined"]
     if not name.endswith("critical_ratio") or estimate.verdict == "at bound" or half <= 0.01 * limit:
         return ""

@@ -98,7 +98,7 @@ class _DataColumns:
         """Add a column of numbers if it is new, and return its index.
 
         Equidistant numbers are stored as first value, step and count. Other numbers are rounded to the digits that an
-        enlarged plot can show; NaN becomes None.
+        enlarged plot can show. NaN becomes None.
         """
         key = values.tobytes() + bytes([is_log])
         if key in self._indices:

@@ -115,7 +115,7 @@ def shown_series(
 ) -> list[Series]:
     """Return the series to draw, in their usual or requested units.
 
-    `names` are the selected names; None selects all series. `units` are the requested units.
+    `names` are the selected names. If it is None, all series are selected. `units` are the requested units.
     """
     # Pairs of a pattern and its requested unit; an empty pattern matches the whole quantity.
     if isinstance(units, Mapping):
@@ -147,7 +147,7 @@ def bodies_of(recordings: Sequence[Columns]) -> set[str]:
 def panels_of(
     series: Sequence[Series], *, keep_still: bool = False, bodies: Collection[str] = ()
 ) -> tuple[list[Panel], list[Series]]:
-    """Group series of the same quantity and unit into panels, and return the omitted series too.
+    """Group series of the same quantity and unit into panels; return the panels and the omitted series.
 
     Constant series are omitted, unless the keyword `keep_still` is True. If the keyword `bodies` contains names of
     moving bodies, the panels of positions and velocities come first.
@@ -348,8 +348,8 @@ def code_styles(name: str, unit: str, values: FloatArray) -> dict[int, CodeStyle
 def bands_of(recordings: Sequence[Columns], names: tuple[str, ...] | None, columns: int) -> list[Band]:
     """Return the rows of the timeline, one for each series of state codes.
 
-    They are ordered by kind of code, series and recording. `names` selects series; None selects all. `columns` is the
-    width of the figure in pixels.
+    They are ordered by kind of code, series and recording. `names` contains the names of the series. If it is None, all
+    series are selected. `columns` is the width of the figure in pixels.
     """
     bands = []
     for source, recording in enumerate(recordings):
