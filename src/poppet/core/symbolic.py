@@ -121,6 +121,7 @@ sin = _elementary("sin", math.sin)
 cos = _elementary("cos", math.cos)
 tanh = _elementary("tanh", math.tanh)
 floor = _elementary("floor", math.floor)
+fabs = _elementary("fabs", math.fabs)
 
 
 def smoothstep(value: Any, low: Any, high: Any) -> Any:

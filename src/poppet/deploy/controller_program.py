@@ -27,7 +27,6 @@ from poppet.parts.part import NEVER, Controller
 if TYPE_CHECKING:
     import casadi
 
-    from poppet.engine.model import Model
 
 SIGNATURES = {
     "accept": "u p z -> z labels",

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+import dataclasses
 import re
 from collections.abc import Hashable, Mapping, Sequence
-from dataclasses import dataclass, field, replace
-from typing import Any, NamedTuple
+from dataclasses import dataclass, replace
+from typing import Any, ClassVar, NamedTuple
 
 from poppet.core.errors import ErrorCollector, InputError, NameSuggestion
 from poppet.core.provenance import Number
@@ -107,7 +108,10 @@ class SequenceProgram:
     steps: tuple[SequenceStep, ...]
     form: Form
     values: Mapping[str, Number]
-    source: Mapping[str, Any] = field(repr=False)
+    source: Mapping[str, Any] = dataclasses.field(repr=False)
+
+    field: ClassVar[str] = "steps"
+    """Field of the part that contains the steps."""
 
     @classmethod
     def read(cls, table: Any, form: Form) -> SequenceProgram:
@@ -149,6 +153,21 @@ class SequenceProgram:
     def numbers(self) -> dict[str, Number]:
         """Return the numbers in the steps by name, for example `extend A.next.extend B`."""
         return dict(self.values)
+
+    def number_specs(self) -> dict[str, NumberSpec]:
+        """Return the declarations of the numbers in the steps by name."""
+        specs: dict[str, NumberSpec] = {}
+        for step in self.steps:
+            for output, value in step.values.items():
+                if isinstance(value, str):
+                    specs[value] = replace(_SET, doc=f"value of {output} in the step {step.name}")
+            for transition in step.transitions:
+                doc = f"number in the condition from {step.name} to {transition.target}"
+                for literal in transition.condition.literals():
+                    specs[literal.place] = NumberSpec(literal.number.unit, doc, kind=literal.kind)
+            if step.timeout is not None:
+                specs[step.timeout.place] = replace(_AFTER, doc=f"timeout of the step {step.name}")
+        return specs
 
     def with_numbers(self, changes: Mapping[str, Number]) -> SequenceProgram:
         """Return a copy in which some numbers are replaced."""

@@ -213,7 +213,9 @@ def _function_bodies(program: ControllerProgram, structs: dict[str, list[Member]
         names = {"dt": "dt", "u": "in", "p": "param", "z": "z", "fired": "fired"}
         text = "\n".join(statements.lines)
         read = set(re.findall(r"[A-Za-z_]\w*", text))
-        ignored = [f"  (void){names[argument]};" for argument in inputs if argument in names and names[argument] not in read]
+        ignored = [
+            f"  (void){names[argument]};" for argument in inputs if argument in names and names[argument] not in read
+        ]
         bodies[name] = "\n".join([*ignored, *statements.lines])
     return bodies
 

@@ -70,6 +70,7 @@ class Value(NamedTuple):
     choice: tuple[str, bool, str, Value] | None = None
     negated: str = ""  # argument of a `not`
     alternatives: tuple[str, Value, Value] | None = None  # of a choice: condition, value if it is true or false
+    magnitude: Value | None = None  # condition that is 1 if the magnitude of the value is 1
     rank: int = 0  # index of the last input in it; a comparison in a case has the operand of lower rank first
 
     @property
@@ -162,10 +163,13 @@ class Statements:
             if k not in needed:
                 continue
             arguments = [slots[slot] for slot in instruction.arguments]
-            value = self._condition_of_case(instruction, arguments) if k in in_cases else None
-            if value is None:
-                value = self._value(instruction, arguments)
-            rank = instruction.place[1] if instruction.operation == "input" else max((a.rank for a in arguments), default=0)
+            condition = self._condition_of_case(instruction, arguments) if k in in_cases else None
+            value = condition or self._value(instruction, arguments)
+            rank = (
+                instruction.place[1]
+                if instruction.operation == "input"
+                else max((a.rank for a in arguments), default=0)
+            )
             value = value._replace(rank=rank)
             # Names, constants and negations need no variable.
             is_simple = instruction.operation in ("const", "input", "assign", "not") or _NAME.fullmatch(value.text)
@@ -184,12 +188,18 @@ class Statements:
         self._assign(results)
 
     def _result(self, vector: int, element: int) -> ResultVariable | None:
-        """Return the variable of a result; None for a label and for a result of a selection."""
+        """Return the variable of a result.
+
+        The output is None for a label, and for a result of a selection.
+        """
         k = vector - len(self.selections)
         return self.outputs[k][element] if 0 <= k < len(self.outputs) else None
 
     def _variable_of(self, vector: int, element: int) -> ResultVariable | None:
-        """Return the variable of a result or of a result in a case; None for a label."""
+        """Return the variable of a result or of a result in a case.
+
+        The output is None for a label.
+        """
         if vector < len(self.selections):
             results = self.selections[vector].results
             return results[(element - 1) % len(results)]
@@ -227,7 +237,10 @@ class Statements:
         return consumers
 
     def _add_selection(self, selection: Selection, values: Sequence[Value]) -> None:
-        """Add the statement of a selection; `values` contains its selector, then the results of each case."""
+        """Add the statement of a selection.
+
+        `values` contains its selector, then the results of each case.
+        """
         blocks, (selector, *others) = self.language.blocks, values
         if not _NAME.fullmatch(selector.text):
             selector = self._variable(selector, "case")
@@ -261,7 +274,10 @@ class Statements:
         return self.language.logic["false"] if result.is_flag else self.language.literal(0.0)
 
     def _case_lines(self, result: ResultVariable, value: Value, titles: Mapping[int, str]) -> list[str]:
-        """Return the statements that assign a value to a result of a selection; none if the result is zero."""
+        """Return the statements that assign a value to a result of a selection.
+
+        There are none if the result is zero.
+        """
         blocks, default = self.language.blocks, self._default(result)
         text = self._flag(value) if result.is_flag else self._number(value, is_operand=False)
         if value.alternatives is None:
@@ -426,9 +442,10 @@ class Statements:
         return Value(form.format(*(self._number(a, is_operand=not is_call) for a in arguments)), is_atom=is_call)
 
     def _condition_of_case(self, instruction: Instruction, arguments: Sequence[Value]) -> Value | None:
-        """Return the expression of a condition as a user writes it; None for other instructions.
+        """Return the expression of a condition as a user writes it.
 
         The measured value of a comparison is on the left, and minima and maxima of conditions become `and` and `or`.
+        The result is None for other instructions.
         """
         name, language = instruction.operation, self.language
         if name in ("fmin", "fmax") and all(argument.is_flag for argument in arguments):
@@ -436,9 +453,13 @@ class Statements:
             return Value(logic.format(*(self._operand_flag(argument) for argument in arguments)), True, False)
         if name == "not" and arguments[0].negated:
             return Value(arguments[0].negated, True)
-        if name == "sub" and arguments[0].text == language.literal(1.0) and arguments[1].is_flag:
-            operand = self._operand_flag(arguments[1])
-            return Value(language.logic["not"].format(operand), True, False, negated=operand)
+        # The comparisons |c| < 0.5 and |c - 1| < 0.5 of a condition c.
+        if name == "fabs" and (arguments[0].is_flag or arguments[0].magnitude is not None):
+            return arguments[0].magnitude or arguments[0]
+        if name == "sub" and arguments[0].is_flag and arguments[1].text == language.literal(1.0):
+            return self._value(instruction, list(arguments))._replace(magnitude=self._negative(arguments[0]))
+        if name in ("lt", "le") and arguments[0].is_flag and arguments[1].text == language.literal(0.5):
+            return self._negative(arguments[0])
         thresholds = language.literal(0.0), language.literal(0.5)
         if name in ("lt", "le") and not any(argument.is_flag for argument in arguments):
             left, right = arguments
@@ -446,6 +467,13 @@ class Statements:
             if (left.rank > right.rank or is_constant) and left.text not in thresholds:
                 return Value(language.reversed[name].format(*map(self._number, arguments)), True, False)
         return None
+
+    def _negative(self, value: Value) -> Value:
+        """Return the negation of a condition."""
+        if value.negated:
+            return Value(value.negated, True)
+        operand = self._operand_flag(value)
+        return Value(self.language.logic["not"].format(operand), True, False, negated=operand)
 
     def _merge(self, a: Value, b: Value) -> Value | None:
         """Return the sum of two choices with opposite conditions as one choice.
