@@ -157,7 +157,7 @@ class _Tracer:
 
         inputs = select({**self.input, **self.joined})
         states, memory = ({}, {}) if at_start else (select(self.symbols), select(self.memory))
-        body_name, motion = self.parts[name].body_name(), None
+        body_name, motion = self._body(name), None
         if body_name is not None:
             body, body_scope = self.parts[body_name], self.scope(body_name, at_start=at_start)
             assert isinstance(body, Body)
@@ -167,14 +167,13 @@ class _Tracer:
         return Scope(numbers, states, inputs, self.surroundings, memory, time, motion, self.has_relative_time)
 
     def _ports(self, name: str) -> dict[str, str]:
-        """Return a mapping from the ports of a part to addresses of gas nodes.
+        """Return a mapping from the ports of a part to addresses of gas nodes."""
+        return {port: _absolute(store, name) for port, store in self.parts[name].ports().items()}
 
-        Inside a compound part, a port whose value begins with a dot, such as `.tank`, names a gas node of the same
-        compound part.
-        """
-        compound = name.rpartition(".")[0]
-        ports = self.parts[name].ports().items()
-        return {port: f"{compound}{store}" if store.startswith(".") else store for port, store in ports}
+    def _body(self, name: str) -> str | None:
+        """Return the address of the body on which a part acts, or None if it acts on no body."""
+        body_name = self.parts[name].body_name()
+        return None if body_name is None else _absolute(body_name, name)
 
     def model(self) -> Model:
         ca = self.ca
@@ -283,7 +282,7 @@ class _Tracer:
                 forces[name] = part.actuator_force(scopes[name], states)
         for name, part in self.parts.items():
             if isinstance(part, Body):
-                acting = [force for actuator, force in forces.items() if self.parts[actuator].body_name() == name]
+                acting = [force for actuator, force in forces.items() if self._body(actuator) == name]
                 total = sum(force.force for force in acting)
                 dynamics[name] = part.dynamics(scopes[name], total, sum(force.friction for force in acting))
         return dynamics, forces
@@ -494,3 +493,12 @@ class _Tracer:
                 shown = [f"{name}.{local}" for local in part.outside()]  # type: ignore[attr-defined]
                 result |= {address: all_outputs[address_of[address]] for address in shown}
         return result
+
+
+def _absolute(address: str, part: str) -> str:
+    """Return the address of a gas node or body from its address in a field of a part.
+
+    Inside a compound part, an address that begins with a dot, such as `.tank`, names a member of the same compound
+    part.
+    """
+    return f"{part.rpartition('.')[0]}{address}" if address.startswith(".") else address

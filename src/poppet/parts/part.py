@@ -49,8 +49,8 @@ SELF = "self"
 TUBE = "tube"
 """Kind of the parts whose ends can name ports of other parts."""
 PORTS = (
-    "from", "to", "supply", "inlet", "outlet", "exhaust", "pilot", "pilot_exhaust", "a", "b", "exhaust_a", "exhaust_b",
-    "pilot_a", "pilot_b",
+    "from", "to", "supply", "inlet", "outlet", "exhaust", "pilot", "pilot_exhaust", "a", "b", "exhaust_a",
+    "exhaust_b", "pilot_a", "pilot_b", "vacuum", "port",
 )  # fmt: skip
 """Names of ports that the end of a tube can refer to: `valve.outlet`."""
 
@@ -508,6 +508,10 @@ class Part(ABC):
     def body_name(self) -> str | None:
         """Return the name of the body on which the part acts, or None if it acts on no body."""
         return next((getattr(self, attribute) for _, attribute, _ in declared(type(self), BodySpec)), None)
+
+    def inner_bodies(self) -> tuple[str, ...]:
+        """Return the names of the bodies within the part."""
+        return ()
 
     def list_internal_outputs(self) -> tuple[str, ...]:
         """Return the names of the outputs that plots omit by default."""

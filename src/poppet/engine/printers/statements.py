@@ -495,7 +495,7 @@ class Statements:
     def _variable(self, value: Value, name: str, *, is_label: bool = False) -> Value:
         """Assign an expression to a new variable, and return the variable.
 
-        The variable has the given name if it is a label, otherwise this name with a number.
+        If the name is a label, the variable has this name. Otherwise a number is added to the name.
         """
         self.counts[name] += not is_label
         name = self.new_name(name if is_label else f"{name}_{self.counts[name]}")
