@@ -16,7 +16,7 @@ from poppet.deploy.export_files import c_string, comment_text, identifier, ident
 from poppet.engine.model_evaluation import Array
 from poppet.engine.printers.c import DOUBLE, SINGLE, Precision, statement_helpers, statement_language
 from poppet.engine.printers.instructions import instructions
-from poppet.engine.printers.statements import ResultVariable, Selection, Statements, Value
+from poppet.engine.printers.statements import CaseStatement, ResultVariable, Statements, Value
 
 if TYPE_CHECKING:
     from poppet.circuit.circuit import BaseCircuit
@@ -191,7 +191,7 @@ def _function_bodies(program: ControllerProgram, structs: dict[str, list[Member]
             for address, meaning in program.labels[name].items()
         ]
         selections = [
-            Selection(
+            CaseStatement(
                 [ResultVariable(new_name(address.removeprefix(prefix)), is_flag)
                  for address, is_flag in zip(item.names, item.flags, strict=True)],
                 [comment_text(title) for title in item.cases],

@@ -14,7 +14,13 @@ from poppet.deploy.export_files import comment_text, identifier
 from poppet.deploy.targets import CircuitSource, Export
 from poppet.engine.printers.instructions import instructions
 from poppet.engine.printers.st import FUNCTIONS, STRUCTURED_TEXT, literal
-from poppet.engine.printers.statements import ResultVariable, Selection, Statements, UnsupportedOperationError, Value
+from poppet.engine.printers.statements import (
+    CaseStatement,
+    ResultVariable,
+    Statements,
+    UnsupportedOperationError,
+    Value,
+)
 from poppet.parts.part import NEVER
 from poppet.timeseries.signals import SampledSignal
 
@@ -180,7 +186,7 @@ def function_block(program: ControllerProgram) -> str:
         for function, items in program.labels.items()
     }
     selections = [
-        Selection([ResultVariable(names.add(address.removeprefix(prefix)), is_flag)
+        CaseStatement([ResultVariable(names.add(address.removeprefix(prefix)), is_flag)
                    for address, is_flag in zip(item.names, item.flags, strict=True)],
             [comment_text(title) for title in item.cases], {k: comment_text(title) for k, title in item.titles.items()})
         for item in program.selections

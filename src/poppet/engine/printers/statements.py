@@ -86,7 +86,7 @@ class ResultVariable(NamedTuple):
     is_flag: bool = False
 
 
-class Selection(NamedTuple):
+class CaseStatement(NamedTuple):
     """Results that depend on the number of a case; they are zero or false unless the case sets them."""
 
     results: Sequence[ResultVariable]
@@ -115,7 +115,7 @@ class Statements:
         True if results overwrite arguments; the values that read them are then computed first.
     unchanged : mapping, optional
         Expression of each result that has its value already and needs no assignment (default: its name).
-    selections : sequence of Selection, optional
+    selections : sequence of CaseStatement, optional
         Selections, to which the first results of the function belong: the selector, then the results of each case. The
         function has the chosen results as inputs.
     """
@@ -131,7 +131,7 @@ class Statements:
         constants: Mapping[float, str] | None = None,
         is_in_place: bool = False,
         unchanged: Mapping[str, str] | None = None,
-        selections: Sequence[Selection] = (),
+        selections: Sequence[CaseStatement] = (),
     ) -> None:
         self.unchanged, self.selections = unchanged or {}, selections
         self.counts: Counter[str] = Counter()
@@ -236,7 +236,7 @@ class Statements:
                 last[instruction.result] = k
         return consumers
 
-    def _add_selection(self, selection: Selection, values: Sequence[Value]) -> None:
+    def _add_selection(self, selection: CaseStatement, values: Sequence[Value]) -> None:
         """Add the statement of a selection.
 
         `values` contains its selector, then the results of each case.
