@@ -23,6 +23,7 @@ if TYPE_CHECKING:
     from poppet.parts.pilot_stage import PilotStage
     from poppet.parts.pressure_controller import PressureController
     from poppet.parts.proportional_valve import ProportionalValve
+    from poppet.parts.rotary_actuator import RotaryActuator
     from poppet.parts.sequence import Sequence
     from poppet.parts.solenoid import Solenoid
     from poppet.parts.sources import FlowSource, Reservoir
@@ -30,6 +31,7 @@ if TYPE_CHECKING:
     from poppet.parts.supply import Compressor, PressureRegulator
     from poppet.parts.switch import Switch
     from poppet.parts.tube import Tube
+    from poppet.parts.vacuum import SuctionCup, VacuumEjector
     from poppet.parts.valves import CheckValve, DirectionalValve, Filter, ReliefValve, Silencer
 
 
@@ -59,10 +61,13 @@ KINDS: Registry[type[Part]] = Registry(
         "filter": "poppet.parts.valves:Filter",
         "pressure_regulator": "poppet.parts.supply:PressureRegulator",
         "compressor": "poppet.parts.supply:Compressor",
+        "vacuum_ejector": "poppet.parts.vacuum:VacuumEjector",
+        "suction_cup": "poppet.parts.vacuum:SuctionCup",
         "mass": "poppet.parts.bodies:Mass",
         "joint": "poppet.parts.bodies:Joint",
         "guide": "poppet.parts.bodies:Guide",
         "cylinder": "poppet.parts.cylinder:Cylinder",
+        "rotary_actuator": "poppet.parts.rotary_actuator:RotaryActuator",
         "muscle": "poppet.parts.muscle:Muscle",
         "inverse_muscle": "poppet.parts.antagonist:InverseMuscle",
         "antagonist": "poppet.parts.antagonist:Antagonist",
@@ -87,8 +92,9 @@ __all__ = [
     "Cylinder", "DirectionalValve", "Electronics", "Exhaust", "Filter", "FlowControlValve", "FlowSource", "Friction",
     "Guide", "InverseMuscle", "Joint", "JointFriction", "JointStop", "MainStage", "Mass", "Muscle", "Orifice", "Part",
     "Passage", "PilotStage", "PilotedCheckValve", "PressureController", "PressureRegulator", "ProportionalValve",
-    "QuickExhaustValve", "ReliefValve", "Reservoir", "Sequence", "ShuttleValve", "Silencer", "Solenoid", "SpoolValve",
-    "Spring", "Stop", "Store", "Switch", "Tube", "TwoPressureValve",
+    "QuickExhaustValve", "ReliefValve", "Reservoir", "RotaryActuator", "Sequence", "ShuttleValve", "Silencer",
+    "Solenoid", "SpoolValve", "Spring", "Stop", "Store", "SuctionCup", "Switch", "Tube", "TwoPressureValve",
+    "VacuumEjector",
 ]  # fmt: skip
 
 

@@ -22,7 +22,7 @@ from poppet.parts.fields import (
     specs,
     unknown_field,
 )
-from poppet.parts.part import Input, Part, State, Surroundings
+from poppet.parts.part import Body, Input, Part, State, Surroundings
 
 MIN_MISSING = 4
 """Count of missing numbers above which a missing library set is reported instead."""
@@ -135,6 +135,9 @@ class Compound(Part):
 
     def stores(self) -> tuple[str, ...]:
         return tuple(name for name, spec in self._member_specs() if spec.is_open and name in self.members)
+
+    def inner_bodies(self) -> tuple[str, ...]:
+        return tuple(name for name, part in self.members.items() if isinstance(part, Body))
 
     def numbers(self) -> dict[str, Number]:
         numbers = super().numbers()

@@ -112,7 +112,7 @@ class SequenceProgram:
     source: Mapping[str, Any] = dataclasses.field(repr=False)
 
     field: ClassVar[str] = "steps"
-    """Field of the part that contains the program."""
+    """Field of the part that contains the steps."""
 
     @classmethod
     def read(cls, table: Any, form: Form) -> SequenceProgram:
@@ -156,20 +156,19 @@ class SequenceProgram:
         return dict(self.values)
 
     def number_specs(self) -> dict[str, NumberSpec]:
-        """Return the declaration of each number, under the names that `numbers` returns."""
-        result: dict[str, NumberSpec] = {}
+        """Return the declarations of the numbers in the steps by name."""
+        specs: dict[str, NumberSpec] = {}
         for step in self.steps:
             for output, value in step.values.items():
                 if isinstance(value, str):
-                    result[value] = replace(_SET, doc=f"value of {output} during the step {step.name}")
+                    specs[value] = replace(_SET, doc=f"value of {output} in the step {step.name}")
             for transition in step.transitions:
                 doc = f"number in the condition from {step.name} to {transition.target}"
                 for literal in transition.condition.literals():
-                    result[literal.place] = NumberSpec(literal.number.unit, doc, kind=literal.kind)
+                    specs[literal.place] = NumberSpec(literal.number.unit, doc, kind=literal.kind)
             if step.timeout is not None:
-                doc = f"time in the step {step.name} until the transition to {step.timeout.target}"
-                result[step.timeout.place] = replace(_AFTER, doc=doc)
-        return result
+                specs[step.timeout.place] = replace(_AFTER, doc=f"timeout of the step {step.name}")
+        return specs
 
     def with_numbers(self, changes: Mapping[str, Number]) -> SequenceProgram:
         """Return a copy in which some numbers are replaced."""

@@ -149,11 +149,14 @@ class Switch(Controller):
     def timers(self) -> tuple[Timer, ...]:
         return (Timer("sample", rank=-1, is_simultaneous=True),)
 
+    def flags(self) -> tuple[str, ...]:
+        return ("state",)
+
     def output_ranges(self) -> dict[str, tuple[str | float, str | float]]:
         return {"state": (0.0, 1.0)}
 
     def start(self, scope: Scope) -> dict[str, Any]:
-        return {"state": scope["initial_state"], "sample": 0.0, "sample_count": 0.0}
+        return {"state": where(scope["initial_state"] > 0.5, 1.0, 0.0), "sample": 0.0, "sample_count": 0.0}
 
     def control(self, scope: Scope) -> ControlOutputs:
         return ControlOutputs({"state": (scope.memory["state"], "1")})
