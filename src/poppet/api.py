@@ -212,13 +212,13 @@ class Circuit(BaseCircuit, metaclass=_ListedNames):
         Parameters
         ----------
         output : str or Path, optional
-            Folder for the dataset of all runs; default a temporary folder. An incomplete dataset in the folder is
+            Folder for the dataset of all runs (default: a temporary folder). An incomplete dataset in the folder is
             completed.
         executor : str or object, optional
             `threads`, `processes`, the address of a Dask scheduler, a `distributed.Client`, or any
             `concurrent.futures.Executor`. The results are identical for all executors.
         workers : int, optional
-            Number of threads or processes; default one per processor.
+            Number of threads or processes (default: one per processor).
         progress : callable, optional
             Function that is called with the number of completed runs, the total, and the kind of run: `runs`, `tornado`
             or `indices`.
@@ -306,10 +306,10 @@ class Circuit(BaseCircuit, metaclass=_ListedNames):
         Parameters
         ----------
         inputs : sequence of str, optional
-            Addresses of the inputs in u; default all. Other inputs are constant: they have their values at the start of
-            a run.
+            Addresses of the inputs in u (default: all). Other inputs are constant, with their values at the start of a
+            run.
         numbers : sequence of str, optional
-            Addresses of the parameters in p; default none. Other parameters are constant.
+            Addresses of the parameters in p (default: none). Other parameters are constant.
         without : str or sequence of str, optional
             Names of controllers to omit. The inputs that they drive can then be in u.
 
@@ -372,7 +372,7 @@ class Circuit(BaseCircuit, metaclass=_ListedNames):
         linear : bool, optional
             If True, return the linear model at the steady state, in discrete time if the circuit is sampled.
         inputs, numbers, without : optional
-            See `to_casadi`. The parameters in `numbers` are the `params` of the system.
+            Same arguments as in `to_casadi`. The parameters in `numbers` are the `params` of the system.
 
         Returns
         -------
@@ -382,7 +382,7 @@ class Circuit(BaseCircuit, metaclass=_ListedNames):
         Raises
         ------
         InputErrors
-            See `to_casadi`.
+            In the same cases as in `to_casadi`.
         """
         from poppet.deploy.casadi_export import to_control
 

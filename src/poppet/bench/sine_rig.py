@@ -124,8 +124,8 @@ class SineRig:
     ) -> SineResponse:
         """Return the response to a sine after the transient has decayed.
 
-        `frequency` is the frequency of the sine [Hz], and `rows` the number of samples per period. At most `attempts`
-        runs are made, each twice as long as the previous one.
+        `frequency` is the frequency of the sine [Hz], and the keyword `rows` is the number of samples per period. At
+        most `attempts` (a keyword) runs are made, each twice as long as the previous one.
         """
         periods = max(PERIODS, int(np.ceil(SAMPLES * self.sample_time * frequency)))
         for k in range(attempts):

@@ -78,7 +78,7 @@ class BaseCircuit(HtmlMixin):
     Raises
     ------
     InputErrors
-        With all wiring errors.
+        If the wiring is invalid. The exception contains all errors.
     """
 
     parts: Mapping[str, Part]
@@ -135,6 +135,9 @@ class BaseCircuit(HtmlMixin):
             check_starts(errors, self.parts, self.signals)
             signals = {a: signal for a, signal in self.signals.items() if a.partition(".")[0] not in checked}
             check_signals(errors, signals, self.inputs, self.parameters)
+        # Parts name outputs, whose names and units only the model contains.
+        if self._declared and (like is None or like.structure != self.structure):
+            _ = self._symbolic_model
 
     def _all_connections(self, like: BaseCircuit | None) -> Mapping[str, str]:
         """Return the connections of the user and those that parts declare.
@@ -363,7 +366,7 @@ class BaseCircuit(HtmlMixin):
         Parameters
         ----------
         recording : Recording
-            Contains a series for each state, in any unit.
+            Recording that contains a series for each state, in any unit.
 
         Returns
         -------
@@ -411,13 +414,16 @@ class BaseCircuit(HtmlMixin):
 
         The model is compiled when it is first needed. Circuits that differ only in values share one kernel.
         """
-        from poppet.circuit.trace import trace
         from poppet.engine.kernel import KERNELS, compile_kernel
 
         # Circuits that differ only in values have the same structure and share the kernel.
-        return KERNELS.get(
-            self.structure, lambda: compile_kernel(trace(self.parts, tuple(self.parameters), self.connections))
-        )
+        return KERNELS.get(self.structure, lambda: compile_kernel(self._symbolic_model))
+
+    @cached_property
+    def _symbolic_model(self) -> Model:
+        from poppet.circuit.trace import trace
+
+        return trace(self.parts, tuple(self.parameters), self.connections)
 
     @property
     def model(self) -> Model:
@@ -440,7 +446,7 @@ class BaseCircuit(HtmlMixin):
             initial={output: number for part in placed for output, number in part.initial.items()},
             inner=frozenset(self.connections).union(*(part.inner for part in placed)),
             sources={address: number for part in placed for address, number in part.numbers.items()},
-            bodies={name: part.body for name, part in self._wiring.items() if part.body},
+            bodies={name: body for name, part in self._wiring.items() if (body := part.acts_on(name)) is not None},
         )
 
     def result_notes(self, series: Series) -> Iterator[Note]:
@@ -502,17 +508,19 @@ class BaseCircuit(HtmlMixin):
         duration : float or str, optional
             Duration [s] (default: duration in the run options).
         output_step : float or str, optional
-            Time between rows [s]; default a thousandth of the duration.
+            Time between rows [s] (default: a thousandth of the duration).
         relative_tolerance : float, optional
-            The error of the results is at most about ten times this value; default 1e-6.
+            Relative tolerance of the solver (default: 1e-6). The error of the results is at most about ten times this
+            value.
         stop_when : str or list of str, optional
             Conditions that end the run early, for example `tank.pressure > 5 bar`.
         solver : str, optional
             `rosenbrock`; or `cvodes`, `lsoda`, `bdf`, `radau` to check the result.
         start : Recording, optional
-            The last row is the initial state.
+            Recording whose last row is the initial state.
         progress : callable, optional
-            Called with the time reached [s]. With it, Ctrl-C ends the run with a partial result.
+            Function that is called with the time reached [s]. If it is given, Ctrl-C ends the run with a partial
+            result.
         throw : bool, optional
             If True, a failed run raises an error. Otherwise the result is the partial recording, and `outcome` states
             the reason.
@@ -551,7 +559,8 @@ class BaseCircuit(HtmlMixin):
         Parameters
         ----------
         inputs : mapping, optional
-            Address to value, SI or text with a unit; default: value of each input at the start of a run.
+            Mapping from the address of an input to its value, in SI units or as text with a unit (default: value of
+            each input at the start of a run).
 
         Returns
         -------
@@ -599,7 +608,7 @@ class BaseCircuit(HtmlMixin):
         Parameters
         ----------
         inputs : mapping, optional
-            Address to value, SI or text with a unit.
+            Mapping from the address of an input to its value, in SI units or as text with a unit.
         at : Recording, optional
             Recording whose last row is the operating point (default: the steady state).
 

@@ -39,7 +39,7 @@ MIN_TRAVEL = 1e-9
 
 @dataclass(frozen=True)
 class BodyStroke:
-    """One stroke of a body: its motion from a standstill or turning point to the next."""
+    """One stroke of a body: its motion from one standstill or turning point to the next."""
 
     body: str
     unit: str  # of the travel

@@ -195,7 +195,7 @@ class Run(_OptionSection):
     duration : number
         Duration [s].
     output_step : number
-        Time between rows [s]; default a thousandth of the duration.
+        Time between rows [s] (default: a thousandth of the duration).
     relative_tolerance : number
         Accuracy of the results.
     maximum_step : number

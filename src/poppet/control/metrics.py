@@ -44,7 +44,7 @@ METRICS = {
 
 
 def readable_unit_of(unit: str) -> str:
-    """Return the unit in which values are displayed, such as bar for Pa."""
+    """Return the unit in which values are displayed, for example bar for values in Pa."""
     return _READ.get(unit) or USUAL.get(unit, unit)
 
 

@@ -309,7 +309,7 @@ def schedule(
     sensitivity : float, optional
         Largest permitted value of Ms and Mt; the function `tune` describes both.
     amplitudes, progress
-        As in `tune`.
+        Same arguments as in `tune`.
 
     Returns
     -------
@@ -319,7 +319,7 @@ def schedule(
     Raises
     ------
     InputError
-        As in `tune`; and for fewer than two operating points, or a form without integral.
+        In the same cases as in `tune`, for fewer than two operating points, and for a form without an integral part.
     """
     plant, points = _prepare(circuit, controller, at, form, sensitivity, amplitudes, progress)
     if form == "p":

@@ -78,7 +78,7 @@ class Quantity:
     Parameters
     ----------
     value : float
-        In `unit`; for a gauge pressure the gauge value.
+        Value in `unit`. For a gauge pressure, it is the gauge value.
     unit : str
         The requested SI unit.
     reference : str
@@ -171,6 +171,27 @@ def is_known(unit: str) -> bool:
     except UnitError:
         return False
     return True
+
+
+def unmarked_unit(unit: str) -> Unit:
+    """Return a unit without its mark: `m^3/s ANR` becomes m^3/s, `bar g` becomes bar.
+
+    Parameters
+    ----------
+    unit : str
+        For example `m^3/s ANR`.
+
+    Returns
+    -------
+    Unit
+        Scale and dimension.
+
+    Examples
+    --------
+    >>> unmarked_unit("l/min ANR") == unmarked_unit("l/min")
+    True
+    """
+    return _unit_and_mark(unit)[0]
 
 
 def check_unit(unit: str) -> None:

@@ -224,8 +224,8 @@ def read_plan(
 ) -> EnsemblePlan:
     """Read the tables `ensemble` and `requirements` of a circuit, and report all errors together.
 
-    `folder` is the folder to which file names in the tables refer. Without `allow_python`, Python functions in files
-    raise an error. Reading a plan executes none of them.
+    `folder` is the folder to which file names in the tables refer. Without the keyword `allow_python`, Python functions
+    in files raise an error. Reading a plan executes none of them.
     """
     outputs = dict(circuit.model.outputs)
     ambient = circuit.surroundings.pressure

@@ -15,6 +15,7 @@ from poppet.core.tables import Field, read_fields
 from poppet.core.units import Kind
 from poppet.parts.fields import NumberSpec, flatten
 from poppet.parts.rows import NumberTable
+from poppet.parts.steps import SequenceProgram
 
 Role = Literal["number", "start", "lag", "input_lag", "delay", "offset", "dead_time"]
 FIELDS = ("start", "min", "max", "prior")
@@ -107,7 +108,7 @@ def number_specs(circuit: BaseCircuit) -> dict[str, NumberSpec]:
     declared = {f"{name}.{key}": spec for name, part in circuit.parts.items() for key, spec, _ in flatten(part)}
     for name, part in circuit.parts.items():
         for table in vars(part).values():
-            if isinstance(table, NumberTable):
+            if isinstance(table, NumberTable | SequenceProgram):
                 declared |= {f"{name}.{table.field}.{key}": spec for key, spec in table.number_specs().items()}
         for key, number in part.numbers().items():
             # Tabulated values of C and b have limits; coefficients of polynomials have none.
@@ -125,7 +126,8 @@ def read_free(
 ) -> FreeParameter:
     """Read one free parameter from its table in an input file, or from its start value alone.
 
-    `address` is the address of the circuit parameter. `where` is the location of the table in the file, for messages.
+    `address` is the address of the circuit parameter. The keyword `where` is the location of the table in the file, for
+    messages.
     """
     # Use the circuit, not its instance: the parts declare units and limits.
     numbers = circuit.numbers()

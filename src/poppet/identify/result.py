@@ -91,7 +91,7 @@ class ResidualSummary:
         Parameters
         ----------
         model, measured : (n,) array
-            In `unit`.
+            Values of the model and of the measurement, in `unit`.
         unit : str
             SI unit.
 

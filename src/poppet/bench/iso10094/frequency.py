@@ -47,8 +47,8 @@ def frequency_trial(
 ) -> Trial:
     """Return a trial with a sinusoidal setpoint about a mean value.
 
-    `mean` and `amplitude` are in % FS, `frequency` is in Hz, `hold` is the settling time of the valve [s], and `volume`
-    the outlet volume [m^3]. Six periods are recorded after the transient.
+    The keywords `mean` and `amplitude` are in % FS, `frequency` is in Hz, `hold` is the settling time of the valve [s],
+    and `volume` the outlet volume [m^3]. Six periods are recorded after the transient.
     """
     settling = max(2.0, math.ceil(hold * frequency)) / frequency
     unit = (scale.setpoint_high - scale.setpoint_low) / 100.0
@@ -283,8 +283,8 @@ def fit_sine(
 ) -> SineComponent:
     """Fit a sine of known frequency [Hz] to a series by least squares.
 
-    The fit includes harmonics up to the order `highest`, a mean and a linear drift. If `is_coloured` is True, the
-    standard error takes correlated noise into account.
+    The fit includes harmonics up to the order `highest` (a keyword), a mean and a linear drift. If the keyword
+    `is_coloured` is True, the standard error takes correlated noise into account.
 
     Examples
     --------

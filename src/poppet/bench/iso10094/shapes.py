@@ -111,7 +111,8 @@ class Jump:
 def find_jumps(time: FloatArray, setpoint: FloatArray, threshold: float, *, is_exact: bool) -> list[Jump]:
     """Return all jumps of a setpoint that are at least as large as a threshold.
 
-    If `is_exact` is True, a jump occurs at the first sample with the new value. Otherwise its time is interpolated.
+    If the keyword `is_exact` is True, a jump occurs at the first sample with the new value. Otherwise its time is
+    interpolated.
 
     Examples
     --------

@@ -75,8 +75,8 @@ class SmoothedSeries:
     def crossing(self, level: float, extra: float, *, last: bool = False) -> tuple[float, Uncertainty]:
         """Return the time at which the series crosses a level [s], with its uncertainty.
 
-        By default, it is the first rise to the level. If `last` is True, it is the last fall below the level. `extra`
-        is the standard deviation of the level. The time is NaN if the series does not cross the level.
+        By default, it is the first rise to the level. If the keyword `last` is True, it is the last fall below the
+        level. `extra` is the standard deviation of the level. The time is NaN if the series does not cross the level.
         """
         time = self._crossing_time(level, last=last)
         if not math.isfinite(time):
@@ -147,7 +147,7 @@ class SmoothedSeries:
         """Return the time at which a noisy series crosses a level [s].
 
         Noise can cause several crossings, so the result is the mean of the first and the last crossing during the rise
-        to the level. If `last` is True, the crossings during the final fall below the level are used.
+        to the level. If the keyword `last` is True, the crossings during the final fall below the level are used.
         """
         if not last:
             risen = np.flatnonzero(self.values >= level)

@@ -13,7 +13,7 @@ from collections.abc import Collection, Mapping, Sequence
 from typing import Any, NamedTuple
 
 from poppet.engine.printers.instructions import SIGNATURES, Block, blocks, instructions
-from poppet.engine.printers.statements import Language
+from poppet.engine.printers.statements import BlockForms, Language
 from poppet.engine.rosenbrock import ARGUMENT, COUPLING, DENSE, GAMMA, INPUT_TIMES, STAGE_DRIFT, STAGE_TIME
 
 BLOCK_SIZE = 1500
@@ -149,6 +149,7 @@ def statement_language(precision: Precision) -> Language:
     return Language(
         operations=operations,
         comparisons={"lt": "{0} < {1}", "le": "{0} <= {1}", "eq": "{0} == {1}", "ne": "{0} != {1}"},
+        reversed={"lt": "{1} > {0}", "le": "{1} >= {0}"},
         logic={"and": "{0} && {1}", "or": "{0} || {1}", "not": "!{0}", "true": "true", "false": "false"},
         literal=precision.literal,
         choice="{0} ? {1} : {2}",
@@ -157,6 +158,19 @@ def statement_language(precision: Precision) -> Language:
         declaration="  const {type} {name} = {text};",
         assignment="  {name} = {text};",
         comment="  /* {text} */",
+        blocks=BlockForms(
+            indent="  ",
+            variable="{type} {name} = {text};",
+            switch="switch ((int){0}) {{",
+            case="case {0}: {1}",
+            end_case=("break;",),
+            end_switch=("  default:", "    break;", "}"),
+            if_true="if ({0}) {{",
+            else_if="}} else if ({0}) {{",
+            otherwise="} else {",
+            end_if="}",
+            has_last_else=True,
+        ),
         longest=60,
     )
 
@@ -174,8 +188,8 @@ def print_function(
     """Return the C text of one traced function.
 
     `signature` contains the names of its arguments and results, for example an entry of `SIGNATURES`. The keyword
-    `labels` contains comments for the elements of each argument. With `shares_inverses`, divisions by the same value
-    become products with one inverse, which is faster and changes the last digit.
+    `labels` contains comments for the elements of each argument. With the keyword `shares_inverses`, divisions by the
+    same value become products with one inverse, which is faster and changes the last digit.
     """
     arguments, _, results = (signature or SIGNATURES[name]).partition("->")
     names, name = (arguments.split(), results.split()), prefix + name

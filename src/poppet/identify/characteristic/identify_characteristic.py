@@ -134,7 +134,7 @@ def identify_characteristic(
     notes : tuple of Note or str, optional
         Notes on the tests; the findings include them.
     progress : callable, optional
-        Called with the number of evaluations and the cost of the joint fit.
+        Function that is called with the number of evaluations and the cost of the joint fit.
 
     Returns
     -------

@@ -164,7 +164,8 @@ def identify_design(plan: DesignPlan | str | Path, *, progress: Callable[[int, i
     plan : DesignPlan, str or Path
         Free parameters, sensors and candidates, or a design file.
     progress : callable, optional
-        Called with the number of evaluated candidates, their total number and the name of the next one.
+        Function that is called with the number of evaluated candidates, their total number and the name of the next
+        one.
 
     Returns
     -------

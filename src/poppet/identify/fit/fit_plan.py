@@ -81,7 +81,7 @@ def read_fit_file(path: str | Path) -> FitPlan:
     Raises
     ------
     InputErrors
-        With all errors, each with its line if available.
+        If the file is invalid. The exception contains all errors, each with its line if available.
     """
     file = TomlFile.read(path, "recordings")
     with file.errors():
@@ -319,7 +319,7 @@ def check_effects(plan: FitPlan) -> None:
     Raises
     ------
     InputErrors
-        With all parameters without effect.
+        If a parameter has no effect. The exception contains one error for each such parameter.
     """
     if any(experiment.samples for experiment in plan.experiments):
         return

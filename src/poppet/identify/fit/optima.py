@@ -73,8 +73,9 @@ class _Searches:
     ) -> Optimum:
         """Run one search from a start point, and return the optimum.
 
-        `name` is the name of the start point. `fixed` maps names of parameters to fixed values. The search ends early
-        if it reaches an optimum in `joinable`. `weights` is the noise of each channel.
+        `name` is the name of the start point. The keyword `fixed` maps names of parameters to fixed values. The search
+        ends early if it reaches an optimum in the keyword `joinable`. The keyword `weights` is the noise of each
+        channel.
         """
         evaluations_before = self.evaluations
 

@@ -59,9 +59,9 @@ class SearchSettings:
     seed : int
         Seed of the random start points.
     kicks : int or None
-        Maximum number of rounds of restarts near the optimum, if the residuals are not white. None selects 3 rounds, or
-        0 for circuits with sampled controllers, because their residuals are seldom white and their simulations take
-        long.
+        Maximum number of rounds of restarts near the optimum, if the residuals are not white. If it is None, the number
+        is 3. For circuits with sampled controllers it is then 0, because their residuals are seldom white and their
+        simulations take long.
     """
 
     loss: str = "linear"
@@ -266,9 +266,9 @@ def optimise(
 ) -> Optimum:
     """Search for the parameter values with the lowest cost.
 
-    The search begins at the start values, or at `start_point`. `sigmas` is the noise of each channel from an earlier
-    search. `fixed` maps names of parameters to fixed values. The search ends if it reaches a known optimum in
-    `joinable`.
+    The search begins at the start values, or at the point in the keyword `start_point`. The keyword `sigmas` is the
+    noise of each channel from an earlier search, and `fixed` maps names of parameters to fixed values. The search ends
+    if it reaches one of the known optima in `joinable`.
     """
     settings = settings or SearchSettings()
     stated_noise = [fitted.channel.noise for fitted in channels_of(experiments)]

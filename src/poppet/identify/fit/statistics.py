@@ -181,8 +181,8 @@ class ErrorModel:
     def deviation(self, weights: FloatArray, *, offsets: Sequence[SensorOffset] | None = None) -> float:
         """Return the standard deviation of a weighted sum of the samples.
 
-        The samples are divided by their noise. `offsets` contains the sensor offsets that are included; by default, all
-        detected ones.
+        The samples are divided by their noise. The keyword `offsets` contains the sensor offsets that are included, by
+        default all detected ones.
         """
         if not np.all(np.isfinite(weights)):
             return float("inf")
@@ -196,7 +196,7 @@ class ErrorModel:
         return float(np.sqrt(spread + shifts))
 
     def factor(self, weights: FloatArray) -> float:
-        """Return the ratio of the variance of a weighted sum of the samples to its value for white noise.
+        """Return the variance of a weighted sum of the samples, divided by its value for white noise.
 
         The samples are divided by their noise.
         """
@@ -324,8 +324,8 @@ def estimates(
     """Return the estimate of each free parameter by name.
 
     An estimate contains the 95 % confidence interval and the verdict. `spread` is the error model of the fit. The
-    intervals include the effect of all values of parameters at a bound that the data do not reject. If `is_conditional`
-    is True, these parameters are treated as fixed.
+    intervals include the effect of all values of parameters at a bound that the data do not reject. If the keyword
+    `is_conditional` is True, these parameters are treated as fixed.
     """
     quantile, result = _quantile(optimum), {}
     errors = np.array([spread.deviation(weights) for weights in spread.influences])

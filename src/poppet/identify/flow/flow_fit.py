@@ -134,8 +134,8 @@ class FlowModel:
     def flow(self, x: FloatArray, **shifts: FloatArray) -> FloatArray:
         """Return the flow that the flow meter should read according to the model [kg/s].
 
-        `x` contains the scaled free parameters and common errors. `shifts` maps channels to values that are added to
-        their readings.
+        `x` contains the scaled free parameters and common errors. Each keyword argument is a value that is added to the
+        readings of the channel with this name.
         """
         readings = self.readings(x)
         for channel, shift in shifts.items():
@@ -362,8 +362,8 @@ def _iterate_weights(
 ) -> FlowFit:
     """Return the fit after alternating updates of weights and parameters.
 
-    `adapt` names the argument of `FlowModel.variances` that is adapted until chi-square equals its degrees of freedom.
-    If it is empty, the variances stay as stated.
+    The keyword `adapt` is the name of the argument of `FlowModel.variances` that is adapted until chi-square equals its
+    degrees of freedom. If `adapt` is empty, the variances are not adapted.
     """
     from scipy.optimize import least_squares
 
@@ -436,7 +436,8 @@ def start_point(model: FlowModel) -> FloatArray:
 def _unit_flow(points: FlowPoints, **law: Any) -> FloatArray:
     """Return the flow at all points for a sonic conductance C of 1.
 
-    `law` contains the other parameters of the flow law. If they are columns, the result has one row for each set.
+    The keyword arguments are the other parameters of the flow law. If they are columns, the result has one row for each
+    set.
     """
     readings = (getattr(points, channel) for channel in CHANNELS if channel != "mass_flow_rate")
     return np.asarray(mass_flow_rate(*readings, sonic_conductance=1.0, **law))

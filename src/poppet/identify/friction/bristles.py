@@ -192,8 +192,8 @@ class ReversalData:
         """Return the samples up to `distance` after a reversal.
 
         `turn` is the stroke that begins with the reversal. `values` contains the parameters of sliding friction, and
-        `offsets` the force offset of each recording. `is_chained` is True if the bristles start at the deflection at
-        which the previous stroke ended.
+        `offsets` the force offset of each recording. The keyword `is_chained` is True if the bristles start at the
+        deflection at which the previous stroke ended.
         """
         is_within, last = turn.distance <= distance, turn.last
         assert last is not None

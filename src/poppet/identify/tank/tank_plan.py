@@ -453,8 +453,8 @@ def _free_by_recording(
     """Return the free parameters that an argument of a tank test declares for its recordings.
 
     `arguments` contains the argument for each recording. There is one parameter for each recording whose argument is
-    free, or one for all recordings if `is_shared` is True. If there is only one recording, the name of the parameter
-    has no prefix.
+    free, or one for all recordings if the keyword `is_shared` is True. If there is only one recording, the name of the
+    parameter has no prefix.
     """
     if is_shared:
         return [_read_free(address, arguments[0], circuits[0])] if is_free(arguments[0]) else []

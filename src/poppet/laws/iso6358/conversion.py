@@ -220,7 +220,7 @@ def conductance_from_flow_coefficient_cv(
     flow_coefficient_cv : float
         Flow coefficient Cv: flow of water in US gal/min at a pressure drop of 1 psi.
     critical_ratio : float, optional
-        Critical pressure ratio b [1]; default 0.3, which the note of the result describes as assumed.
+        Critical pressure ratio b [1]. The default is 0.3; the note of the result states that this value is assumed.
     definition : str, optional
         "pneumatic": Cv of a pneumatic catalogue, Q = 114.5 Cv sqrt(dp p2/T1), with Q in dm3/s ANR, pressures in bar and
         temperature in K. "small_dp": Cv of a liquid test, which is valid for a gas at pressure drops at which its
@@ -261,7 +261,7 @@ def conductance_from_flow_coefficient_kv(
     flow_coefficient_kv : float
         Flow coefficient Kv: flow of water in m^3/h at a pressure drop of 1 bar.
     critical_ratio : float, optional
-        Critical pressure ratio b [1]; default 0.3, which the note of the result describes as assumed.
+        Critical pressure ratio b [1]. The default is 0.3; the note of the result states that this value is assumed.
     definition : str, optional
         "pneumatic" or "small_dp", see `conductance_from_flow_coefficient_cv`.
 
@@ -355,7 +355,7 @@ def conductance_from_nominal_flow(
     nominal_flow : float
         Volume flow rate at the reference atmosphere ANR, 20 degC and 1 bar [m^3/s].
     critical_ratio : float, optional
-        Critical pressure ratio b [1]; default 0.3, which the note of the result describes as assumed.
+        Critical pressure ratio b [1]. The default is 0.3; the note of the result states that this value is assumed.
     subsonic_index, atmosphere : float, optional
         Subsonic index m [1], and absolute ambient pressure to which the gauge pressures of 6 and 5 bar refer [Pa].
 

@@ -43,8 +43,8 @@ NEXT = {
 def headline(result: Result, *, is_plain: bool = False) -> str:
     """Return the main parameters with their errors, and the verdicts, as one line of text.
 
-    The main parameters are the sonic conductance C and the critical ratio b if they were identified. With `is_plain`,
-    the text is ASCII.
+    The main parameters are the sonic conductance C and the critical ratio b if they were identified. With the keyword
+    `is_plain`, the text contains only ASCII characters.
 
     Examples
     --------

@@ -71,7 +71,7 @@ _SCALE = 1.12
 def card(title: str, lead: str, *blocks: Content) -> str:
     """Return the HTML block with which a notebook shows one object.
 
-    `title` and `lead` are text. `blocks` contains HTML or tables.
+    `title` and `lead` are texts. The further arguments are HTML texts or tables.
 
     Examples
     --------
