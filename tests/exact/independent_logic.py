@@ -38,9 +38,9 @@ def one_way(first: float, second: float, *size: float) -> float:
 
 @dataclass
 class Element:
-    """Closing element whose speed is proportional to the excess of its drive, up to 1/T.
+    """Closing element with friction (0.8 of the switching pressure) that a detent (0.2) holds at its seats.
 
-    It covers the last 1/50 of its travel exponentially.
+    Its speed is proportional to the remaining drive, up to 1/T. It covers the last 1/50 of its travel exponentially.
     """
 
     drive: Callable[[Mapping[str, float]], float]  # pressure difference towards position 1 [Pa]
@@ -48,7 +48,8 @@ class Element:
     switching_time: float
 
     def speed(self, position: float, pressures: Mapping[str, float]) -> float:
-        excess = self.drive(pressures) / self.switching_pressure + 2.0 * position - 1.0
+        drive = self.drive(pressures) / self.switching_pressure
+        excess = np.sign(drive) * max(abs(drive) - 0.8, 0.0) + 0.2 * (2.0 * position - 1.0)
         toward_0, toward_1 = min(50.0 * position, 1.0), min(50.0 * (1.0 - position), 1.0)
         return float(np.clip(excess, -toward_0, toward_1)) / self.switching_time
 

@@ -8,6 +8,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from scipy.optimize import brentq
 
 from poppet import (
     Chamber,
@@ -61,7 +62,7 @@ def test_quick_exhaust_discharges_the_load_by_the_closed_form(switching_time):
 @pytest.mark.parametrize(("kind", "side"), [(ShuttleValve, 1.0), (TwoPressureValve, -1.0)])
 @pytest.mark.parametrize("slope", [1e4, 1e5, 1e6])
 def test_element_switches_at_the_switching_pressure_in_both_directions(kind, side, slope):
-    """Closed form for a ramp of the drive, 1 + r t: T dx/dt = r t + 2 x, up to full speed at r t + 2 x = 1."""
+    """Closed form for a ramp of the drive, 1 + r t: T dx/dt = r t + 0.4 x."""
     limit, switching_time = 2e4, 1e-3
     valve = kind(
         a="left", b="right", outlet="load", **SIZE, switching_pressure=limit, switching_time=switching_time,
@@ -76,8 +77,13 @@ def test_element_switches_at_the_switching_pressure_in_both_directions(kind, sid
     changes = np.flatnonzero(np.diff(position > 0.5))
     crossing = recording.time[changes] + step * (0.5 - position[changes]) / np.diff(position)[changes]
     rate = slope / limit
-    delay = 0.5 * switching_time * np.log(1.0 + 2.0 / (rate * switching_time))
-    delay *= 1.0 + 0.5 * rate * switching_time
+    tau = switching_time / 0.4
+
+    def travel(time: float) -> float:
+        return float(rate / 0.4 * (tau * np.expm1(time / tau) - time))
+
+    delay = brentq(lambda time: travel(time) - 0.5, 1e-6, 1.0)
+    assert rate * delay + 0.4 * 0.5 < 1.0  # below full speed
     assert crossing == pytest.approx([limit / slope + delay, up + (1e5 + limit) / slope + delay], abs=1e-2 * delay)
 
 
@@ -204,11 +210,12 @@ def independent_flows(p: dict[str, float], x: dict[str, float]) -> dict[str, flo
     """Return the flows into the chambers of the circuit below."""
 
     def two_inlets(name: str, outlet: str) -> float:
-        opened = max(1.0 - 2.0 * x[name], 0.0), max(2.0 * x[name] - 1.0, 0.0)
-        return sum(
-            flow(p[side], p[outlet], 2e-8 * opening, 0.3)
-            for side, opening in zip(("left", "right"), opened, strict=True)
-        )
+        total = 0.0
+        for side, distance in (("left", x[name]), ("right", 1.0 - x[name])):
+            is_early = (p[side] > p[outlet]) == (name == "or")
+            opening = np.clip((3.0 if is_early else 1.0) - 4.0 * distance, 0.0, 1.0)
+            total += flow(p[side], p[outlet], 2e-8 * opening, 0.3)
+        return total
 
     either, both = two_inlets("or", "t1"), two_inlets("and", "t2")
     fills = one_way(p["t1"], p["t3"], 1e-8 * max(1.0 - 2.0 * x["quick"], 0.0), 0.25)

@@ -26,7 +26,7 @@ def test_element_leaves_an_end_outside_its_hysteresis_at_full_speed() -> None:
 
 def test_speed_of_a_gradual_element_is_proportional_to_the_excess_of_its_drive() -> None:
     assert gradual_switching_rate(0.0, 1.1, 2e-3) == pytest.approx(50.0)
-    assert gradual_switching_rate(0.2, 1.1, 2e-3) == pytest.approx(250.0)
+    assert gradual_switching_rate(0.2, 1.1, 2e-3) == pytest.approx(90.0)
     assert gradual_switching_rate(1.0, -1.1, 2e-3) == pytest.approx(-50.0)
     for drive in (2.0, 9.0):
         assert gradual_switching_rate(0.0, drive, 2e-3) == pytest.approx(500.0)
@@ -34,9 +34,16 @@ def test_speed_of_a_gradual_element_is_proportional_to_the_excess_of_its_drive()
         assert gradual_switching_rate(1.0, drive, 2e-3) == 0.0
 
 
-@pytest.mark.parametrize("law", LAWS)
+def test_friction_holds_a_gradual_element_between_its_seats() -> None:
+    """Within the friction, only the detent moves it, slowly and away from the middle."""
+    for drive in (-0.8, 0.0, 0.8):
+        assert gradual_switching_rate(0.6, drive, 2e-3) == pytest.approx(20.0)
+        assert gradual_switching_rate(0.5, drive, 2e-3) == pytest.approx(0.0, abs=1e-9)
+    assert gradual_switching_rate(0.6, -1.0, 2e-3) == pytest.approx(-80.0)
+
+
 @pytest.mark.parametrize("drive", [-0.9, 0.0, 0.7])
-def test_position_between_the_ends_is_unstable(law: Callable[..., float], drive: float) -> None:
+def test_position_between_the_ends_is_unstable(drive: float) -> None:
     balance = 0.5 * (1.0 - drive)
-    assert law(balance + 0.01, drive, 1.0) > 0.0
-    assert law(balance - 0.01, drive, 1.0) < 0.0
+    assert switching_rate(balance + 0.01, drive, 1.0) > 0.0
+    assert switching_rate(balance - 0.01, drive, 1.0) < 0.0
