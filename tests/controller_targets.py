@@ -27,6 +27,7 @@ CONTROLLERS = {
     "schedule": ("pressure_control_scheduled", ()),
     "feedback linearisation": ("pressure_control_linearising", ()),
     "position": ("position_control", ()),
+    "dead zone": ("position_dead_zone", ()),
     "electronics": ("pressure_regulator", ()),
     "cascade": ("muscle_joint", ("position", "inverse", "valve")),
 }

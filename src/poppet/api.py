@@ -150,7 +150,7 @@ class Circuit(BaseCircuit, metaclass=_ListedNames):
         contour : bool, optional
             If True, compute the chi-square contour over sonic conductance and wall conductance.
         title : str, optional
-            Title of the result; default the title of the circuit.
+            Title of the result (default: title of the circuit).
         progress : callable, optional
             Function that is called with the number of evaluations and the lowest cost.
         stages : callable, optional
@@ -212,19 +212,19 @@ class Circuit(BaseCircuit, metaclass=_ListedNames):
         Parameters
         ----------
         output : str or Path, optional
-            Folder for the dataset of all runs; default a temporary folder. An incomplete dataset in the folder is
+            Folder for the dataset of all runs (default: a temporary folder). An incomplete dataset in the folder is
             completed.
         executor : str or object, optional
             `threads`, `processes`, the address of a Dask scheduler, a `distributed.Client`, or any
             `concurrent.futures.Executor`. The results are identical for all executors.
         workers : int, optional
-            Number of threads or processes; default one per processor.
+            Number of threads or processes (default: one per processor).
         progress : callable, optional
             Function that is called with the number of completed runs, the total, and the kind of run: `runs`, `tornado`
             or `indices`.
         requirements : mapping, optional
-            Mapping from names to requirements such as `fill_time < 12 s`; default the table `requirements` of the
-            circuit file.
+            Mapping from names to requirements such as `fill_time < 12 s` (default: table `requirements` of the
+            circuit file).
         allow_python : bool, optional
             Permit metrics by Python functions in files, `FILE.py:FUNCTION`, which executes these files.
         **fields
@@ -270,7 +270,7 @@ class Circuit(BaseCircuit, metaclass=_ListedNames):
         Parameters
         ----------
         duration : float or str, optional
-            Time range of the signals [s]; default the duration in the run options of the circuit.
+            Time range of the signals [s] (default: duration in the run options of the circuit).
 
         Returns
         -------
@@ -306,10 +306,10 @@ class Circuit(BaseCircuit, metaclass=_ListedNames):
         Parameters
         ----------
         inputs : sequence of str, optional
-            Addresses of the inputs in u; default all. Other inputs are constant: they have their values at the start of
-            a run.
+            Addresses of the inputs in u (default: all). Other inputs are constant, with their values at the start of a
+            run.
         numbers : sequence of str, optional
-            Addresses of the parameters in p; default none. Other parameters are constant.
+            Addresses of the parameters in p (default: none). Other parameters are constant.
         without : str or sequence of str, optional
             Names of controllers to omit. The inputs that they drive can then be in u.
 
@@ -372,7 +372,7 @@ class Circuit(BaseCircuit, metaclass=_ListedNames):
         linear : bool, optional
             If True, return the linear model at the steady state, in discrete time if the circuit is sampled.
         inputs, numbers, without : optional
-            See `to_casadi`. The parameters in `numbers` are the `params` of the system.
+            Same arguments as in `to_casadi`. The parameters in `numbers` are the `params` of the system.
 
         Returns
         -------
@@ -382,7 +382,7 @@ class Circuit(BaseCircuit, metaclass=_ListedNames):
         Raises
         ------
         InputErrors
-            See `to_casadi`.
+            In the same cases as in `to_casadi`.
         """
         from poppet.deploy.casadi_export import to_control
 
@@ -420,7 +420,7 @@ def loads(text: str, *, name: str = "circuit", folder: Path | None = None) -> Ci
     name : str, optional
         File name in error messages.
     folder : Path, optional
-        Folder for relative paths; default the working directory.
+        Folder for relative paths (default: working directory).
 
     Returns
     -------

@@ -1,7 +1,7 @@
 """Independent friction tests, by NumPy and SciPy only: no code of `poppet`.
 
-Tables and recordings with a Stribeck excess that grows with the pressure, and the motion of a mass with the
-elasto-plastic law.
+Tables and recordings with a Stribeck excess that grows with the pressure, the motion of a mass with the
+elasto-plastic law, and that of a mass whose friction depends on direction and position.
 
 The friction of steady sliding is F(v, p) = Fc + (Fs - Fc + ks p) exp(-(v/vs)^2) + k p + d v. With ks = 0, seals
 add the same friction at each speed.
@@ -45,6 +45,44 @@ def simulate_elasto_plastic(law, mass, load, times):
     )
     x, v, z = solution.y
     return np.array([x, v, [friction(*pair)[0] for pair in zip(v, z, strict=True)]])
+
+
+def simulate_directed(law, mass, load, times):
+    """Return position, velocity and friction of a mass from rest under `load(t)`, (3, n), at the given times.
+
+    The friction depends on direction and position. `law` has the kind, the parameters s0, s1 and vs, and pairs Fc, Fs,
+    s2 and zba with the values at positive and at negative velocity. `law["factor"]` has positions and factors.
+    """
+
+    def friction(x, v, z):
+        side = 1 if v < 0.0 else 0
+        scale = np.interp(x, *law["factor"])
+        coulomb, static, viscous = (scale * law[name][side] for name in ("Fc", "Fs", "s2"))
+        fading = np.exp(-((v / law["vs"]) ** 2))
+        level = coulomb + (static - coulomb) * fading
+        if law["kind"] == "viscous":
+            return viscous * v, 0.0
+        if law["kind"] == "stribeck":
+            return level * np.tanh(v / law["vt"]) + viscous * v, 0.0
+        steady, elastic = level / law["s0"], scale * law["zba"][side]
+        if law["kind"] == "lugre" or (v * z > 0.0 and abs(z) >= steady):
+            alpha = 1.0
+        elif v * z <= 0.0 or abs(z) <= elastic:
+            alpha = 0.0
+        else:
+            alpha = 0.5 + 0.5 * np.sin(np.pi * (abs(z) - 0.5 * (steady + elastic)) / (steady - elastic))
+        rate = v - alpha * abs(v) * z / steady
+        return law["s0"] * z + law["s1"] * fading * rate + viscous * v, rate
+
+    def rates(t, y):
+        force, rate = friction(*y)
+        return [y[1], (load(t) - force) / mass, rate]
+
+    solution = solve_ivp(
+        rates, (0.0, times[-1]), [0.0, 0.0, 0.0], "LSODA", times, rtol=1e-9, atol=[1e-12, 1e-11, 1e-14], max_step=1e-3
+    )
+    x, v, z = solution.y
+    return np.array([x, v, [friction(*values)[0] for values in zip(x, v, z, strict=True)]])
 
 
 def draw_truth(generator: np.random.Generator, growth: float) -> dict[str, float]:

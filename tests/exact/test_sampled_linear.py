@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from dataclasses import dataclass
 from functools import cache
 
 import numpy as np
 import pytest
 
 from poppet import Circuit
-from poppet.bench.sine_rig import SineRig, find_agreement, without_bands
-from poppet.circuit.linear_model import SteadyState
+from poppet.bench.sine_rig import SineRig, without_bands
+from poppet.circuit.linear_model import LinearModel, SteadyState
 from poppet.circuit.sampled.point import SampledPoint
 from poppet.circuit.sampled.sampled_model import SampledModel, sampled_model
 from poppet.engine.problem import Problem, constant_coefficients
@@ -26,6 +28,8 @@ SMOOTH = {
     "valve.pilot.vent.opening_delay": 0.0, "valve.pilot.vent.closing_delay": 0.0,
 }  # fmt: skip
 SETPOINT, OUTLET = "valve.setpoint", "tank.pressure"
+SCANNED = 13  # number of amplitudes before the bisection
+BISECTIONS = 6
 
 
 def circuit(volume: str = "1 l", **changes) -> Circuit:
@@ -145,6 +149,61 @@ def test_hum_of_a_small_tank_grows_as_the_linear_model_says():
     found = np.log(np.roots([1.0, -a, -b]).astype(complex)) / model.sample_time
     assert np.max(found.real) == pytest.approx(pole.real, rel=0.02)
     assert np.max(found.imag) == pytest.approx(abs(pole.imag), rel=0.02)
+
+
+@dataclass(frozen=True)
+class Agreement:
+    """Range of amplitudes in which the nonlinear model behaves like the linear model."""
+
+    # Limits of the input amplitudes for which the models agree, in the unit of the input. `low` is 0 if they agree for
+    # the smallest tested amplitude, `high` is infinite if they agree for the largest; both are NaN without agreement.
+    low: float
+    high: float
+    frequency: float  # frequency of the sine [Hz]
+    tolerance: float  # largest permitted difference of the complex gains, relative to the linear model
+    amplitudes: tuple[float, ...]  # tested amplitudes of the input
+    differences: tuple[float, ...]  # relative difference of the gains at each tested amplitude
+
+
+def find_agreement(
+    rig: SineRig, linear: LinearModel, frequency: float, amplitudes: tuple[float, float], *, tolerance: float = 0.1
+) -> Agreement:
+    """Find the range of amplitudes in which a circuit behaves like its linear model.
+
+    `amplitudes` are the limits of the search, and `tolerance` is the largest permitted difference of the complex gains,
+    relative to the linear model.
+    """
+    model = rig.kernel.model
+    names = model.inputs[rig.input].name, model.columns[0][rig.output]
+    expected = complex(linear.frequency_response(frequency, *names)[0])
+
+    def difference(amplitude: float) -> float:
+        return float(abs(rig.response(amplitude, frequency).gain - expected) / abs(expected))
+
+    candidates = np.geomspace(*amplitudes, SCANNED)
+    differences = np.array([difference(a) for a in candidates])
+    low = high = np.nan
+    # Start and end index of every range of consecutive amplitudes that agree.
+    edges = np.flatnonzero(np.diff(np.concatenate([[0], (differences <= tolerance).astype(int), [0]])))
+    if edges.size:
+        first, end = max(zip(edges[::2], edges[1::2], strict=True), key=lambda run: run[1] - run[0])
+        low = 0.0 if first == 0 else _end_of_agreement(difference, candidates[first], candidates[first - 1], tolerance)
+        high = (
+            np.inf if end == SCANNED else _end_of_agreement(difference, candidates[end - 1], candidates[end], tolerance)
+        )
+    return Agreement(low, high, frequency, tolerance, tuple(candidates.tolist()), tuple(differences.tolist()))
+
+
+def _end_of_agreement(difference: Callable[[float], float], inside: float, outside: float, tolerance: float) -> float:
+    """Return the amplitude at which the agreement with the linear model ends.
+
+    `difference` returns the deviation from the linear model at an amplitude. The bisection starts between the amplitude
+    `inside`, which agrees, and `outside`, which does not.
+    """
+    for _ in range(BISECTIONS):
+        middle = float(np.sqrt(inside * outside))
+        inside, outside = (middle, outside) if difference(middle) <= tolerance else (inside, middle)
+    return inside
 
 
 def test_bands_set_a_least_amplitude_and_saturation_a_greatest():

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from copy import copy
 from dataclasses import dataclass
 
@@ -11,10 +10,10 @@ from numpy.typing import NDArray
 
 from poppet.circuit.circuit import BaseCircuit
 from poppet.circuit.instance import Instance
-from poppet.circuit.linear_model import LinearModel, SteadyState, index_of
+from poppet.circuit.linear_model import SteadyState, index_of
 from poppet.circuit.sampled.point import SampledPoint
 from poppet.core.codes import Note
-from poppet.core.errors import InputError, SimulationError
+from poppet.core.errors import SimulationError
 from poppet.engine.call import Call
 from poppet.engine.problem import Problem, RawRun, StopCondition, constant_coefficients
 from poppet.engine.solve import solve
@@ -125,8 +124,8 @@ class SineRig:
     ) -> SineResponse:
         """Return the response to a sine after the transient has decayed.
 
-        `frequency` is that of the sine [Hz], and `rows` the number of samples per period. At most `attempts` runs are
-        made, each twice as long as the previous one.
+        `frequency` is the frequency of the sine [Hz], and the keyword `rows` is the number of samples per period. At
+        most `attempts` (a keyword) runs are made, each twice as long as the previous one.
         """
         periods = max(PERIODS, int(np.ceil(SAMPLES * self.sample_time * frequency)))
         for k in range(attempts):
@@ -181,9 +180,6 @@ def fundamental(time: Array, values: Array, frequency: float) -> tuple[complex, 
     return wave, float(coefficients[0]), left * np.sqrt(2.0) / abs(wave) if wave else np.inf
 
 
-SCANNED = 13  # number of amplitudes before the bisection
-BISECTIONS = 6
-
 _BANDS = {
     "electronics": (
         "inner.hold_band", "inner.minimum_duty", "inner.vent_delay", "outer.dead_band", "outer.integral_band",
@@ -195,25 +191,11 @@ _BANDS = {
 _OPTIONS = {"pilot_stage": {"drive": "averaged"}}
 
 
-@dataclass(frozen=True)
-class Agreement:
-    """Range of amplitudes in which the nonlinear model behaves like the linear model."""
-
-    # Limits of the input amplitudes for which the models agree, in the unit of the input. `low` is 0 if they agree for
-    # the smallest tested amplitude, `high` is infinite if they agree for the largest; both are NaN without agreement.
-    low: float
-    high: float
-    frequency: float  # frequency of the sine [Hz]
-    tolerance: float  # largest permitted difference of the complex gains, relative to the linear model
-    amplitudes: tuple[float, ...]  # tested amplitudes of the input
-    differences: tuple[float, ...]  # relative difference of the gains at each tested amplitude
-
-
 def without_bands(circuit: BaseCircuit) -> BaseCircuit:
-    """Return the circuit with continuous instead of sampled and pulsed behaviour of its controllers.
+    """Return a copy of the circuit without dead bands, delays and switching in its valves.
 
-    Dead bands, hold bands, delays and quantisation are set to zero, and each pulsed solenoid has its mean flow over a
-    period.
+    Dead bands, hold bands, delays and the steps of converters are set to zero. Each pulsed solenoid valve has its mean
+    flow over a period, so the circuit behaves smoothly for small motions.
     """
     changes: dict[str, float | str] = {}
     for name, part in circuit.parts.items():
@@ -223,46 +205,3 @@ def without_bands(circuit: BaseCircuit) -> BaseCircuit:
             changes |= {f"{path}.{key}": 0.0 for key in _BANDS.get(inner.kind, ())}
             changes |= {f"{path}.{key}": value for key, value in _OPTIONS.get(inner.kind, {}).items()}
     return circuit.with_values(changes)
-
-
-def find_agreement(
-    rig: SineRig, linear: LinearModel, frequency: float, amplitudes: tuple[float, float], *, tolerance: float = 0.1
-) -> Agreement:
-    """Find the range of amplitudes in which a circuit behaves like its linear model.
-
-    `amplitudes` are the limits of the search, and `tolerance` is the largest permitted difference of the complex gains,
-    relative to the linear model.
-    """
-    if not 0.0 < amplitudes[0] < amplitudes[1]:
-        raise InputError("limits.amplitudes", given=amplitudes)
-    model = rig.kernel.model
-    names = model.inputs[rig.input].name, model.columns[0][rig.output]
-    expected = complex(linear.frequency_response(frequency, *names)[0])
-
-    def difference(amplitude: float) -> float:
-        return float(abs(rig.response(amplitude, frequency).gain - expected) / abs(expected))
-
-    candidates = np.geomspace(*amplitudes, SCANNED)
-    differences = np.array([difference(a) for a in candidates])
-    low = high = np.nan
-    # Start and end index of every range of consecutive amplitudes that agree.
-    edges = np.flatnonzero(np.diff(np.concatenate([[0], (differences <= tolerance).astype(int), [0]])))
-    if edges.size:
-        first, end = max(zip(edges[::2], edges[1::2], strict=True), key=lambda run: run[1] - run[0])
-        low = 0.0 if first == 0 else _end_of_agreement(difference, candidates[first], candidates[first - 1], tolerance)
-        high = (
-            np.inf if end == SCANNED else _end_of_agreement(difference, candidates[end - 1], candidates[end], tolerance)
-        )
-    return Agreement(low, high, frequency, tolerance, tuple(candidates.tolist()), tuple(differences.tolist()))
-
-
-def _end_of_agreement(difference: Callable[[float], float], inside: float, outside: float, tolerance: float) -> float:
-    """Return the amplitude at which the agreement with the linear model ends.
-
-    `difference` returns the deviation from the linear model at an amplitude. The bisection starts between the amplitude
-    `inside`, which agrees, and `outside`, which does not.
-    """
-    for _ in range(BISECTIONS):
-        middle = float(np.sqrt(inside * outside))
-        inside, outside = (middle, outside) if difference(middle) <= tolerance else (inside, middle)
-    return inside

@@ -84,9 +84,9 @@ def _change_owner(owner: _Owner, name: str, changes: Mapping[str, Any], inherite
 def _change_field(owner: Any, name: str, field: str, changes: Mapping[str, Any], inherited: Sequence[str]) -> object:
     """Return the new value of one field of a part.
 
-    The keys of `changes` are addresses inside the field; an empty key replaces the whole field. `owner` is the part
-    with the address `name` that contains the field. The fields in `inherited` cannot be changed, because the enclosing
-    compound part sets them.
+    The keys of `changes` are addresses inside the field. A value with an empty key replaces the whole field. `owner` is
+    the part with the address `name` that contains the field. The fields in `inherited` cannot be changed, because the
+    enclosing compound part sets them.
     """
     if field in inherited:
         raise InputError("address.told", f"{name}.{field}", whole=name.rpartition(".")[0])
@@ -130,6 +130,10 @@ def _change_nested(current: Any, spec: Spec, name: str, path: str, value: Any) -
             value = Number(read.value, unit, Source("given"), read.reference, text)
         return current.with_numbers({path: value})
     valid = specs(spec.group) if isinstance(spec, GroupSpec) else {}
+    head, _, rest = path.partition(".")
+    if rest and hasattr(table := getattr(current, attribute(head), None), "with_numbers"):
+        table = _change_nested(table, valid[head], f"{name}.{head}", rest, value)
+        return dataclasses.replace(current, **{attribute(head): table})
     if not isinstance(spec, GroupSpec) or path not in valid:
         raise _unknown_field(name, path, valid)
     # An omitted group is created with this value.

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Hashable, Iterator, Mapping
 from dataclasses import InitVar, dataclass, field, fields, replace
-from functools import cached_property
+from functools import cached_property, partial
 from pathlib import Path
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Any, NamedTuple, Self
@@ -28,6 +28,8 @@ from poppet.circuit.wiring import (
     check_wiring,
     connect_tube_cells,
     find_drives,
+    merge_connections,
+    part_connections,
 )
 from poppet.core.codes import Note
 from poppet.core.errors import ErrorCollector, InputError, SimulationError
@@ -37,7 +39,7 @@ from poppet.core.units import counted_at
 from poppet.engine.lru_cache import LruCache
 from poppet.library import Gas
 from poppet.parts.compound import number_spec
-from poppet.parts.part import Controller, Input, Part, Store, Surroundings
+from poppet.parts.part import Controller, Input, Part, PartConnection, Store, Surroundings
 from poppet.timeseries.signals import Signal
 
 if TYPE_CHECKING:
@@ -69,12 +71,14 @@ class BaseCircuit(HtmlMixin):
     Parameters
     ----------
     parts, signals, run, ambient, gas, title, connections, origin, like : optional
-        See `poppet.Circuit`, a subclass with methods of other packages, for example for identification.
+        The subclass `poppet.Circuit`, which adds the methods of other packages, describes these arguments.
+    is_excerpt : bool, optional
+        True if the parts belong to a larger circuit. Inputs that absent parts drive are then free.
 
     Raises
     ------
     InputErrors
-        With all wiring errors.
+        If the wiring is invalid. The exception contains all errors.
     """
 
     parts: Mapping[str, Part]
@@ -85,9 +89,11 @@ class BaseCircuit(HtmlMixin):
     title: str = ""
     connections: Mapping[str, str] = field(default_factory=dict)
     origin: Origin = field(default=Origin({}, Path()), repr=False)
+    is_excerpt: bool = field(default=False, repr=False, kw_only=True)
     like: InitVar[BaseCircuit | None] = None
 
     _placed: Mapping[str, PlacedPart] = field(init=False, repr=False)
+    _declared: Mapping[str, PartConnection] = field(init=False, repr=False)
     _drive: Drive = field(init=False, repr=False)
     _problems: LruCache[Problem] = field(init=False, repr=False)
 
@@ -98,9 +104,9 @@ class BaseCircuit(HtmlMixin):
         check_kinds(self)
         # Copies: the caller can change its mappings, a circuit is immutable.
         object.__setattr__(self, "parts", MappingProxyType(connect_tube_cells(self.parts)))
-        for name in ("signals", "connections"):
-            if not isinstance(mapping := getattr(self, name), MappingProxyType):
-                object.__setattr__(self, name, MappingProxyType(dict(mapping)))
+        if not isinstance(self.signals, MappingProxyType):
+            object.__setattr__(self, "signals", MappingProxyType(dict(self.signals)))
+        object.__setattr__(self, "connections", self._all_connections(like))
         # Gauge values of parts depend on the surroundings: parts are reused only if the surroundings are equal.
         reusable = like._placed if like is not None and like.surroundings == self.surroundings else {}
         placed: dict[str, PlacedPart] = {}
@@ -119,18 +125,39 @@ class BaseCircuit(HtmlMixin):
         checked = {name for name in placed if has_same_signals and placed[name] is reusable.get(name)}
         with ErrorCollector() as errors:
             # A fit creates many circuits with the same wiring, which is checked once.
-            if like is None or like._wiring != self._wiring or like.connections is not self.connections:
+            is_same = like is not None and like._wiring == self._wiring and like.connections is self.connections
+            if not is_same:
                 check_wiring(errors, self._wiring)
                 check_bodies(errors, self._wiring)
-                check_connections(errors, self.connections, self.parts, self.inputs, self.signals)
+                check_connections(
+                    errors, self.connections, self.parts, self.inputs, self.signals, self._declared
+                )  # fmt: skip
             check_starts(errors, self.parts, self.signals)
             signals = {a: signal for a, signal in self.signals.items() if a.partition(".")[0] not in checked}
             check_signals(errors, signals, self.inputs, self.parameters)
 
-    def __reduce__(self) -> tuple[type[Self], tuple[Any, ...]]:
+    def _all_connections(self, like: BaseCircuit | None) -> Mapping[str, str]:
+        """Return the connections of the user and those that parts declare.
+
+        The result is the object of the circuit `like` if the connections are unchanged.
+        """
+        declared = part_connections(self.parts)
+        object.__setattr__(self, "_declared", declared)
+        given = self.connections
+        if like is not None and like.connections is given:
+            if like._declared == declared:
+                return given
+            # The parts have changed: their previous connections no longer apply.
+            given = {t: s for t, s in given.items() if t not in like._declared or like._declared[t].source != s}
+        if not declared and isinstance(given, MappingProxyType):
+            return given
+        return MappingProxyType(merge_connections(given, declared, self.parts, is_excerpt=self.is_excerpt))
+
+    def __reduce__(self) -> tuple[Any, ...]:
         # Copies and other processes get only the fields and derive the rest.
-        values = (getattr(self, f.name) for f in fields(self) if f.init)
-        return type(self), tuple(dict(value) if isinstance(value, MappingProxyType) else value for value in values)
+        values = {f.name: getattr(self, f.name) for f in fields(self) if f.init}
+        plain: dict[str, Any] = {k: dict(v) if isinstance(v, MappingProxyType) else v for k, v in values.items()}
+        return partial(type(self), **plain), ()
 
     def __repr__(self) -> str:
         lines = [f"Circuit {self.title!r}: {len(self.parts)} parts"]
@@ -336,7 +363,7 @@ class BaseCircuit(HtmlMixin):
         Parameters
         ----------
         recording : Recording
-            Contains a series for each state, in any unit.
+            Recording that contains a series for each state, in any unit.
 
         Returns
         -------
@@ -473,21 +500,24 @@ class BaseCircuit(HtmlMixin):
         Parameters
         ----------
         duration : float or str, optional
-            Duration [s]; default that of `run`.
+            Duration [s] (default: duration in the run options).
         output_step : float or str, optional
-            Time between rows [s]; default a thousandth of the duration.
+            Time between rows [s] (default: a thousandth of the duration).
         relative_tolerance : float, optional
-            The error of the results is at most about ten times this value; default 1e-6.
+            Relative tolerance of the solver (default: 1e-6). The error of the results is at most about ten times this
+            value.
         stop_when : str or list of str, optional
             Conditions that end the run early, for example `tank.pressure > 5 bar`.
         solver : str, optional
             `rosenbrock`; or `cvodes`, `lsoda`, `bdf`, `radau` to check the result.
         start : Recording, optional
-            The last row is the initial state.
+            Recording whose last row is the initial state.
         progress : callable, optional
-            Called with the time reached [s]. With it, Ctrl-C ends the run with a partial result.
+            Function that is called with the time reached [s]. If it is given, Ctrl-C ends the run with a partial
+            result.
         throw : bool, optional
-            Raise an error if the run fails; otherwise return the partial recording with the reason in `outcome`.
+            If True, a failed run raises an error. Otherwise the result is the partial recording, and `outcome` states
+            the reason.
 
         Returns
         -------
@@ -523,7 +553,8 @@ class BaseCircuit(HtmlMixin):
         Parameters
         ----------
         inputs : mapping, optional
-            Address to value, SI or text with a unit; default the value of each input at the start of a run.
+            Mapping from the address of an input to its value, in SI units or as text with a unit (default: value of
+            each input at the start of a run).
 
         Returns
         -------
@@ -571,9 +602,9 @@ class BaseCircuit(HtmlMixin):
         Parameters
         ----------
         inputs : mapping, optional
-            Address to value, SI or text with a unit.
+            Mapping from the address of an input to its value, in SI units or as text with a unit.
         at : Recording, optional
-            The last row is the operating point; default the steady state.
+            Recording whose last row is the operating point (default: the steady state).
 
         Returns
         -------

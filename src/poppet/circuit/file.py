@@ -20,6 +20,8 @@ from poppet.circuit.wiring import (
     check_signals,
     check_starts,
     check_wiring,
+    merge_connections,
+    part_connections,
     unknown_input,
 )
 from poppet.core.errors import ErrorCollector, InputError, NameSuggestion
@@ -94,7 +96,9 @@ def read_circuit(file: TomlFile, circuit_class: type[CircuitT]) -> CircuitT:
         connections = dict(_flatten(tables["connections"]))
         # An invalid part has unknown inputs and outputs: connections are checked only if all parts are valid.
         if len(parts.made) == len(tables["parts"]):
-            check_connections(errors, connections, parts.made, parts.inputs, signals)
+            declared = part_connections(parts.made)
+            merged = merge_connections(connections, declared, parts.made, is_excerpt=False)
+            check_connections(errors, merged, parts.made, parts.inputs, signals, declared)
     # After the block above, which raises the collected errors.
     origin = Origin(data, file.folder)
     return circuit_class(parts.made, signals, run, ambient, gas, str(data.get("title", "")), connections, origin)

@@ -97,8 +97,8 @@ class CircuitVariants(Protocol):
 class Instance:
     """Compiled model with parameter values, signals and ambient conditions.
 
-    Unlike a circuit, an instance contains no parts. Its field `circuit` is a factory of changed circuits, for changes
-    that affect the parts.
+    Unlike a circuit, an instance contains no parts. For changes that affect the parts, its field `circuit` returns
+    changed circuits.
     """
 
     kernel: Kernel
@@ -208,7 +208,8 @@ class Instance:
         """Return the constant input vector for a steady state or a linear model.
 
         `values` maps addresses of inputs to values in SI units, or to texts with a unit. Any other input has the value
-        of its signal at t = 0, or its default if it has no signal.
+        of its signal at t = 0. Without a signal it has its value at rest, such as 1 for the halt of a sequence, or else
+        its default.
         """
         inputs = {item.name: item for item in self.model.inputs}
         u: list[float] = []
@@ -222,8 +223,10 @@ class Instance:
                 if name in values:
                     with errors.collecting():
                         u.append(self._read(item, values[name]))
+                elif signal is not None:
+                    u.append(float(signal.table(1.0).evaluate(0.0)))
                 else:
-                    u.append(self._number(item.default) if signal is None else float(signal.table(1.0).evaluate(0.0)))
+                    u.append(self._number(item.default) if item.at_rest is None else item.at_rest)
         return np.array(u, dtype=float)
 
     def _read(self, item: InputInfo, argument: Any) -> float:

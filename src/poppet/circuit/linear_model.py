@@ -120,7 +120,7 @@ class LinearModel(HtmlMixin):
     The model is valid for amplitudes that do not change the flow regime and do not open or close a contact. Between two
     gas nodes at equal pressure, it is valid in the regularised zone of the flow law, by default 0.1 % of the upstream
     pressure (`laminar_ratio`). Beyond it, the flow increases with the root of the pressure drop, more slowly than in
-    the linear model. On a kink, the derivatives are those of one side.
+    the linear model. On a kink, the derivatives are valid for one side only.
     """
 
     A: Array

@@ -39,7 +39,7 @@ MIN_TRAVEL = 1e-9
 
 @dataclass(frozen=True)
 class BodyStroke:
-    """One stroke of a body: its motion from a standstill or turning point to the next."""
+    """One stroke of a body: its motion from one standstill or turning point to the next."""
 
     body: str
     unit: str  # of the travel
@@ -165,7 +165,7 @@ class LoadMetrics:
         Returns
         -------
         dict
-            All fields, `air_used`, `work` and `efficiency`; None in place of NaN.
+            All fields, and the properties `air_used`, `work` and `efficiency`. NaN is replaced by None.
         """
         values = asdict(self) | {name: getattr(self, name) for name in ("air_used", "work", "efficiency")}
         return {k: None if isinstance(v, float) and math.isnan(v) else v for k, v in values.items()}
@@ -199,7 +199,7 @@ class LoadData:
     def __getitem__(self, address: str) -> Array:
         """Return the values of an output at all output times.
 
-        `address` can also be that of an ambient condition, which is constant.
+        `address` can also identify an ambient condition, which is constant.
         """
         for k, (name, _) in enumerate(self.outputs):
             if name == address:
@@ -376,8 +376,8 @@ def find_strokes(time: Array, position: Array, speed: Array, changes: Sequence[f
 def turning_points(position: Array, min_return: float) -> list[int]:
     """Return the indices at which a motion reverses, with the first and the last index.
 
-    The body must return by at least `min_return`; smaller reversals do not count. The last index is that of the last
-    extreme. The list is empty if the whole motion is smaller than `min_return`.
+    The body must return by at least `min_return`; smaller reversals do not count. The last index is the index of the
+    last extreme. The list is empty if the whole motion is smaller than `min_return`.
 
     Examples
     --------
@@ -427,7 +427,7 @@ def _work(run: LoadData, body: str, integrals: tuple[int, ...], starts: Sequence
 def _air_and_exergy(run: LoadData) -> tuple[dict[str, float], float, float]:
     """Return air consumption by reservoir, its total exergy, and the increase in stored exergy.
 
-    The consumption is a volume at ANR [m^3]. The increase is that of the gas in all volumes [J]. It is NaN if the
+    The consumption is a volume at ANR [m^3]. The increase includes the gas in all volumes [J]. It is NaN if the
     pressure, temperature or mass of a volume is not an output.
     """
     stores, air = {store.name for store in run.stores}, run.surroundings

@@ -53,9 +53,9 @@ def refine_steady_state(
     The function `scaled` returns rates and Jacobian. `v` is the start point, and `size` contains the typical sizes.
     Variables marked in `positive` stay positive.
 
-    If `conserves` is True, conserved quantities such as the gas in a closed network keep their values. They correspond
-    to the left null space of the Jacobian. If it is False, each step has minimum length, so variables without effect on
-    the rates can change.
+    If the keyword `conserves` is True, conserved quantities such as the gas in a closed network keep their values. They
+    correspond to the left null space of the Jacobian. If it is False, each step has minimum length, so variables
+    without effect on the rates can change.
     """
     f, jacobian = _limit(scaled(v))
     # Weights [s] convert rates of fast and slow equations to changes; conserved quantities need unweighted rates.

@@ -88,9 +88,9 @@ class GasChoice(_OptionSection):
     name : str, optional
         Gas of the library, which supplies omitted values.
     gas_constant : number
-        Specific gas constant R [J/(kg K)]; default that of air.
+        Specific gas constant R [J/(kg K)] (default: value of air).
     isentropic_exponent : number
-        Ratio of heat capacities kappa; default that of air.
+        Ratio of heat capacities kappa (default: value of air).
     conductances : str
         `as given` (default): sonic conductances and critical ratios apply to this gas. `from air`: they were measured
         with air and are converted to this gas. Areas always apply to this gas; Kv, Cv and nominal flows are always
@@ -164,7 +164,7 @@ class GasChoice(_OptionSection):
 
     @property
     def is_air(self) -> bool:
-        """True if gas constant and isentropic exponent are those of air."""
+        """True if the gas has the gas constant and the isentropic exponent of air."""
         return self.values()[:2] == (AIR_GAS_CONSTANT, AIR_ISENTROPIC_EXPONENT)
 
     def of_library(self) -> library.Gas | None:
@@ -173,7 +173,7 @@ class GasChoice(_OptionSection):
         Returns
         -------
         Gas or None
-            None for a gas without a name whose values are not those of air.
+            None for a gas without a name that differs from air.
         """
         if self.name is None and not self.is_air:
             return None
@@ -195,7 +195,7 @@ class Run(_OptionSection):
     duration : number
         Duration [s].
     output_step : number
-        Time between rows [s]; default a thousandth of the duration.
+        Time between rows [s] (default: a thousandth of the duration).
     relative_tolerance : number
         Accuracy of the results.
     maximum_step : number
@@ -234,7 +234,10 @@ class Run(_OptionSection):
 
     @property
     def longest_step(self) -> float:
-        """Maximum step of the integrator [s]; infinite if there is no limit."""
+        """Maximum step of the integrator [s].
+
+        The value is infinite if there is no limit.
+        """
         return math.inf if self.maximum_step is None else float(self.maximum_step)  # type: ignore[arg-type]
 
     def changed(self, **options: Any) -> Run:

@@ -15,7 +15,7 @@ from poppet.core.provenance import SOURCE_KINDS
 from poppet.parts import KINDS
 from poppet.parts.fields import OFF_ON, BodySpec, GroupSpec, MemberSpec, NumberSpec, OptionSpec, PortSpec, Spec, specs
 from poppet.parts.quantities import QUANTITIES
-from poppet.parts.rows import ForceRows, GainSchedule
+from poppet.parts.rows import ForceRows, FrictionFactor, GainSchedule
 
 DRAFT = "https://json-schema.org/draft/2020-12/schema"
 Schema = dict[str, Any]
@@ -208,6 +208,9 @@ _REFERENCES: dict[str, Callable[[], Schema]] = {
         "required": list(ForceRows.column_specs()),
         "properties": dict.fromkeys(ForceRows.column_specs(), _LIST),
     },
+    "position_factor": lambda: closed(
+        dict.fromkeys(FrictionFactor.column_specs(), _LIST), FrictionFactor.column_specs()
+    ),
     "name": _gas_name,
     "profile": lambda: {"type": "object", "additionalProperties": {"$ref": "#/$defs/value"}},
     "stop_when": lambda: {"anyOf": [_TEXT, {"type": "array", "items": _TEXT}]},

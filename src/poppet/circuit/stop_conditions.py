@@ -61,8 +61,8 @@ def parse_stop_condition(text: str, outputs: Mapping[str, str], ambient_pressure
 def domain_conditions(address: str, limits: tuple[float, float], outputs: Mapping[str, str]) -> list[StopCondition]:
     """Return conditions that stop a run if a stroke leaves the domain of its characteristic.
 
-    `address` is that of the stroke. `limits` are the lowest and the highest stroke of the domain; a lower limit of -inf
-    adds no condition. `outputs` contains all outputs of the circuit in order.
+    `address` is the address of the stroke. `limits` are the lowest and the highest stroke of the domain; a lower limit
+    of -inf adds no condition. `outputs` contains all outputs of the circuit in order.
     """
     low, high = limits
     indices, reason = (list(outputs).index(address), -1), Note("run.left_domain", address)

@@ -12,7 +12,9 @@ from dataclasses import replace
 from graphlib import CycleError, TopologicalSorter
 from typing import TYPE_CHECKING, Any
 
+from poppet.circuit.wiring import part_connections
 from poppet.core.errors import ErrorCollector, InputError, NameSuggestion
+from poppet.core.units import same_dimension
 from poppet.engine.model import FlowInfo, InputInfo, Model, StateInfo, StoreInfo
 from poppet.parts.compound import expand_compounds
 from poppet.parts.part import (
@@ -81,6 +83,7 @@ class _Tracer:
 
         self.ca, self.circuit_parts, self.names = ca, parts, parameters
         self.parts, self.connections, self.shown = expand_compounds(parts, connections)
+        self.declared = part_connections(parts)
         self.p = ca.SX.sym("p", len(parameters))
         self.number = {name: self.p[k] for k, name in enumerate(parameters)}
         self.surroundings = Surroundings(*(self.number[name] for name in SURROUNDINGS))
@@ -179,7 +182,8 @@ class _Tracer:
         totals = {f"{name}.{key}": value for name, gas in balances.items() for key, value in gas.totals.items()}
         outputs = self._outputs(all_outputs) | totals
         # Hidden outputs can be connected to inputs, but are not outputs of the circuit.
-        hidden = {f"{name}.{key}": value for name, path in passages.items() for key, value in path.hidden.items()}
+        hiding: dict[str, Any] = {**passages, **controls}
+        hidden = {f"{name}.{key}": value for name, result in hiding.items() for key, value in result.hidden.items()}
         all_outputs |= totals | hidden
         energies = [balances[store.name].energy for store in stores if store.has_energy]
         energies += [dynamics[name].energy for name in bodies]
@@ -202,7 +206,7 @@ class _Tracer:
             delay = f"{name}.{item.delay}" if item.delay else ""
             slope_of = self._shown(f"{name}.{item.slope_of}") if item.slope_of else ""
             address = self._shown(f"{name}.{item.name}")
-            inputs.append(InputInfo(address, item.unit, item.kind, default, low, high, delay, slope_of))
+            inputs.append(InputInfo(address, item.unit, item.kind, default, low, high, delay, slope_of, item.at_rest))
         return Model(
             states=tuple(
                 StateInfo(self._shown(f"{name}.{s.name}"), s.unit, s.nominal, s.tolerance, s.floor, s.positive)
@@ -303,8 +307,7 @@ class _Tracer:
         with ErrorCollector() as errors:
             for target, source in self.connections.items():
                 if source not in all_outputs:
-                    address = f"connections.{self._shown(target)}"
-                    near = NameSuggestion(source, shown)
+                    address, near = self._place(target), NameSuggestion(source, shown)
                     errors.add("fields.not_an_option", address, value=source, meaning="output", suggestion=near)
         expressions = {t: self._limited(t, all_outputs[source][0]) for t, source in self.connections.items()}
         connected = self._resolve(expressions)
@@ -312,9 +315,14 @@ class _Tracer:
             for target, source in self.connections.items():
                 # All values are in SI: equal quantities have equal units.
                 unit, input_unit = all_outputs[source][1], all_outputs[target][1]
-                if unit != input_unit:
-                    address = f"connections.{self._shown(target)}"
-                    errors.add("wiring.other_unit", address, source=self._shown(source), unit=unit, wanted=input_unit)
+                if target in self.declared:
+                    # The unit of the input follows from a written unit, which can have another name (J, N m).
+                    if not same_dimension(unit, input_unit):
+                        facts = {"source": self._shown(source), "unit": unit, "given": input_unit}
+                        errors.add("wiring.condition_unit", self._place(target), **facts)
+                elif unit != input_unit:
+                    facts = {"source": self._shown(source), "unit": unit, "wanted": input_unit}
+                    errors.add("wiring.other_unit", self._place(target), **facts)
         if not self.slopes:
             return connected
         expressions = {symbol.name(): expression for symbol, expression in connected}
@@ -325,6 +333,10 @@ class _Tracer:
                 raise InputError("wiring.no_slope", f"connections.{self._shown(base)}", source=self.connections[base])
             slopes[address] = self._substitute(self.ca.jtimes(expressions[base], x, rates), connected)
         return [*connected, *self._resolve(slopes)]
+
+    def _place(self, target: str) -> str:
+        """Return the address of the connection to an input: in its part, or in the table of connections."""
+        return self.declared[target].place if target in self.declared else f"connections.{self._shown(target)}"
 
     def _limited(self, target: str, output: Any) -> casadi.SX:
         """Return the value of a connected input, clipped to the limits of the input.
@@ -378,7 +390,7 @@ class _Tracer:
         """Return expressions for the discrete states after a sample instant.
 
         `fired` contains a symbol for each timer, which is 1 if the timer is due. The timers act one after the other,
-        each on the result of the previous one.
+        each on the result of the previous one. A simultaneous timer uses the discrete states before the instant.
         """
         ca = self.ca
         index = {name: k for k, name in enumerate(self.memory_names)}
@@ -388,7 +400,8 @@ class _Tracer:
             assert timer.name in new, f"{name}.{timer.name} does not set itself"
             labels = scopes[name].labels if self.has_relative_time else {}
             values = self._substitute(ca.vertcat(*new.values(), *(value for value, _ in labels.values())), connected)
-            values = ca.substitute([values], [self.z], [now])[0]
+            if not timer.is_simultaneous:
+                values = ca.substitute([values], [self.z], [now])[0]
             for i, (label, (_, meaning)) in enumerate(labels.items(), len(new)):
                 self.labels[f"{name}.{label}"] = values[i], meaning
             labels.clear()

@@ -15,7 +15,7 @@ from typing import Any, NamedTuple
 from poppet.circuit.options import Ambient, GasChoice, Run
 from poppet.core.errors import ErrorCollector, InputError, NameSuggestion
 from poppet.parts.fields import BodySpec, MemberSpec, PortSpec, attribute, specs
-from poppet.parts.part import AMBIENT, TUBE, Body, Input, Part, Passage, Store, is_port
+from poppet.parts.part import AMBIENT, TUBE, Body, Input, Part, PartConnection, Passage, Store, is_port
 from poppet.parts.sources import Reservoir
 from poppet.timeseries.segments import Signal
 
@@ -172,6 +172,34 @@ def check_bodies(errors: ErrorCollector, wiring: Wiring) -> None:
             errors.add("wiring.unmoved", f"parts.{name}")
 
 
+def part_connections(parts: Mapping[str, Part]) -> dict[str, PartConnection]:
+    """Return the connections that the parts of a circuit declare themselves, by the address of the input.
+
+    The places in the result are complete addresses in the circuit.
+    """
+    return {
+        f"{name}.{local}": replace(connection, place=f"parts.{name}.{connection.place}")
+        for name, part in parts.items()
+        for local, connection in part.connections().items()
+    }
+
+
+def merge_connections(
+    connections: Mapping[str, str], declared: Mapping[str, PartConnection], parts: Collection[str], *, is_excerpt: bool
+) -> dict[str, str]:
+    """Return the connections of a circuit together with those that its parts declare.
+
+    `declared` is the result of `part_connections`. In an excerpt of a circuit, declared connections from absent parts
+    are omitted.
+    """
+    sources = {
+        target: connection.source
+        for target, connection in declared.items()
+        if not is_excerpt or connection.source.partition(".")[0] in parts
+    }
+    return {**sources, **connections}
+
+
 def find_drives(wiring: Wiring, connections: Mapping[str, str], inputs: Mapping[str, Input]) -> dict[str, list[str]]:
     """Return the addresses of the inputs that can move each body, by body.
 
@@ -201,14 +229,24 @@ def find_drives(wiring: Wiring, connections: Mapping[str, str], inputs: Mapping[
 
 def check_connections(
     errors: ErrorCollector, connections: Mapping[str, str], parts: Collection[str], inputs: Mapping[str, Input],
-    signals: Collection[str],
+    signals: Collection[str], declared: Mapping[str, PartConnection],
 ) -> None:  # fmt: skip
     """Collect errors of connections.
 
-    An error is an unknown input or output, or an input with both a connection and a signal.
+    An error is an unknown input or output, or an input with both a connection and a signal. `declared` contains the
+    connections that the parts declare.
     """
     for target, source in connections.items():
         item = inputs.get(target)
+        if target in declared:
+            own = declared[target]
+            if own.source != source:
+                errors.add("wiring.connected_twice", f"connections.{target}", source=source, other=own.source)
+                continue
+            if source.partition(".")[0] not in parts:
+                near = NameSuggestion(source.partition(".")[0], parts)
+                errors.add("wiring.unknown_part", own.place, source=source, suggestion=near)
+                continue
         if item is not None and (item.by_signal or item.slope_of):
             errors.add("wiring.signal_only", f"connections.{target}")
         elif item is None:

@@ -63,7 +63,10 @@ def read_assignments(texts: Sequence[str], option: str = "--set") -> dict[str, f
 
 
 def split_list(text: str | None) -> list[str]:
-    """Return the entries of a text that are separated by commas; an empty list for None."""
+    """Return the entries of a text that are separated by commas.
+
+    The result for None is an empty list.
+    """
     return [entry.strip() for entry in (text or "").split(",") if entry.strip()]
 
 

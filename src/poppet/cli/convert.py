@@ -70,7 +70,7 @@ def execute(options: argparse.Namespace) -> None:
 def _capacity_of(unit: str) -> str | None:
     """Return the kind of flow capacity (`C`, `Kv`, `Cv`, `qNn` or `area`) for its name or a unit.
 
-    The result is None if the text is no name and no unit of a flow capacity.
+    The result is None if the text is neither the name nor a unit of a flow capacity.
     """
     from poppet.core.units import counted_at, same_dimension
 
@@ -87,7 +87,7 @@ def _convert_unit(number: float, unit: str, to: str, ambient: float | None) -> l
     """Convert a value from one unit to another, and return the lines to print.
 
     `number` is the value in the unit `unit`, and `to` the requested unit. `ambient` is the absolute ambient pressure
-    for gauge values [Pa]; None selects 1 bar.
+    for gauge values [Pa]. If it is None, 1 bar is used.
     """
     from poppet.core.units import ANR, NORMAL, check_unit, convert, counted_at, same_dimension
 

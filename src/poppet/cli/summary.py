@@ -84,7 +84,10 @@ def print_notes(notes: Iterable[Note]) -> None:
 
 
 def print_written(*paths: Path | None) -> None:
-    """Print the names of the files that a command has written; None is ignored."""
+    """Print the names of the files that a command has written.
+
+    A name that is None is ignored.
+    """
     for path in paths:
         if path is not None:
             print(f"{path}: written.")
@@ -106,8 +109,8 @@ def write_result(
 ) -> None:
     """Write a result and its report to the files that the options specify, and print a text.
 
-    `write_report` writes the report to a path. After `text`, the names of all written files are printed, including
-    `files`.
+    `write_report` writes the report to a path. After `text`, the names of all written files are printed. The further
+    arguments are names of files that have already been written.
     """
     if options.output:
         result.save(options.output)

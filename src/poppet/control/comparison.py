@@ -161,7 +161,7 @@ def compare(
         Mapping from the address of a parameter of the plant or of the sensor to a relative range. A range of 0.2 means
         that the factors are uniformly distributed from 0.8 to 1.2.
     draws : int, optional
-        Number of random runs; without `vary` only the nominal run is made.
+        Number of random runs. If `vary` is omitted, only the nominal run is made.
     seed : int, optional
         Seed of the factors; equal seeds give equal plants.
     progress : callable, optional

@@ -186,8 +186,8 @@ class Sticking(NamedTuple):
     def slides(self, amplitude: float, angular_frequency: float) -> bool:
         """Return True if a body in sinusoidal motion slides and does not stick.
 
-        `amplitude` is that of the position. It must exceed 20 deflections of the bristles of the friction model, and
-        the velocity amplitude must exceed 5 times the velocity of full friction.
+        `amplitude` is the amplitude of the position. It must exceed 20 deflections of the bristles of the friction
+        model, and the velocity amplitude must exceed 5 times the velocity of full friction.
         """
         return amplitude > _SLIDES * self.deflection and amplitude * angular_frequency > _FAST * self.velocity
 
@@ -225,7 +225,7 @@ class SettledPlant:
                 run = driven.simulate(count * period, step)
             except SimulationError:
                 return None
-            outputs = [self.loop.sensor_output, f"{name}.command", *self.sticking.outputs]
+            outputs = [self.loop.sensor_output, self.loop.command_output, *self.sticking.outputs]
             series = np.stack([run[output] for output in outputs])[:, : count * rows]
             quarters = series[:2].reshape(2, 4, -1)
             third, last = (y / u for y, u in (_fit_sine(quarters[:, k], rows)[0] for k in (2, 3)))
@@ -246,8 +246,8 @@ class SettledPlant:
 def _fit_sine(series: Array, rows: int) -> tuple[Complex, float]:
     """Fit a sine to each series, and return complex amplitudes and a distortion.
 
-    `series` has shape (series, rows), and `rows` is the period of the sine in rows. The distortion is that of the first
-    series: the amplitude of the residuals relative to that of the sine.
+    `series` has shape (series, rows), and `rows` is the period of the sine in rows. The distortion is the amplitude of
+    the residuals of the first series, divided by the amplitude of its sine.
     """
     k = np.arange(series.shape[1])
     angle, drift = 2.0 * np.pi * k / rows, k / k.size - 0.5
@@ -332,7 +332,7 @@ class MeasuredLoop(Plant):
         for _ in range(_RUNS):
             steady_run = controlled.simulate(duration, start=steady_run)
             is_late = steady_run.time > 0.5 * duration
-            outputs = self.loop.sensor_output, f"{name}.command"
+            outputs = self.loop.sensor_output, self.loop.command_output
             value, command = (float(np.mean(steady_run[output][is_late])) for output in outputs)
             if abs(command - previous) <= _QUIET * min(self.amplitudes):
                 break
@@ -390,7 +390,8 @@ class MeasuredLoop(Plant):
             responses |= {} if answer is None else {period: answer}
         order = sorted(responses, reverse=True)
         frequencies = 1.0 / (time * np.array(order))
-        delay = np.exp(-2j * np.pi * frequencies * time * self.delay)
+        # Without compensation, the measured command is the delayed one.
+        delay = np.exp(-2j * np.pi * frequencies * time * (0 if self.loop.has_dead_zone else self.delay))
         measured = np.array([responses[n] for n in order]) * delay
         sticks_above = min(settled.stuck, default=order[-1]) < order[-1]
         return MeasuredPlant(frequencies, measured, time, settled.weak_gains, sticks_above)
@@ -469,8 +470,7 @@ def make_measured_loop(
         if friction.kind == "stribeck":
             sticking = Sticking((f"{name}.position",), 0.0, values["friction.transition_velocity"])
         else:
-            level = max(values[f"friction.{kind}_{part.effort}"] for kind in ("coulomb", "static"))
-            sticking = Sticking((f"{name}.position",), level / values["friction.bristle_stiffness"])
+            sticking = Sticking((f"{name}.position",), part.largest_deflection(values))
     return MeasuredLoop(
         circuit.instance, loop.controller, loop.part, loop.measurement, loop.commands, loop.begins,
         loop=loop, amplitudes=tuple(sizes), report_progress=progress or (lambda text: None),

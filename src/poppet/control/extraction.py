@@ -98,6 +98,16 @@ class Loop(NamedTuple):
         """Address of the output with the value that the sensor of the controller measures."""
         return f"{self.controller}.sensor_{self.part.controls}"
 
+    @property
+    def has_dead_zone(self) -> bool:
+        """True if the controller compensates dead zones of its valves."""
+        return "dead_zone_smoothing" in self.numbers
+
+    @property
+    def command_output(self) -> str:
+        """Address of the output with the command of the control law, without the compensation of dead zones."""
+        return f"{self.controller}.{'uncompensated_command' if self.has_dead_zone else 'command'}"
+
 
 def loop_of(circuit: BaseCircuit, controller: str | None = None) -> Loop:
     """Return the loop of the controller with a given name.
@@ -161,6 +171,7 @@ def release_command(circuit: BaseCircuit, controller: str, *, keeps: bool) -> Ba
         parts={name: part for name, part in circuit.parts.items() if keeps or name != controller},
         connections={target: source for target, source in circuit.connections.items() if stays(target, source)},
         signals={a: s for a, s in circuit.signals.items() if a.partition(".")[0] != controller},
+        is_excerpt=True,
     )
 
 
@@ -188,4 +199,5 @@ def _remove_outer_loops(circuit: BaseCircuit, controller: str) -> BaseCircuit:
         parts={name: part for name, part in circuit.parts.items() if stays(name)},
         connections={target: source for target, source in circuit.connections.items() if stays(target, source)},
         signals={address: signal for address, signal in circuit.signals.items() if stays(address)},
+        is_excerpt=True,
     )

@@ -24,7 +24,7 @@ _UNOBSERVABLE = 1e-9
 
 @dataclass(frozen=True)
 class Gains:
-    """Gains of a PID controller, as in the part `pid`.
+    """Gains of a PID controller, under the names that the part `pid` uses.
 
     Parameters
     ----------
@@ -165,7 +165,8 @@ def sampled_plant(
     """Convert a linear model to a sampled plant with hold, delay and sensor.
 
     `weights` maps each input of the model to its factor on the command, and `output` is the name of the measured
-    output. `sensor_lag` is the time constant of the sensor [s], and `delay` a number of samples.
+    output. The keyword `sensor_lag` is the time constant of the sensor [s], and the keyword `delay` is a number of
+    samples.
     """
     from scipy.linalg import expm
 

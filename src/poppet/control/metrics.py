@@ -22,7 +22,10 @@ OPEN = 1e-3
 
 @dataclass(frozen=True)
 class StepMetric:
-    """Unit and meaning of one metric of a step response; smaller values are better."""
+    """Unit and meaning of one metric of a step response.
+
+    Smaller values are better.
+    """
 
     unit: str
     meaning: str
@@ -41,14 +44,14 @@ METRICS = {
 
 
 def readable_unit_of(unit: str) -> str:
-    """Return the unit in which values are displayed, such as bar for Pa."""
+    """Return the unit in which values are displayed, for example bar for values in Pa."""
     return _READ.get(unit) or USUAL.get(unit, unit)
 
 
 def metrics_in(unit: str, command_unit: str = "1") -> dict[str, StepMetric]:
     """Return the unit and the meaning of each metric of a control loop.
 
-    `unit` is the SI unit of the measured quantity, and `command_unit` that of the command.
+    `unit` is the SI unit of the measured quantity, and `command_unit` the SI unit of the command.
 
     Parameters
     ----------
@@ -58,7 +61,7 @@ def metrics_in(unit: str, command_unit: str = "1") -> dict[str, StepMetric]:
     Returns
     -------
     dict
-        Metrics as in `METRICS`; `switches` applies to openings only.
+        Metrics under the names in `METRICS`. The metric `switches` is included for openings only.
 
     Examples
     --------

@@ -41,7 +41,7 @@ class OperatingPoint:
     value : float
         Measurement at the steady state, SI.
     command : float
-        Command at the steady state; a positive opening fills.
+        Command at the steady state. A positive opening means that the fill valve is open.
     models : dict
         Linear model for each side (sign) of the command. The sides are `fill` and `vent`, or `command` and, if a
         decreasing command has another effect, `back`. The side of the steady command has the model at the steady state.

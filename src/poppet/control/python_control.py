@@ -94,7 +94,7 @@ def gains_from_control(system: Any) -> Gains:
 def model_from_control(system: Any) -> LinearModel:
     """Convert a continuous-time state space of python-control to a linear model.
 
-    In names, two underscores become a dot, as in addresses.
+    In names, two underscores become a dot, so that the names become addresses.
     """
     if system.dt:
         raise InputError("control.discrete", dt=system.dt)

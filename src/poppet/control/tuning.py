@@ -307,9 +307,9 @@ def schedule(
     form : str, optional
         `pi` or `pid`; the velocity form of a schedule needs an integral.
     sensitivity : float, optional
-        Bound M of Ms and Mt, as in `tune`.
+        Largest permitted value of Ms and Mt; the function `tune` describes both.
     amplitudes, progress
-        As in `tune`.
+        Same arguments as in `tune`.
 
     Returns
     -------
@@ -319,7 +319,7 @@ def schedule(
     Raises
     ------
     InputError
-        As in `tune`; and for fewer than two operating points, or a form without integral.
+        In the same cases as in `tune`, for fewer than two operating points, and for a form without an integral part.
     """
     plant, points = _prepare(circuit, controller, at, form, sensitivity, amplitudes, progress)
     if form == "p":
@@ -374,6 +374,8 @@ def _prepare(
     plant = measured or plant_of(circuit, controller)
     if not isinstance(plant.part, PID):
         raise InputError("tuning.no_pid", plant.controller, kind=plant.part.kind)
+    if plant.part.acceleration_time is not None:
+        raise InputError("tuning.acceleration", f"{plant.controller}.acceleration_time")
     values, setpoint = at, f"{plant.controller}.setpoint"
     if values is None:
         signal = circuit.signals.get(setpoint)
@@ -457,8 +459,9 @@ class _GainSearch:
     def best(self, form: str, filter_time: float | None) -> Gains:
         """Return the gains with the largest integral gain that keep the bound.
 
-        For `form` `p`, the proportional gain is the largest. `filter_time` is that of the derivative [s]; None selects
-        an eighth of the derivative time, but at least one sample.
+        The form `p` has no integral part, so its gains are those with the largest proportional gain. `filter_time` is
+        the filter time of the derivative [s]. If it is None, an eighth of the derivative time is used, but at least one
+        sample.
         """
         if form == "p":
             return Gains(self.largest_gain(Gains(1.0)))

@@ -87,9 +87,9 @@ def verify_step(
 ) -> Verification:  # fmt: skip
     """Simulate a tuned loop with a setpoint step and the reverse step.
 
-    The run continues `steady_run`, a run to the steady state at the setpoint `value`; None starts at the initial state
-    of the circuit. `step` is the size of the step, and `label` describes the run. The crossover frequency `crossover`
-    [Hz] determines the duration.
+    The run continues `steady_run`, a run to the steady state at the setpoint `value`. If `steady_run` is None, the run
+    starts at the initial state of the circuit. `step` is the size of the step, and `label` describes the run. The
+    crossover frequency `crossover` [Hz] determines the duration.
     """
     part = circuit.parts[controller]
     sample_time = part.parameters(circuit.surroundings)["sample_time"]

@@ -25,7 +25,7 @@ class Option(NamedTuple):
 
     @property
     def names(self) -> list[str]:
-        """Names of the option, such as `-o` and `--output`; empty for a positional argument."""
+        """Names of the option, such as `-o` and `--output`. A positional argument has no such names."""
         return [name.rstrip(",") for name in self.usage.split() if name.startswith("-")]
 
     @property

@@ -14,9 +14,10 @@ _NUMBER = re.compile(r"[+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?|[+-]?(?:inf|nan
 
 
 def safe_text(text: str) -> str:
-    r"""Return a text of a CSV cell with an apostrophe in front of a formula of a spreadsheet.
+    r"""Return the text of a CSV cell, protected from execution as a spreadsheet formula.
 
-    Numbers and dashes are unchanged. `unmarked_text` returns the original text.
+    An apostrophe is added in front of a text that a spreadsheet would read as a formula. Numbers and dashes are
+    unchanged. `unmarked_text` removes the apostrophe.
 
     Examples
     --------
@@ -27,14 +28,14 @@ def safe_text(text: str) -> str:
 
 
 def unmarked_text(text: str) -> str:
-    """Return the text of a CSV cell without the apostrophe in front of a formula."""
+    """Return the text of a CSV cell without the apostrophe that `safe_text` has added."""
     return text[1:] if _MARKED.match(text) else text
 
 
 def csv_text(rows: Iterable[Sequence[Any]]) -> str:
     """Return rows of cells as CSV text.
 
-    Cells with commas, quotes or newlines are quoted. Formulas are marked with an apostrophe.
+    Cells with commas, quotes or newlines are quoted. Formulas are protected by an apostrophe.
 
     Examples
     --------

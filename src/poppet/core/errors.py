@@ -61,7 +61,7 @@ class InputError(PoppetError, ValueError):
 
     @property
     def problems(self) -> tuple[InputError, ...]:
-        """Single errors that this error consists of.
+        """Errors that this object contains.
 
         A single error contains only itself. A collection (`InputErrors`) contains several errors.
         """
@@ -210,7 +210,7 @@ class ErrorCollector:
         self.collected: list[InputError] = []
 
     def add(self, code: str, address: str | None = None, /, **facts: Any) -> None:
-        """Add an error, which is created with the arguments of `InputError`."""
+        """Create an `InputError` with the given arguments, and add it."""
         self.extend([InputError(code, address, **facts)])
 
     def extend(self, problems: Iterable[InputError]) -> None:
@@ -274,7 +274,7 @@ def raise_errors(problems: Sequence[InputError]) -> None:
 
 
 def relocated(error: InputError, address_in_file: Callable[[str], str]) -> InputError:
-    """Convert the addresses of an error to those in the file of the user, and return the error.
+    """Convert the addresses of an error to addresses in the file of the user, and return the error.
 
     For example, `tank.volume` becomes `recordings.fill.start.tank.volume`. The function `address_in_file` converts one
     address. Errors whose file is already set are unchanged.

@@ -44,7 +44,10 @@ def check_path(path: str | Path) -> None:
 
 
 def open_input(path: str | Path) -> BinaryIO:
-    """Open a file of the user for reading; anything but a file raises an error."""
+    """Open a file for reading.
+
+    An error is raised if the path does not lead to a regular file.
+    """
     check_path(path)
     # Without O_NONBLOCK, opening a pipe waits for a writer.
     handle = os.open(path, os.O_RDONLY | getattr(os, "O_NONBLOCK", 0) | getattr(os, "O_BINARY", 0))
@@ -55,7 +58,7 @@ def open_input(path: str | Path) -> BinaryIO:
 
 
 def unwritable(path: str | Path, problem: OSError) -> InputError:
-    """Return the error for a file that cannot be written, from the error of the system."""
+    """Convert an error of the operating system to an error for a file that cannot be written."""
     code = "files.full" if problem.errno in _FULL else "files.unwritable"
     return InputError(code, path=str(path), why=problem.strerror or str(problem))
 
@@ -65,7 +68,10 @@ _FULL = (errno.ENOSPC, errno.EFBIG, getattr(errno, "EDQUOT", errno.ENOSPC))
 
 
 def make_folder(folder: Path) -> None:
-    """Create a folder and its parents; an existing folder is valid."""
+    """Create a folder and its parents.
+
+    A folder that already exists is unchanged.
+    """
     check_characters(folder)
     try:
         folder.mkdir(parents=True, exist_ok=True)

@@ -15,9 +15,9 @@ class HtmlMixin:
     """Function that returns the HTML of an object, or None for its text; set by the package above `report`."""
 
     def _repr_html_(self) -> str | None:
-        """Return HTML for IPython.
+        """Return the object as HTML for IPython.
 
-        The result is None if there is no HTML; IPython then displays `repr`.
+        The result is None if there is no HTML. IPython then shows the text from `repr`.
         """
         renderer = type(self).renderer
         return None if renderer is None else renderer(self)

@@ -39,7 +39,7 @@ class PluginWarning(UserWarning):
 def import_object(value: Any) -> Any:
     """Import the object to which a text of the form `package.module:name` refers.
 
-    A value that is not such a text is returned unchanged.
+    Any other value is returned unchanged.
     """
     if not isinstance(value, str) or not value:
         return value

@@ -125,7 +125,10 @@ class Number:
         return float(result)
 
     def display(self) -> str:
-        """Return the text of the user, or value and unit if there is no text."""
+        """Return the value as text with its unit.
+
+        If the user wrote the value as text, the result is this text.
+        """
         if self.text:
             try:
                 float(self.text)

@@ -29,7 +29,10 @@ class SymbolicValueError(TypeError):
 
 
 def is_certain(condition: Any) -> bool:
-    """Return True if a condition is true; a condition on symbols is not certain."""
+    """Return True if a condition is true.
+
+    The result for a condition on symbols is False, because its truth value is unknown.
+    """
     return not is_symbolic(condition) and bool(condition)
 
 
@@ -62,7 +65,8 @@ def where(condition: Any, if_true: Any, if_false: Any) -> Any:
 def minimum(a: Any, b: Any) -> Any:
     """Return the smaller of two values, for each element of arrays.
 
-    The arguments can be floats, arrays or symbols. At equal symbols, the derivative is that of one of them.
+    The arguments can be floats, arrays or symbols. If two symbols are equal, the derivative is the derivative of one of
+    them.
     """
     if is_symbolic(a, b):
         return _casadi().fmin(a, b)

@@ -135,6 +135,6 @@ def value_text(value: Any) -> str:
 def _toml_string(text: str) -> str:
     """Return a text as a TOML string in quotes, with escaped special characters.
 
-    The notation is that of JSON, except that the character DEL is also escaped.
+    The notation is the same as in JSON, except that the character DEL is also escaped.
     """
     return json.dumps(text, ensure_ascii=False).replace("\x7f", "\\u007f")

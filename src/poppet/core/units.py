@@ -78,7 +78,7 @@ class Quantity:
     Parameters
     ----------
     value : float
-        In `unit`; for a gauge pressure the gauge value.
+        Value in `unit`. For a gauge pressure, it is the gauge value.
     unit : str
         The requested SI unit.
     reference : str

@@ -120,4 +120,6 @@ def circuit_of_controllers(
     if with_signals:
         run = replace(circuit.run, stop_when=None)
         signals = {address_inside(a): signal for a, signal in circuit.signals.items() if address_inside(a)}
-    return BaseCircuit(dict(selected), signals, run, circuit.ambient, circuit.gas, connections=connections)
+    return BaseCircuit(
+        dict(selected), signals, run, circuit.ambient, circuit.gas, connections=connections, is_excerpt=True
+    )

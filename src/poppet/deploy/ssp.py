@@ -155,7 +155,7 @@ def _circuit_of_parts(circuit: BaseCircuit, parts: Collection[str]) -> BaseCircu
     signals = {address: signal for address, signal in circuit.signals.items() if has(address)}
     kept = {name: part for name, part in circuit.parts.items() if name in parts}
     run = replace(circuit.run, stop_when=None)
-    return BaseCircuit(kept, signals, run, circuit.ambient, circuit.gas, connections=connections)
+    return BaseCircuit(kept, signals, run, circuit.ambient, circuit.gas, connections=connections, is_excerpt=True)
 
 
 def describe_system(system: System, layouts: Mapping[str, FmuLayout], title: str) -> str:

@@ -30,7 +30,8 @@ UNITS = {"mass": "kg", "energy": "J", "motion": "J"}
 class Residual(NamedTuple):
     """Error of the mass or energy balance of one gas node or body over a run.
 
-    The fields `through` and `inventory` determine the largest permitted error.
+    The field `through` is the integral of the absolute flows. The field `inventory` is the mass or energy of the gas
+    node or body. Both determine the largest permitted error.
     """
 
     store: str

@@ -150,9 +150,9 @@ def run_batch(
     batch : Batch
         Problem and parameter values.
     reduce : callable, optional
-        Function from the rows of some runs to their results; without it, rows are discarded.
+        Function that converts the rows of some runs to results. If it is omitted, the rows are discarded.
     threads : int, optional
-        Maximum number of threads; default one per processor that is available to this process.
+        Maximum number of threads (default: one per processor that is available to this process).
     lanes : int, optional
         Number of runs that a thread computes simultaneously: 1, 2, 4 or 8. The default is the environment variable
         `POPPET_LANES`, or the width of the registers of the processor. 1 selects the scalar kernel, which also runs

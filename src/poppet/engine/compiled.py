@@ -18,9 +18,10 @@ if TYPE_CHECKING:
 
 
 class CompiledFunctions(NamedTuple):
-    """Machine code of several functions: `addresses` maps their names to memory addresses.
+    """Machine code of several functions.
 
-    `owner` is the LLVM engine, which must exist while the functions are used.
+    `addresses` maps the names of the functions to memory addresses. `owner` is the LLVM engine, which must exist while
+    the functions are used.
     """
 
     addresses: Mapping[str, int]

@@ -1,4 +1,4 @@
-/* made from integrator.py, stepping.py, job.py, rosenbrock.py, sha256 dcf482f9e443e68030fa912e794bcd6407298ca2fb36c3b5be2368ba223f32ea */
+/* made from integrator.py, stepping.py, job.py, rosenbrock.py, sha256 e2a011bd484f385f4e5635c7af3fbbe24992e1657fde0dd134c4ac429d7c5b0d */
 /* The adaptive integrator, translated from Python (tools/integrator_c.py); change it there.
 
    `integrate` takes one row of 64 bit numbers, addresses of functions and arrays and their lengths, and gives back how
@@ -500,8 +500,8 @@ static double do_first_step(const RunState *run, double span) {
   return 1.0 / fastest;
 }
 
-/* Compute rates, Jacobian and drift at the start of a step, and return the length of the step. A positive h is the
-   length. Otherwise first_step selects the length, which is at most -h if h is negative. */
+/* Compute rates, Jacobian and drift at the start of a step, and return the length of the step. If h is positive, it is
+   the length. Otherwise, first_step selects the length; if h is negative, -h is the maximum. */
 static double do_begin(const RunState *run, Segment segment, double t, double h) {
   const Work *w;
   double longest = 0.0;
@@ -518,8 +518,9 @@ static double do_begin(const RunState *run, Segment segment, double t, double h)
 }
 
 /* Return the desired length of a step from t, and the latest time at which it can end. The latest end is the next
-   sample instant or the end of the segment. Instants since calm have not changed the rates. Unless lands is True, a
-   step can pass instants for the duration t - calm, and its interpolant then gives the state at these instants. */
+   sample instant or the end of the segment. Since the time calm, sample instants have not changed the rates. A step
+   can therefore continue past instants for a further duration of t - calm, unless lands is True. The interpolant of
+   the step then gives the state at these instants. */
 static void do_reach(const RunState *run, Segment segment, double t, double h, double calm, int lands, double *r0, double *r1) {
   double desired = 0.0;
   double goal = 0.0;
@@ -542,8 +543,8 @@ static void do_reach(const RunState *run, Segment segment, double t, double h, d
   return;
 }
 
-/* Return the length of a replayed step from the stored lengths in script. If the stored length is not positive, or
-   exceeds remaining, the step ends at the next instant. */
+/* Return the length of the next step of a run that repeats stored steps. script contains the lengths of the stored
+   steps. If the stored length is not positive, or exceeds remaining, the step ends at the next instant. */
 static double do_again(vector script, int64_t step, double remaining) {
   double h = 0.0;
   h = script.at[least_integer(step, script.size - 1)];
@@ -551,7 +552,7 @@ static double do_again(vector script, int64_t step, double remaining) {
 }
 
 /* Return the length of the next step, at most remaining. If the desired length is more than half of remaining, but not
-   all of it, the result is half. A tiny last step is thus avoided. */
+   all of it, the result is half of remaining. This avoids a tiny last step. */
 static double do_length(double desired, double remaining) {
   if (desired < (0.5 * remaining)) {
     return desired;
@@ -744,8 +745,8 @@ static double do_fourth_root(double value) {
   return sqrt(sqrt(value));
 }
 
-/* Return the factor on the step length after an accepted step (predictive control of Gustafsson). error and h are
-   error and length of the step; error_before and step_before are those of the previous step. */
+/* Return the factor on the step length after an accepted step (predictive control of Gustafsson). error and h are the
+   error and the length of the step. error_before and step_before are the error and the length of the previous step. */
 static double do_growth(double error, double h, double error_before, double step_before) {
   double factor = 0.0;
   factor = SAFETY / do_fourth_root(error);
@@ -776,8 +777,8 @@ static int64_t do_verdict(const RunState *run, double t, double window, int has_
   return (run->watch.at[1] != 0.0) ? INTERRUPTED : DONE;
 }
 
-/* Integrate over one segment of the inputs, and return status, end and next step length. The argument h is the length
-   of the first step, as for begin in poppet.engine.stepping. */
+/* Integrate over one segment of the inputs, and return status, end and next step length. If h is positive, it is the
+   length of the first step. Otherwise the rates determine this length; if h is negative, -h is the maximum. */
 static void do_over(const RunState *run, Segment segment, double h, int64_t *r0, double *r1, double *r2) {
   const Work *work;
   const Control *control;
@@ -959,7 +960,7 @@ static double do_without_states(const RunState *run, Segment segment) {
   return t;
 }
 
-/* Integrate over all segments, and return the status; fields is the address of a Job. */
+/* Integrate over all segments, and return the status. fields is the address of a Job. */
 int64_t integrate(const int64_t *fields) {
   const Job *job;
   RunState run;

@@ -1,4 +1,4 @@
-; made from integrator.py, stepping.py, job.py, rosenbrock.py, sha256 dcf482f9e443e68030fa912e794bcd6407298ca2fb36c3b5be2368ba223f32ea
+; made from integrator.py, stepping.py, job.py, rosenbrock.py, sha256 e2a011bd484f385f4e5635c7af3fbbe24992e1657fde0dd134c4ac429d7c5b0d
 @v46 = private unnamed_addr constant [4 x double] [double 3.860000e-01, double 2.100000e-01, double 6.300000e-01, double 1.000000e+00], align 8
 define internal fastcc void @v47(ptr noalias nonnull writeonly %retptr, ptr readonly %arg.fields) unnamed_addr {
 entry:

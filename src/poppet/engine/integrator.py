@@ -46,9 +46,10 @@ N_FIELDS = len(Job._fields)
 
 @compiled
 def _again(script, step, remaining):
-    """Return the length of a replayed step from the stored lengths in `script`.
+    """Return the length of the next step of a run that repeats stored steps.
 
-    If the stored length is not positive, or exceeds `remaining`, the step ends at the next instant.
+    `script` contains the lengths of the stored steps. If the stored length is not positive, or exceeds `remaining`, the
+    step ends at the next instant.
     """
     h = script[min(step, script.size - 1)]
     return remaining if h <= 0.0 or h >= remaining else h
@@ -80,7 +81,8 @@ def _accept(run, segment, step):
 def _over(run, segment, h):
     """Integrate over one segment of the inputs, and return status, end and next step length.
 
-    The argument h is the length of the first step, as for `begin` in `poppet.engine.stepping`.
+    If h is positive, it is the length of the first step. Otherwise the rates determine this length; if h is negative,
+    -h is the maximum.
     """
     work, control, counts, memory, script = run.work, run.control, run.counts, run.memory, run.control.script
     t, stop, has_timers = segment.start, segment.stop, run.memory.fired.size > 0
@@ -211,7 +213,10 @@ def _run_of(job):
 
 
 def integrate(fields):
-    """Integrate over all segments, and return the status; `fields` is the address of a `Job`."""
+    """Integrate over all segments, and return the status.
+
+    `fields` is the address of a `Job`.
+    """
     job = Job(*to_fixed_tuple(carray(fields, (N_FIELDS,)), N_FIELDS))
     run = _run_of(job)
     n, n_u, n_k, counts, grid = job.n_states, job.n_inputs, job.n_segments, run.counts, run.rows.grid

@@ -127,15 +127,16 @@ class Kernel:
     def call(self, name: str, *arrays: Array) -> None:
         """Call a compiled model function by its name.
 
-        `arrays` are its contiguous arguments, then the arrays into which it writes its results.
+        The further arguments are its contiguous argument arrays, followed by the arrays into which it writes its
+        results.
         """
         self.caller(name, *arrays)()
 
     def caller(self, name: str, *arrays: Array) -> Callable[[], None]:
         """Return a function without arguments that calls a compiled model function with fixed arrays.
 
-        `arrays` are its arguments and results. The caller must keep references to the arrays, because only their
-        addresses are stored.
+        The further arguments are its argument arrays and its result arrays. The caller must keep references to the
+        arrays, because only their addresses are stored.
         """
         return partial(self._callables[name], *map(address, arrays))
 

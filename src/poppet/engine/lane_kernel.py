@@ -190,9 +190,9 @@ class Lanes:
 class LockstepLanes:
     """Simultaneous runs that all take the steps of the first run.
 
-    Without error control, their results are smooth functions of the parameters. Write parameters into `values`, those
-    of the first run into the first row, then call `run`. If the first run ends early, all runs end, and later output
-    values are NaN. Problems with discrete states, stop conditions or no states are not supported.
+    Without error control, their results are smooth functions of the parameters. Write the parameters of each run into a
+    row of `values`, then call `run`. If the first run ends early, all runs end, and later output values are NaN.
+    Problems with discrete states, stop conditions or no states are not supported.
     """
 
     def __init__(

@@ -1,4 +1,4 @@
-; made from lanes.py, integrator.py, stepping.py, job.py, rosenbrock.py, sha256 937d56fe977567bbf4e30d411e2ce6acff304c8f78c577a2c00f5f9087203530
+; made from lanes.py, integrator.py, stepping.py, job.py, rosenbrock.py, sha256 9a57f6122cf8fd54070888bbb2dd40a7acd3e6be27f5c6d9abd0b1cc1d220cfa
 @.const.array.data = internal unnamed_addr constant [32 x i8] c"Nb\10X9\B4\D8?\E1z\14\AEG\E1\CA?)\\\8F\C2\F5(\E4?\00\00\00\00\00\00\F0?", align 8
 define internal fastcc noundef i32 @v71(ptr noalias nonnull writeonly %retptr, ptr %arg.f.4, i64 %arg.i) unnamed_addr {
 entry:

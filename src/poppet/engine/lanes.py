@@ -129,7 +129,10 @@ def rows(f, field):
 
 @compiled
 def flags_of(f):
-    """Return the array of flags, one column for each lane; `RUN` and so on are the row indices."""
+    """Return the array of flags, which has one column for each lane.
+
+    Constants such as `RUN` are the row indices.
+    """
     return carray(stepping.integers_at(f[AT.flags]), (1, f[AT.width]))
 
 
@@ -147,7 +150,10 @@ def integers(f, field, size):
 
 @compiled
 def counts_of(f, run):
-    """Return the counts of a run, such as its accepted steps; `run` is its index."""
+    """Return the counts of a run, such as the number of its accepted steps.
+
+    `run` is the index of the run.
+    """
     return carray(stepping.integers_at(f[AT.counts] + 48 * run), (6,))
 
 
@@ -160,7 +166,10 @@ def own_of(f, i):
 
 @compiled
 def table_at(f, run):
-    """Return the address of the output table of a run; `run` is its index."""
+    """Return the address of the output table of a run.
+
+    `run` is the index of the run.
+    """
     return f[AT.table] + 8 * (run - f[AT.base]) * f[AT.n_outputs] * f[AT.n_rows]
 
 
@@ -329,7 +338,10 @@ def stop_at(f, i, segment):
 
 @compiled
 def enter(f, i):
-    """Start the next segment of lane i; return STOPPED if a stop condition is true, otherwise DONE."""
+    """Start the next segment of lane i.
+
+    The result is STOPPED if a stop condition is true, and DONE otherwise.
+    """
     control, flags = rows(f, AT.control), flags_of(f)
     flags[SEGMENT, i] += 1
     segment, has_timers = segment_of(f, i), f[AT.n_timers] > 0
@@ -353,7 +365,10 @@ def enter(f, i):
 
 @compiled
 def finish(f, i, status):
-    """Store the results of the run in lane i, with its last output row; `status` is its outcome."""
+    """Store the results of the run in lane i, with its last output row.
+
+    `status` is the outcome of the run.
+    """
     run, n, n_e, n_y, n_rows = single(f, i), f[AT.n_states], f[AT.n_energies], f[AT.n_outputs], f[AT.n_rows]
     counts, table, t, k = run.counts, run.rows.table, rows(f, AT.th)[0, i], flags_of(f)[RUN, i]
     counts[ATTEMPTS], counts[ACCEPTED] = int(rows(f, AT.control)[TRIES, i]), int(rows(f, AT.control)[TAKES, i])
@@ -427,7 +442,7 @@ def onward(f, i, status):
 def first_step(f, i, h):
     """Return the length of the first step of lane i after a jump.
 
-    A negative h is the negative maximum length. The rule is that of `begin` in `poppet.engine.stepping`.
+    If h is negative, the maximum length is -h. The function `begin` in `poppet.engine.stepping` uses the same rule.
     """
     rates, x, sizes = rows(f, AT.rates), rows(f, AT.x), rows(f, AT.sizes)
     fastest = 20.0 / (rows(f, AT.control)[STOP, i] - rows(f, AT.th)[0, i])
@@ -444,7 +459,7 @@ def goal(f, i, t, h):
 
 @compiled
 def follow(f, i, control, th):
-    """Set the length of the next step of lane i to that of the first lane."""
+    """Set the length of the next step of lane i to the step length of the first lane."""
     th[1, i], control[WANTED, i], control[END, i] = th[1, 0], control[WANTED, 0], control[END, 0]
     if flags_of(f)[MOVES, i]:
         stage_inputs(f, i, segment_of(f, i), th[0, i], th[1, i])
@@ -564,7 +579,7 @@ def after_change(i, control, th, flags, has_changed):
 def verdict(f, i, counts, most):
     """Return the status that ends the run of lane i after an attempted step, or -1.
 
-    The rules are those of `verdict` in `poppet.engine.stepping`. `most` is the maximum number of attempts.
+    The function `verdict` in `poppet.engine.stepping` uses the same rules. `most` is the maximum number of attempts.
     """
     control = rows(f, AT.control)
     tries, takes = int(control[TRIES, i]), int(control[TAKES, i])

@@ -37,7 +37,7 @@ class Batch:
     def write(self, run: int, p: Array, coefficients: Array) -> None:
         """Write the parameter values of one run into the arrays `p` and `coefficients`.
 
-        `run` is the index of the run. Both arrays must be copies of those of the problem.
+        `run` is the index of the run. Both arrays must be copies of the arrays of the problem.
         """
         p[self.places] = self.values[run]
         for k, index in self.held:

@@ -45,6 +45,7 @@ class InputInfo(NamedTuple):
     high: str | float
     delay: str  # parameter with the delay of its signal, or empty
     slope_of: str = ""  # address of another input, if this input is its time derivative
+    at_rest: float | None = None  # value in steady states, unless a signal or the user sets another
 
 
 class FlowInfo(NamedTuple):

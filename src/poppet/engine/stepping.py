@@ -72,7 +72,10 @@ class OutputRows(NamedTuple):
 
 
 class Stops(NamedTuple):
-    """Stop conditions of a run, as in `poppet.engine.problem.StopCondition`."""
+    """Stop conditions of a run, as arrays.
+
+    The class `poppet.engine.problem.StopCondition` describes a single condition.
+    """
 
     places: Any
     weights: Any
@@ -101,7 +104,10 @@ class Work(NamedTuple):
 
 
 class RunState(NamedTuple):
-    """Data of one run, with the state x."""
+    """All data of one run that the integrator uses.
+
+    `x` is the state.
+    """
 
     functions: Any
     memory: Any
@@ -295,7 +301,7 @@ def first_step(run, span):
 def begin(run, segment, t, h):
     """Compute rates, Jacobian and drift at the start of a step, and return the length of the step.
 
-    A positive h is the length. Otherwise `first_step` selects the length, which is at most -h if h is negative.
+    If h is positive, it is the length. Otherwise, `first_step` selects the length; if h is negative, -h is the maximum.
     """
     w = run.work
     w.tt[0] = t
@@ -318,7 +324,8 @@ def fourth_root(value):
 def growth(error, h, error_before, step_before):
     """Return the factor on the step length after an accepted step (predictive control of Gustafsson).
 
-    `error` and h are error and length of the step; `error_before` and `step_before` are those of the previous step.
+    `error` and h are the error and the length of the step. `error_before` and `step_before` are the error and the
+    length of the previous step.
     """
     factor = SAFETY / fourth_root(error)
     if step_before > 0.0:
@@ -389,8 +396,8 @@ def stop_inside(run, segment, step):
 def length(desired, remaining):
     """Return the length of the next step, at most `remaining`.
 
-    If the desired length is more than half of `remaining`, but not all of it, the result is half. A tiny last step is
-    thus avoided.
+    If the desired length is more than half of `remaining`, but not all of it, the result is half of `remaining`. This
+    avoids a tiny last step.
     """
     if desired < 0.5 * remaining:
         return desired
@@ -444,9 +451,9 @@ def next_instant(memory):
 def reach(run, segment, t, h, calm, lands):
     """Return the desired length of a step from t, and the latest time at which it can end.
 
-    The latest end is the next sample instant or the end of the segment. Instants since `calm` have not changed the
-    rates. Unless `lands` is True, a step can pass instants for the duration t - `calm`, and its interpolant then gives
-    the state at these instants.
+    The latest end is the next sample instant or the end of the segment. Since the time `calm`, sample instants have not
+    changed the rates. A step can therefore continue past instants for a further duration of t - `calm`, unless `lands`
+    is True. The interpolant of the step then gives the state at these instants.
     """
     desired, goal = min(h, run.control.longest), segment.stop
     if run.memory.fired.size > 0:

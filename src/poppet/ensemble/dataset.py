@@ -193,7 +193,7 @@ class Dataset:
         """Yield the results as columns by name, one file after the other in the order of the runs.
 
         `kind` is a subfolder, for example `runs`, `tornado` or `indices`. `columns` contains the names of the columns
-        to read; None selects all.
+        to read. If it is None, all columns are read.
         """
         for path in sorted((self.folder / kind).glob("part-*.parquet")):
             table = table_in(path, columns)
@@ -204,8 +204,8 @@ class Dataset:
     ) -> dict[str, NDArray[Any]]:
         """Return results of all runs, or of the first `max_rows` runs, as columns by name.
 
-        `kind` is the kind of runs: `runs`, `tornado` or `indices`. `columns` contains the names of the columns; None
-        selects all. The result is empty if there are no runs of this kind.
+        `kind` is the kind of runs: `runs`, `tornado` or `indices`. `columns` contains the names of the columns to read.
+        If it is None, all columns are read. The result is empty if there are no runs of this kind.
         """
         parts: list[dict[str, NDArray[Any]]] = []
         count = 0

@@ -80,8 +80,8 @@ class JointNormal:
 class EnsemblePlan:
     """All settings that determine the runs of an ensemble.
 
-    A sample is an array with one row for each run and one column for each uncertain parameter. Columns of independent
-    parameters (`alone`) come first; those of jointly distributed parameters (`joint`) follow.
+    A sample is an array with one row for each run and one column for each uncertain parameter. The columns of
+    independent parameters (`alone`) come first. The columns of jointly distributed parameters (`joint`) follow.
     """
 
     circuit: BaseCircuit = field(repr=False)
@@ -224,8 +224,8 @@ def read_plan(
 ) -> EnsemblePlan:
     """Read the tables `ensemble` and `requirements` of a circuit, and report all errors together.
 
-    `folder` is the folder to which file names in the tables refer. Without `allow_python`, Python functions in files
-    raise an error. Reading a plan executes none of them.
+    `folder` is the folder to which file names in the tables refer. Without the keyword `allow_python`, Python functions
+    in files raise an error. Reading a plan executes none of them.
     """
     outputs = dict(circuit.model.outputs)
     ambient = circuit.surroundings.pressure

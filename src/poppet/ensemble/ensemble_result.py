@@ -137,7 +137,7 @@ class Ensemble(HtmlMixin):
     def yields(self) -> list[Yield]:
         """Return the yield of each requirement: the fraction of runs that meet it.
 
-        If there are several requirements, the last yield is that of all together.
+        If there are several requirements, the last yield is the fraction of runs that meet all of them.
 
         Returns
         -------
@@ -355,8 +355,8 @@ def plan_of(
 ) -> EnsemblePlan:
     """Return the settings of an ensemble from the tables of a circuit.
 
-    Keyword arguments replace fields of the table `ensemble`. `allow_python` permits Python functions in files; they are
-    executed by the runs, not by this function.
+    The keyword `allow_python` permits Python functions in files, which the runs execute, but not this function. All
+    other keyword arguments replace fields of the table `ensemble`.
     """
     tables, folder = circuit.origin
     table = tables.get("ensemble", {})

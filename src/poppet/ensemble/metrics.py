@@ -54,7 +54,7 @@ class Metric:
 
     @property
     def python_location(self) -> str:
-        """Location of the Python function in a file, `ripple.py:ripple`; empty if there is none."""
+        """Location of the Python function in a file, for example `ripple.py:ripple`, or an empty text."""
         return self.function if isinstance(self.function, str) else ""
 
     @property
@@ -253,8 +253,8 @@ def read_metric(
     """Read one metric from its table in the circuit file.
 
     `raw` is the table, and `address` its address. `outputs` maps the address of each output of the circuit to its SI
-    unit. `ambient` is the ambient pressure [Pa], and `folder` the folder of files with Python functions. Without
-    `allow_python`, such a file raises an error. This function does not execute it.
+    unit. `ambient` is the ambient pressure [Pa], and `folder` the folder of files with Python functions. Without the
+    keyword `allow_python`, a Python file raises an error. This function does not execute it.
     """
     if callable(raw):
         raw = {"metric": raw}

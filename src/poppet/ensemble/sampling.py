@@ -84,7 +84,7 @@ def _random_integers(seed: int, stream: str, dimension: int, first: int, last: i
 
 
 def permute(indices: Whole, total: int, keys: Whole) -> Whole:
-    """Return where a random permutation of 0 to total - 1 moves each of the `indices`.
+    """Return the new positions of the `indices` in a random permutation of 0 to total - 1.
 
     The `keys` determine the permutation.
 

@@ -56,36 +56,37 @@ class Sizing(ResultFileMixin):
     is_largest : bool
         True if the largest value was requested instead of the smallest.
     value : float
-        The smallest (largest) value that meets all requirements, to `resolution`; NaN if there is none.
+        Smallest or largest value that meets all requirements, with an accuracy of `resolution`. It is NaN if there is
+        no such value.
     resolution : float
         Relative distance to the nearest failing value; 0 at an end of the range.
     share : float
-        Required fraction of good runs; 1 for a single circuit.
+        Required fraction of runs that meet the requirements. It is 1 for a single run.
     interval : tuple of float
         95 % interval of the fraction at `value` (Wilson); both limits are 1 for a single circuit.
     margins : mapping
-        Requirement to its margin at `value`, in the unit of its metric. For several runs it is the quantile of
-        `share`.
+        Mapping from each requirement to its margin at `value`, in the unit of its metric. For several runs, the margin
+        is the quantile of `share`.
     limiting : str
         Requirement that fails at the next value; empty if there is none.
     size : float
-        Next standard size; NaN without sizes or if no size is valid.
+        Next standard size. It is NaN if no sizes are given, or no size is valid.
     values : (n,) array
         All evaluated values in ascending order.
     shares : (n,) array
-        Fraction of good runs at each value.
+        Fraction of runs that meet the requirements at each value.
     metrics : mapping
-        Metric to its values, (n,); the mean of several runs.
+        Mapping from each metric to its values, (n,). For several runs, each value is a mean.
     units : mapping
-        Metric to its unit.
+        Mapping from each metric to its unit.
     holding : tuple of pairs of float
         Intervals in which the requirements are met, at the resolution of `values`.
     requirements : mapping
-        Name to text of the requirements.
+        Mapping from the name of each requirement to its text.
     bounds : mapping
-        Metric to the bounds of the requirements, in its unit.
+        Mapping from each metric to the bounds of the requirements, in the unit of the metric.
     runs : int
-        Runs at each value.
+        Number of runs at each value.
     remarks : tuple of Note
         Notes on the result.
     """
@@ -155,22 +156,23 @@ def size(
     free : str
         Address of the parameter.
     meet : sequence of str, optional
-        Names of the requirements; default all.
+        Names of the requirements (default: all).
     between : pair, optional
-        Range, as SI values or text with units; default two decades on either side of the value in the circuit, within
-        the limits of the parameter.
+        Search range, as SI values or text with units. The default is two decades on either side of the value in the
+        circuit, within the limits of the parameter.
     largest : bool, optional
         Find the largest value instead of the smallest.
     share : float, optional
-        Required fraction of good runs of the ensemble, 0 to 1; default a single run of the circuit.
+        Required fraction of runs that meet the requirements, 0 to 1. By default, the circuit is run only once at each
+        value.
     sizes : sequence, optional
         Standard sizes; the result contains the next one that is valid.
     progress : callable, optional
-        Called with the completed rounds, the total, and a description.
+        Function that is called with the number of completed rounds, their total number, and a description.
     allow_python : bool, optional
         Permit metrics by Python functions in files, `FILE.py:FUNCTION`, which executes these files.
     **fields
-        Fields of the table `ensemble`, and `requirements`; they override those of the file.
+        Fields of the table `ensemble`, and `requirements`; they replace the entries of the file.
 
     Returns
     -------
@@ -336,8 +338,8 @@ def _search_range(
 ) -> tuple[float, float]:
     """Return both ends of the search range.
 
-    `ends` is the range that the user requested; None selects a default range about the value `nominal`. `limits` are
-    the valid values of the parameter `free`, and `read_value` converts a value to SI units.
+    `ends` is the range that the user requested. If it is None, the result is a default range about the value `nominal`.
+    `limits` are the valid values of the parameter `free`, and `read_value` converts a value to SI units.
     """
     if ends is None:
         if not nominal > 0.0:

@@ -179,7 +179,7 @@ class Score:
 def score_model(response: str, model: str, held_out: bool, simulated: FloatArray, measured: FloatArray) -> Score:
     """Return the errors of a simulated response relative to its measurement.
 
-    `response` is the name of the response, `model` that of the model. `held_out` is True for validation data.
+    `response` and `model` are the names of the response and of the model. `held_out` is True for validation data.
 
     Examples
     --------
@@ -283,7 +283,7 @@ def _longest_dead_time(responses: Iterable[Response]) -> float:
 def responses_of(measurement: Measurement, commands: Mapping[str, str]) -> list[Response]:
     """Return the recorded responses of all channels that are listed in `commands`.
 
-    `commands` maps the address of a channel to that of the input that commands it.
+    `commands` maps the address of a channel to the address of the input that commands it.
     """
     inputs = {item.address: item for item in measurement.inputs}
     responses = []
@@ -309,7 +309,7 @@ def baselines(plan: FitPlan, commands: Mapping[str, str], result: Result | None 
     Parameters
     ----------
     plan : FitPlan
-        Plan with the recordings; those with `use = "validation"` are the validation data.
+        Plan with the recordings. Recordings with `use = "validation"` are the validation data.
     commands : mapping
         Mapping from the address of each channel to the address of its command.
     result : Result, optional

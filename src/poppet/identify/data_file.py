@@ -86,7 +86,7 @@ def or_file(read: Callable[[str | Path], tuple[Any, dict[str, Any]]]) -> Callabl
     """Return a decorator with which a function of data also accepts the path of a file.
 
     The function `read` reads the file and returns the data and keyword arguments. Keyword arguments of the call
-    override those of the file.
+    override the keyword arguments from the file.
     """
 
     def decorate(function: Function) -> Function:

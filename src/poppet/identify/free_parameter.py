@@ -125,7 +125,8 @@ def read_free(
 ) -> FreeParameter:
     """Read one free parameter from its table in an input file, or from its start value alone.
 
-    `address` is that of the circuit parameter. `where` is the location of the table in the file, for messages.
+    `address` is the address of the circuit parameter. The keyword `where` is the location of the table in the file, for
+    messages.
     """
     # Use the circuit, not its instance: the parts declare units and limits.
     numbers = circuit.numbers()

@@ -159,8 +159,8 @@ def correlations(names: Sequence[str], covariance: FloatArray) -> dict[str, dict
 def corrected_penalty(numbers: int, samples: int) -> float:
     """Return the penalty term of the information criterion AICc.
 
-    `numbers` is the number of fitted parameters, and `samples` that of independent samples. The result is infinite if
-    there are too few samples.
+    `numbers` is the number of fitted parameters, and `samples` the number of independent samples. The result is
+    infinite if there are too few samples.
 
     References
     ----------
@@ -230,7 +230,7 @@ def cluster_covariance(
     Notes
     -----
     With the factors A, the variance is unbiased for residuals of equal size, also for few groups and groups of large
-    leverage. The degrees of freedom are those of a chi-square with the same mean and variance.
+    leverage. The degrees of freedom belong to a chi-square distribution with the same mean and variance.
 
     References
     ----------

@@ -70,7 +70,7 @@ class SearchResult(NamedTuple):
 def triangular_factor(columns: FloatArray) -> FloatArray:
     """Return the triangular factor R of the QR decomposition of a matrix, (k, k).
 
-    `columns` is the matrix, (m, k). The inner products of the columns of R equal those of the columns of the matrix.
+    `columns` is the matrix, (m, k). The columns of R have the same inner products as the columns of the matrix.
     """
     from scipy.linalg.lapack import dgeqrf
 

@@ -71,7 +71,7 @@ def with_numbers(circuit: BaseCircuit, path: str | Path) -> tuple[BaseCircuit, l
 def _muscle_fields(circuit: BaseCircuit, result: Result) -> dict[str, Any]:
     """Return the fields of a muscle part that describe a fitted muscle: law, parameters and size.
 
-    The keys are the addresses of the fields. The result is empty if the result is not that of a muscle.
+    The keys are the addresses of the fields. The fields are empty if the identification is not that of a muscle.
     """
     law, values = result.comparison.get("law"), result.values()
     name = next(iter(values), "").partition(".")[0]

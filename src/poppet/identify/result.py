@@ -91,7 +91,7 @@ class ResidualSummary:
         Parameters
         ----------
         model, measured : (n,) array
-            In `unit`.
+            Values of the model and of the measurement, in `unit`.
         unit : str
             SI unit.
 
@@ -204,7 +204,7 @@ class Result(ResultFileMixin, HtmlMixin):
         Returns
         -------
         list of str
-            A line with headings precedes those of the estimates.
+            The first line contains the headings of the estimates.
         """
         width = max((len(name) for name in ("parameter", *self.parameters)), default=0)
         headings = f"  {'parameter':<{width}}  value +/- standard uncertainty  [95 % interval]  verdict"

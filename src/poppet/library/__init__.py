@@ -212,7 +212,7 @@ def numbers(name: str, kind: str, variant: str = "") -> Mapping[str, Number]:
 
 
 def complete_sets(*kinds: str) -> tuple[str, ...]:
-    """Return the names of the parameter sets that contain parameters for all kinds of parts in `kinds`."""
+    """Return the names of the parameter sets that contain parameters for all given kinds of parts."""
     return tuple(name for name, parameter_set in _SETS.items() if set(kinds) <= set(parameter_set.parts))
 
 

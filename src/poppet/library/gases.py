@@ -86,7 +86,7 @@ class Gas:
         Returns
         -------
         dict of str to Number
-            `gas_constant` and `isentropic_exponent`, and the contents of the attributes `transport` and `real`.
+            `gas_constant`, `isentropic_exponent`, and all parameters in the attributes `transport` and `real`.
         """
         return {
             "gas_constant": self.gas_constant,

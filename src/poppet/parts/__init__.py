@@ -23,9 +23,12 @@ if TYPE_CHECKING:
     from poppet.parts.pilot_stage import PilotStage
     from poppet.parts.pressure_controller import PressureController
     from poppet.parts.proportional_valve import ProportionalValve
+    from poppet.parts.sequence import Sequence
     from poppet.parts.solenoid import Solenoid
     from poppet.parts.sources import FlowSource, Reservoir
     from poppet.parts.spool_valve import SpoolValve
+    from poppet.parts.supply import Compressor, PressureRegulator
+    from poppet.parts.switch import Switch
     from poppet.parts.tube import Tube
     from poppet.parts.valves import CheckValve, DirectionalValve, Filter, ReliefValve, Silencer
 
@@ -54,6 +57,8 @@ KINDS: Registry[type[Part]] = Registry(
         "spool_valve": "poppet.parts.spool_valve:SpoolValve",
         "silencer": "poppet.parts.valves:Silencer",
         "filter": "poppet.parts.valves:Filter",
+        "pressure_regulator": "poppet.parts.supply:PressureRegulator",
+        "compressor": "poppet.parts.supply:Compressor",
         "mass": "poppet.parts.bodies:Mass",
         "joint": "poppet.parts.bodies:Joint",
         "guide": "poppet.parts.bodies:Guide",
@@ -62,6 +67,8 @@ KINDS: Registry[type[Part]] = Registry(
         "inverse_muscle": "poppet.parts.antagonist:InverseMuscle",
         "antagonist": "poppet.parts.antagonist:Antagonist",
         "tube": "poppet.parts.tube:Tube",
+        "switch": "poppet.parts.switch:Switch",
+        "sequence": "poppet.parts.sequence:Sequence",
     },
     lambda name, value: isinstance(value, type) and issubclass(value, Part) and value.kind == name,
 )
@@ -76,12 +83,12 @@ _PATHS = {
 
 # Literal, so that type checkers can read it.
 __all__ = [
-    "KINDS", "PID", "Antagonist", "BodyFriction", "BodyStop", "Chamber", "CheckValve", "Contact", "Cylinder",
-    "DirectionalValve", "Electronics", "Exhaust", "Filter", "FlowControlValve", "FlowSource", "Friction", "Guide",
-    "InverseMuscle", "Joint", "JointFriction", "JointStop", "MainStage", "Mass", "Muscle", "Orifice", "Part",
-    "Passage", "PilotStage", "PilotedCheckValve", "PressureController", "ProportionalValve", "QuickExhaustValve",
-    "ReliefValve", "Reservoir", "ShuttleValve", "Silencer", "Solenoid", "SpoolValve", "Spring", "Stop", "Store",
-    "Tube", "TwoPressureValve",
+    "KINDS", "PID", "Antagonist", "BodyFriction", "BodyStop", "Chamber", "CheckValve", "Compressor", "Contact",
+    "Cylinder", "DirectionalValve", "Electronics", "Exhaust", "Filter", "FlowControlValve", "FlowSource", "Friction",
+    "Guide", "InverseMuscle", "Joint", "JointFriction", "JointStop", "MainStage", "Mass", "Muscle", "Orifice", "Part",
+    "Passage", "PilotStage", "PilotedCheckValve", "PressureController", "PressureRegulator", "ProportionalValve",
+    "QuickExhaustValve", "ReliefValve", "Reservoir", "Sequence", "ShuttleValve", "Silencer", "Solenoid", "SpoolValve",
+    "Spring", "Stop", "Store", "Switch", "Tube", "TwoPressureValve",
 ]  # fmt: skip
 
 

@@ -3,20 +3,23 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Hashable, Iterator, Sequence
+from collections.abc import Callable, Hashable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from functools import reduce
 from typing import TYPE_CHECKING, Any, ClassVar
 
 import numpy as np
 
 from poppet.core.codes import Note
 from poppet.core.errors import InputError
+from poppet.core.provenance import Number
 from poppet.core.symbolic import is_certain, maximum, minimum, sin, where
 from poppet.laws.physics import contact, friction
 from poppet.laws.physics.heat_transfer import GRAVITY
 from poppet.parts.captions import CaptionNumbers
-from poppet.parts.fields import NumberLike, group, number, option
+from poppet.parts.fields import NumberLike, group, number, option, reference
 from poppet.parts.part import Body, BodyDynamics, BodyMotion, Input, Quantities, Scope, State, Surroundings
+from poppet.parts.rows import FrictionFactor
 
 PRESLIDING = 1e-5
 """Default deflection at which dry friction breaks away [m]; assumed: seals of pneumatic cylinders have 5 to 50 um."""
@@ -112,6 +115,16 @@ class BodyFriction:
         doc="elastic deflection; deflection up to which a body with `elasto_plastic` does not creep",
         above=0.0,
     )
+    negative_coulomb_force: NumberLike = number(
+        "N", optional=True, doc="Coulomb friction at negative velocity", low=0.0
+    )
+    negative_static_force: NumberLike = number(
+        "N", optional=True, doc="break-away friction at negative velocity", low=0.0
+    )
+    negative_viscous_coefficient: NumberLike = number(
+        "N s/m", optional=True, doc="viscous friction at negative velocity", low=0.0
+    )
+    position_factor: Any = reference(doc="factor on the friction; mapping of lists position, factor")
 
 
 @dataclass(frozen=True)
@@ -140,6 +153,16 @@ class JointFriction:
         doc="elastic deflection; deflection up to which a body with `elasto_plastic` does not creep",
         above=0.0,
     )
+    negative_coulomb_torque: NumberLike = number(
+        "N m", optional=True, doc="Coulomb friction at negative velocity", low=0.0
+    )
+    negative_static_torque: NumberLike = number(
+        "N m", optional=True, doc="break-away friction at negative velocity", low=0.0
+    )
+    negative_viscous_coefficient: NumberLike = number(
+        "N m s/rad", optional=True, doc="viscous friction at negative velocity", low=0.0
+    )
+    position_factor: Any = reference(doc="factor on the friction; mapping of lists position, factor")
 
 
 @dataclass(frozen=True)
@@ -167,12 +190,26 @@ class _MovingBody(Body):
     def _law(self) -> str:
         return "none" if self.friction is None else str(self.friction.kind)
 
+    @property
+    def _has_direction(self) -> bool:
+        """True if the friction has other parameters at negative velocity."""
+        names = (f"coulomb_{self.effort}", f"static_{self.effort}", "viscous_coefficient")
+        return self._law != "none" and any(getattr(self.friction, f"negative_{name}") is not None for name in names)
+
+    @property
+    def _factor(self) -> FrictionFactor | None:
+        """Factor on the friction as a function of the position, or None if the friction does not depend on it."""
+        return None if self._law == "none" else self.friction.position_factor
+
     def check(self) -> None:
+        if self.friction is not None and self.friction.position_factor is not None:
+            factor = FrictionFactor.read(self.friction.position_factor, self.unit)
+            object.__setattr__(self.friction, "position_factor", factor)
         if self._law in DRY_LAWS and getattr(self.friction, f"coulomb_{self.effort}") is None:
             raise InputError("bodies.no_friction_force", f"friction.coulomb_{self.effort}", law=self._law)
         if self._law == "elasto_plastic" and self.friction.breakaway_displacement is not None:
-            coulomb, static, stiffness = self._bristles()
-            elastic, limit = float(self.friction.breakaway_displacement), minimum(coulomb, static) / stiffness
+            lowest = reduce(minimum, (minimum(*pair) for pair in self._levels()))
+            elastic, limit = float(self.friction.breakaway_displacement), lowest / self._bristle_stiffness()
             if is_certain(elastic >= limit) and is_certain(limit > 0.0):
                 facts: dict[str, Any] = {"value": elastic, "limit": limit, "unit": self.unit}
                 raise InputError("bodies.breakaway", "friction.breakaway_displacement", **facts)
@@ -186,14 +223,39 @@ class _MovingBody(Body):
         if (low is not None and start < low) or (high is not None and start > high):
             raise InputError("bodies.beyond_stop", "initial_position", value=start, low=low, high=high, unit=self.unit)
 
-    def _bristles(self) -> tuple[Any, Any, Any]:
-        """Return Coulomb friction, static friction and bristle stiffness, or their defaults, in SI units."""
-        coulomb = getattr(self.friction, f"coulomb_{self.effort}").value
-        static, stiffness = getattr(self.friction, f"static_{self.effort}"), self.friction.bristle_stiffness
-        static = coulomb if static is None else static.value
+    def _levels(self) -> list[tuple[Any, Any]]:
+        """Return pairs of Coulomb and static friction, or their defaults, in SI units.
+
+        The first pair is valid at positive velocity. The second pair, at negative velocity, exists only if the friction
+        depends on the direction.
+        """
+        names = [f"coulomb_{self.effort}", f"static_{self.effort}"]
+        coulomb, static = (getattr(self.friction, name) for name in names)
+        levels = [(coulomb.value, (coulomb if static is None else static).value)]
+        if self._has_direction:
+            opposite = [getattr(self.friction, f"negative_{name}") for name in names]
+            pairs = zip(levels[0], opposite, strict=True)
+            coulomb, static = (value if number is None else number.value for value, number in pairs)
+            levels.append((coulomb, static))
+        return levels
+
+    def _bristle_stiffness(self) -> Any:
+        """Return the bristle stiffness, or its default, in SI units."""
+        if self.friction.bristle_stiffness is not None:
+            return self.friction.bristle_stiffness.value
         # At least a hundredth of a newton: a friction of zero has no stiffness.
-        default = maximum(maximum(static, coulomb), 1e-2) / self.presliding
-        return coulomb, static, default if stiffness is None else stiffness.value
+        largest = reduce(maximum, (maximum(static, coulomb) for coulomb, static in self._levels()))
+        return maximum(largest, 1e-2) / self.presliding
+
+    def largest_deflection(self, values: Mapping[str, float]) -> float:
+        """Return the largest deflection of the bristles before a body with dry friction slides.
+
+        `values` are the parameters of the body. The law must be `lugre` or `elasto_plastic`.
+        """
+        kinds = (f"coulomb_{self.effort}", f"static_{self.effort}")
+        level = max(value for name, value in values.items() if name.endswith(kinds))
+        factors = (value for name, value in values.items() if name.startswith("friction.position_factor.factor_"))
+        return max(factors, default=1.0) * level / values["friction.bristle_stiffness"]
 
     def _friction_caption(self, numbers: CaptionNumbers) -> str:
         if self._law == "none":
@@ -204,19 +266,35 @@ class _MovingBody(Body):
             f"{self._law.replace('_', '-')} friction {numbers.text(getattr(self.friction, f'coulomb_{self.effort}'))}"
         )
 
+    def numbers(self) -> dict[str, Number]:
+        factor = None if self.friction is None else self.friction.position_factor
+        table = {} if factor is None else factor.numbers()
+        return super().numbers() | {f"friction.position_factor.{name}": value for name, value in table.items()}
+
     def structure(self) -> Hashable:
-        return super().structure(), self._law, self.lower_stop is not None, self.upper_stop is not None
+        stops = self.lower_stop is not None, self.upper_stop is not None
+        factor = None if self._factor is None else self._factor.structure()
+        return super().structure(), self._law, *stops, self._has_direction, factor
 
     def parameters(self, ambient: Surroundings) -> dict[str, float]:
         values = super().parameters(ambient)
-        if self._law in DRY_LAWS:
-            coulomb, static, stiffness = self._bristles()
-            values.setdefault(f"friction.static_{self.effort}", static)
-            if self._law in BRISTLE_LAWS:
-                values.setdefault("friction.bristle_stiffness", stiffness)
-                values.setdefault("friction.bristle_damping", 2.0 * (stiffness * values[self.inertia_name]) ** 0.5)
+        if self._factor is not None:
+            numbers = self._factor.parameters(ambient.pressure)
+            values |= {f"friction.position_factor.{name}": value for name, value in numbers.items()}
+        if self._has_direction:
+            values.setdefault("friction.negative_viscous_coefficient", values["friction.viscous_coefficient"])
+        if self._law not in DRY_LAWS:
+            return values
+        stiffness, breakaway = self._bristle_stiffness(), values.get("friction.breakaway_displacement")
+        for prefix, (coulomb, static) in zip(("", "negative_"), self._levels(), strict=False):
+            values.setdefault(f"friction.{prefix}coulomb_{self.effort}", coulomb)
+            values.setdefault(f"friction.{prefix}static_{self.effort}", static)
             if self._law == "elasto_plastic":
-                values.setdefault("friction.breakaway_displacement", ELASTIC * minimum(coulomb, static) / stiffness)
+                default = ELASTIC * minimum(coulomb, static) / stiffness if breakaway is None else breakaway
+                values.setdefault(f"friction.{prefix}breakaway_displacement", default)
+        if self._law in BRISTLE_LAWS:
+            values.setdefault("friction.bristle_stiffness", stiffness)
+            values.setdefault("friction.bristle_damping", 2.0 * (stiffness * values[self.inertia_name]) ** 0.5)
         return values
 
     def states(self) -> tuple[State, ...]:
@@ -258,7 +336,10 @@ class _MovingBody(Body):
             limit = STICTION_LIMIT * scope["friction.stribeck_velocity"]
             direction = where(velocity > 0.0, 1.0, -1.0)
             outputs["friction_state"] = (where(abs(velocity) > limit, direction, 0.0), "1")
-            coulomb, static = (scope[f"friction.{level}_{self.effort}"] for level in ("coulomb", "static"))
+            side = scope.states["deflection"]
+            coulomb, static = (
+                self._parameter(scope, f"{level}_{self.effort}", side) for level in ("coulomb", "static")
+            )
             breakaway = where(coulomb > static, coulomb, static) + added_friction
             outputs[f"breakaway_{self.effort}"] = (breakaway, self.effort_unit)
         # Separate powers: the scale of an energy residual is the energy transferred, not a small difference.
@@ -274,12 +355,13 @@ class _MovingBody(Body):
         velocity = scope.states["velocity"]
         if self._law == "none":
             return 0.0
-        viscous = scope["friction.viscous_coefficient"] * velocity
+        viscous = self._parameter(scope, "viscous_coefficient", velocity) * velocity
         if self._law == "viscous":
             return viscous
         stribeck = scope["friction.stribeck_velocity"]
+        coulomb, static = (self._parameter(scope, f"{name}_{self.effort}", velocity) for name in ("coulomb", "static"))
         # Seals under pressure increase both levels.
-        levels = (scope[f"friction.coulomb_{self.effort}"] + added, scope[f"friction.static_{self.effort}"] + added)
+        levels = (coulomb + added, static + added)
         if self._law == "stribeck":
             transition = scope["friction.transition_velocity"]
             return contact.stribeck_friction(velocity, *levels, stribeck, transition, 0.0) + viscous
@@ -288,11 +370,26 @@ class _MovingBody(Body):
         if self._law == "lugre":
             rate = friction.bristle_rate(deflection, velocity, level, stiffness)
         else:
-            elastic = scope["friction.breakaway_displacement"] + ELASTIC * added / stiffness
+            elastic = self._parameter(scope, "breakaway_displacement", velocity) + ELASTIC * added / stiffness
             rate = friction.elasto_plastic_rate(deflection, velocity, level, stiffness, elastic)
         rates["deflection"] = rate
         damping = scope["friction.bristle_damping"]
         return friction.lugre_force(deflection, rate, velocity, stiffness, damping, stribeck) + viscous
+
+    def _parameter(self, scope: Scope, name: str, direction: Any) -> Any:
+        """Return a parameter of the friction at the present position.
+
+        The sign of `direction` selects the value for positive or negative velocity. All parameters that depend on the
+        direction are proportional to the factor on the friction.
+        """
+        value = scope[f"friction.{name}"]
+        if self._has_direction:
+            value = where(direction < 0.0, scope[f"friction.negative_{name}"], value)
+        if self._factor is not None:
+            prefix = "friction.position_factor."
+            numbers = {name: scope[f"{prefix}{name}"] for name in self._factor.numbers()}
+            value = self._factor.at(scope.states["position"], numbers) * value
+        return value
 
     def _stops(self, scope: Scope) -> Any:
         position, velocity = scope.states["position"], scope.states["velocity"]
@@ -318,7 +415,7 @@ class _MovingBody(Body):
         """
         if self._law not in BRISTLE_LAWS:
             return
-        stiffness, limit = self._bristles()[2], CREEP_LIMIT * float(self.friction.stribeck_velocity)
+        stiffness, limit = self._bristle_stiffness(), CREEP_LIMIT * float(self.friction.stribeck_velocity)
         time, force, level = (
             series(k) for k in ("time", f"{name}.friction_{self.effort}", f"{name}.breakaway_{self.effort}")
         )

@@ -238,9 +238,14 @@ def declared(kind: Any, *types: type) -> tuple[tuple[str, str, Any], ...]:
 def attribute(name: str) -> str:
     """Return the name of the Python attribute that contains the field `name`.
 
-    Both names are equal, except for `from`: it is a Python keyword, so its attribute is `from_`.
+    Both names are equal, except for names of which Python or the class `Part` has another use: the attribute of `from`
+    is `from_`.
     """
-    return "from_" if name == "from" else name
+    return f"{name}_" if name in _OTHER_USE else name
+
+
+_OTHER_USE = ("from", "inputs", "start")
+"""Names of fields that are Python keywords or methods of parts."""
 
 
 class ParameterDocstring:

@@ -109,8 +109,10 @@ class MainStage(Passage):
     -----
     In the mode `paper`, the equations are eqs (5)-(8) of the reference; the gauge pressure of the pilot is the only
     drive. In the mode `regulator`, the outlet pressure acts against the pilot pressure, and the pressure drop of the
-    supply seat acts on the poppet. The default characteristic has the name in `data` with the suffix `.closed`; its C
-    is 0 for strokes up to 0. The default pilot pressure is the ambient pressure.
+    supply seat acts on the poppet. The leaks are parallel to the seats, with the same critical ratio. Each increases
+    the conductance of its seat at all strokes. By default, both are equal. The default characteristic has the name in
+    `data` with the suffix `.closed`; its C is 0 for strokes up to 0. The default pilot pressure is the ambient
+    pressure.
 
     Fig. 5 of the reference shows the spring force k2 (h2 - x), but eq. (5) contains k2 (h2 + x); the model follows the
     equation. At a stroke of 0, the force of the lower spring is discontinuous in the equations. In the model, it
@@ -144,6 +146,12 @@ class MainStage(Passage):
     seat_balance: NumberLike = number("1", optional=True, doc="unbalanced fraction of the seat area", low=0.0, high=1.0)
     overlap: NumberLike = number("m", doc="overlap; stroke with both seats closed", low=0.0)
     exhaust_seat: Any = group(Exhaust, doc="exhaust seat")
+    leak_conductance: NumberLike = number(
+        "m^3/(s Pa)", 0.0, doc="leak from the supply to the outlet; conductance C", low=0.0, note="tight"
+    )
+    exhaust_leak_conductance: NumberLike = number(
+        "m^3/(s Pa)", optional=True, doc="leak from the outlet to the exhaust; conductance C", low=0.0
+    )
     upper_stop: Any = group(Stop, doc="upper end stop")
     lower_stop: Any = group(Stop, doc="lower end stop")
     contact: Any = group(Contact, doc="contact at stroke zero")
@@ -188,6 +196,7 @@ class MainStage(Passage):
     def parameters(self, ambient: Surroundings) -> dict[str, float]:
         values = super().parameters(ambient)
         values = {"pilot_pressure": ambient.pressure, "seat_area": 0.0, "seat_balance": 0.0} | values
+        values.setdefault("exhaust_leak_conductance", values["leak_conductance"])
         if self.friction is not None:
             values.setdefault("friction.static", values["friction.coulomb"])
         return values | {f"characteristic.{k}": v for k, v in self.curve.parameters().items()}
@@ -230,10 +239,12 @@ class MainStage(Passage):
         damped = 1.0 + contact_fraction * contact.saturation(scope["contact.dissipation"] * velocity)
         force = drive - (upper + lifted * lower * damped) - resistance
         rates = {"stroke": velocity, "velocity": (force + self._stops(scope)) / mass}
-        size = characteristic_at(self.curve, scope, "characteristic.", stroke)
+        conductance, ratio = characteristic_at(self.curve, scope, "characteristic.", stroke)
+        size = conductance + scope["leak_conductance"], ratio
         supply, outputs = named_flow(scope, gas, "supply", ("supply", "outlet"), size)
         opening = smoothstep(-stroke - scope["overlap"], 0.0, scope["exhaust_seat.opening"])
-        size = scope["exhaust_seat.sonic_conductance"] * opening, scope["exhaust_seat.critical_ratio"]
+        conductance = scope["exhaust_seat.sonic_conductance"] * opening + scope["exhaust_leak_conductance"]
+        size = conductance, scope["exhaust_seat.critical_ratio"]
         exhaust, exhaust_outputs = named_flow(scope, gas, "exhaust", ("outlet", "exhaust"), size)
         outputs |= exhaust_outputs | {"stroke": (stroke, "m"), "velocity": (velocity, "m/s")}
         # -2 at the lower stop, -1 exhaust open, 0 both seats closed, 1 supply open, 2 at the upper stop. The stops take

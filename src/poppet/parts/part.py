@@ -50,6 +50,7 @@ TUBE = "tube"
 """Kind of the parts whose ends can name ports of other parts."""
 PORTS = (
     "from", "to", "supply", "inlet", "outlet", "exhaust", "pilot", "pilot_exhaust", "a", "b", "exhaust_a", "exhaust_b",
+    "pilot_a", "pilot_b",
 )  # fmt: skip
 """Names of ports that the end of a tube can refer to: `valve.outlet`."""
 
@@ -84,6 +85,7 @@ class Input:
     by_signal: bool = False  # only a signal can drive it
     is_command: bool = False  # setpoint or command that a user changes to move a body
     is_flag: bool = False  # 0 or 1, a Boolean in exported programs
+    at_rest: float | None = None  # value in steady states, unless another value is requested
 
 
 @dataclass(frozen=True)
@@ -103,6 +105,7 @@ class Timer:
 
     name: str
     rank: int = 0  # order at a common instant; equal ranks act in the order of the parts
+    is_simultaneous: bool = False  # its update uses the discrete states before the instant
 
 
 @dataclass(frozen=True)
@@ -197,6 +200,18 @@ class ControlOutputs:
 
     outputs: Quantities
     rates: dict[str, Any] = field(default_factory=dict)
+    hidden: Quantities = field(default_factory=dict)  # available to connections, absent from recordings
+
+
+@dataclass(frozen=True)
+class PartConnection:
+    """Output of the circuit with the address `source` that drives an input of a part.
+
+    `place` is the address of the field of the part that names this output.
+    """
+
+    source: str
+    place: str
 
 
 @dataclass(frozen=True)
@@ -447,6 +462,13 @@ class Part(ABC):
     def inputs(self) -> tuple[Input, ...]:
         """Return the declarations of the inputs of the part, which signals or other parts can drive."""
         return ()
+
+    def connections(self) -> dict[str, PartConnection]:
+        """Return the outputs of the circuit that drive inputs of the part, by input.
+
+        Fields of the part name these outputs. The circuit adds these connections to its own.
+        """
+        return {}
 
     def output_ranges(self) -> dict[str, tuple[str | float, str | float]]:
         """Return the ranges of outputs that are limited, by name.

@@ -9,6 +9,7 @@ from typing import Any, ClassVar
 from poppet.core.errors import InputError, OutOfRangeError
 from poppet.core.provenance import Number
 from poppet.core.symbolic import clip, is_certain, maximum, minimum, where
+from poppet.laws.physics.dead_zone import add_dead_zone, remove_dead_zone
 from poppet.parts.captions import CaptionNumbers
 from poppet.parts.fields import NumberLike, number, option, reference, switch
 from poppet.parts.part import DiscreteState, Input, Quantities, Scope, Surroundings
@@ -29,8 +30,20 @@ from poppet.parts.sampled_loop import SampledLoop, is_first
 _SCHEDULED = ("gain", "integral_time", "derivative_time", "vent_factor")
 _LIMITS = ("lower_limit", "upper_limit")
 _OF_OPENINGS = ("fill_limit", "vent_limit", "vent_factor")
+_DEAD_ZONES = ("fill_dead_zone", "vent_dead_zone")
 _MARGIN = 0.1
 """Limit of the integral beyond the limits of the command, as a fraction of the range of the command."""
+_MOVING = ("position", "angle")
+"""Measured quantities with an acceleration."""
+
+
+def _has_dead_zone(part: Any) -> bool:
+    return any(getattr(part, name) is not None for name in _DEAD_ZONES)
+
+
+def _smoothing_properties(part: Any) -> dict[str, Any]:
+    """Return the properties of the field for the smoothing, which has a default if there is a dead zone."""
+    return {} if _has_dead_zone(part) else {"default": None, "optional": True}
 
 
 @dataclass(frozen=True)
@@ -63,6 +76,15 @@ class PID(SampledLoop):
     the lower limit. The first sample with valid inputs continues from the safe command. Its derivative does not contain
     the change of the measurement during the fault.
 
+    With `acceleration_time` :math:`T_a`, the acceleration a contributes :math:`-K T_a^2 a` to the command. It is the
+    second difference of the measured position or angle, each with the derivative filter, or the input `acceleration` if
+    the option `acceleration_input` is true. After an input fault, the estimate begins again: the acceleration does not
+    contain the change of the measurement during the fault.
+
+    With `fill_dead_zone` and `vent_dead_zone`, the command of the law v becomes that of valves with dead zones, by
+    `poppet.laws.physics.dead_zone.add_dead_zone`. Limits, manual command and safe command are those of the valves. The
+    integral and its anti-windup refer to the command of the law.
+
     The derivative acts on the measurement alone. An integral or derivative time of 0 disables the integral or the
     derivative; a tracking time of 0 selects the integral time. A schedule is a mapping with one list per column: the
     measured quantity by its name (`pressure`), `gain`, `integral_time`, `derivative_time`, `vent_factor`.
@@ -71,24 +93,28 @@ class PID(SampledLoop):
     ----------
     Aastroem & Haegglund, Advanced PID Control, ISA 2006: setpoint weight, filter, back-calculation and conditional
     integration, which are combined here. Kaminer, Pascoal, Khargonekar & Coleman, A velocity algorithm for the
-    implementation of gain-scheduled controllers, Automatica 31 (1995).
+    implementation of gain-scheduled controllers, Automatica 31 (1995). Wang, Pu & Moore, A practical control strategy
+    for servo-pneumatic actuator systems, Control Engineering Practice 7 (1999) 1483-1488: acceleration feedback.
     """
 
     kind: ClassVar[str] = "pid"
     internal_outputs: ClassVar[tuple[str, ...]] = (
         *SampledLoop.internal_outputs, "integral", "derivative", "automatic", "manual_command",
+        "acceleration_feedback", "uncompensated_command",
     )  # fmt: skip
     summary: ClassVar[str] = "sampled PID control, gains fixed or over operating points"
 
     quantity: str = option(*QUANTITIES, doc="measured quantity")
     command_quantity: str = option(*COMMANDS, doc="commanded quantity")
     feedforward: str = switch(doc="feedforward; adds an input to the command")
+    acceleration_input: str = switch(doc="acceleration input; replaces the second difference of the measurement")
     lower_limit: NumberLike = number("1", optional=True, doc="lower limit of the command", varies=limit_properties)
     upper_limit: NumberLike = number("1", optional=True, doc="upper limit of the command", varies=limit_properties)
     gain: NumberLike = number("1/Pa", optional=True, doc="gain K, command per error", varies=gain_properties)
     integral_time: NumberLike = number("s", optional=True, doc="integral time T_i", low=0.0)
     derivative_time: NumberLike = number("s", optional=True, doc="derivative time T_d", low=0.0)
     derivative_filter: NumberLike = number("s", "5 ms", doc="time constant of the derivative's filter", low=0.0)
+    acceleration_time: NumberLike = number("s", optional=True, doc="acceleration time T_a", low=0.0)
     setpoint_weight: NumberLike = number("1", 1.0, doc="setpoint weight beta", low=0.0, high=1.0, note="full")
     tracking_time: NumberLike = number("s", 0.0, doc="tracking time T_t", low=0.0, note="as the integral time")
     bias: NumberLike = number(
@@ -100,6 +126,16 @@ class PID(SampledLoop):
     integral_dead_band: NumberLike = number(
         "Pa", optional=True, doc="dead band of the integral", above=0.0, varies=difference_properties
     )
+    fill_dead_zone: NumberLike = number(
+        "1", optional=True, doc="dead zone of the fill valve; opening command without flow", low=0.0, below=1.0
+    )
+    vent_dead_zone: NumberLike = number(
+        "1", optional=True, doc="dead zone of the vent valve; opening command without flow", low=0.0, below=1.0
+    )
+    dead_zone_smoothing: NumberLike = number(
+        "1", 0.01, doc="smoothing h of the compensation", above=0.0, high=1.0, note="one percent of the command",
+        varies=_smoothing_properties,
+    )  # fmt: skip
     vent_factor: NumberLike = number("1", optional=True, doc="vent factor phi of commands to vent", above=0.0)
     initial_integral: NumberLike = number(
         "1", 0.0, doc="integral at the start", note="none", varies=command_change_properties
@@ -118,6 +154,7 @@ class PID(SampledLoop):
         missing = [name for name in _LIMITS if getattr(self, name) is None]
         if missing and not self.is_of_openings:
             raise InputError("pid.no_limits", missing[0], command=command_of(self), unit=self.command_unit)
+        self._check_additions()
         if self.schedule is not None:
             form = self.controls, command_of(self)
             object.__setattr__(self, "schedule", GainSchedule.read(self.schedule, *form))
@@ -129,6 +166,18 @@ class PID(SampledLoop):
         elif not (self.integral_time and float(self.integral_time)) and float(self.setpoint_weight) < 1.0:  # type: ignore[arg-type]
             raise InputError("pid.lasting_error", "setpoint_weight", value=float(self.setpoint_weight))  # type: ignore[arg-type]
 
+    def _check_additions(self) -> None:
+        """Raise `InputError` if the fields of the dead zone or of the acceleration contradict other fields."""
+        dead_zones = [name for name in _DEAD_ZONES if getattr(self, name) is not None]
+        if dead_zones and not self.is_of_openings:
+            raise InputError("pid.other_dead_zone", dead_zones[0], command=command_of(self))
+        if self.dead_zone_smoothing is not None and not dead_zones:
+            raise InputError("pid.no_dead_zone", "dead_zone_smoothing", missing=_DEAD_ZONES)
+        if self.acceleration_time is not None and self.controls not in _MOVING:
+            raise InputError("pid.no_acceleration", "acceleration_time", quantity=self.controls, valid=_MOVING)
+        if self.acceleration_input == "true" and self.acceleration_time is None:
+            raise InputError("pid.unused_acceleration", "acceleration_input")
+
     def replaced_fields(self, fields: Iterable[str]) -> tuple[str, ...]:
         return _SCHEDULED if "schedule" in fields else ("schedule",) if "gain" in fields else ()
 
@@ -138,6 +187,9 @@ class PID(SampledLoop):
             return [head, f"gains at {len(self.schedule.columns['gain'])} operating points"]
         times: dict[str, Any] = {"Ti": self.integral_time, "Td": self.derivative_time}
         texts = [f"{symbol} = {numbers.text(t)}" for symbol, t in times.items() if t is not None and float(t) > 0.0]
+        others = {"Ta": self.acceleration_time, "fill dead zone": self.fill_dead_zone}
+        others["vent dead zone"] = self.vent_dead_zone
+        texts += [f"{symbol} = {numbers.text(value)}" for symbol, value in others.items() if value is not None]
         return [head, f"K = {numbers.text(self.gain)}", *texts]
 
     def numbers(self) -> dict[str, Number]:
@@ -161,6 +213,9 @@ class PID(SampledLoop):
                 limits=[f"at least {values['lower_limit']:g}", f"at most {values['upper_limit']:g}"],
                 unit=self.command_unit,
             )  # fmt: skip
+        if _has_dead_zone(self):
+            values.setdefault("fill_dead_zone", 0.0)
+            values.setdefault("vent_dead_zone", values["fill_dead_zone"])
         if self.schedule is not None:
             return values | {f"schedule.{k}": v for k, v in self.schedule.parameters(ambient.pressure).items()}
         values.setdefault("integral_time", 0.0)
@@ -186,7 +241,8 @@ class PID(SampledLoop):
             manual = Input("manual_command", unit, 0.0, low=-1.0, high=1.0, is_command=True)
         feedforward = (Input("feedforward", unit, 0.0),) if self.feedforward == "true" else ()
         automatic = Input("automatic", "1", 1.0, low=0.0, high=1.0, is_flag=True)
-        return *super().inputs(), automatic, manual, *feedforward
+        measured = (Input("acceleration", f"{self.unit}/s^2", 0.0),) if self.acceleration_input == "true" else ()
+        return *super().inputs(), automatic, manual, *feedforward, *measured
 
     def start(self, scope: Scope) -> dict[str, Any]:
         values = super().start(scope) | {"integral": scope["initial_integral"]}
@@ -200,10 +256,19 @@ class PID(SampledLoop):
         units = dict.fromkeys(("integral", "derivative"), self.command_unit)
         units |= dict.fromkeys(("origin", "last_measurement", "last_error"), self.unit)
         units |= {"last_gain": gain_properties(self)["unit"]} if self.schedule is not None else {}
+        if self.acceleration_time is not None and self.acceleration_input == "false":
+            units |= {"speed": f"{self.unit}/s", "acceleration": f"{self.unit}/s^2", "valid_samples": "1"}
+        units |= dict.fromkeys(self._shown_additions(), self.command_unit)
         return tuple(DiscreteState(name, unit) for name, unit in units.items())
 
+    def _shown_additions(self) -> tuple[str, ...]:
+        """Return the names of the outputs of the dead zone and of the acceleration."""
+        acceleration = () if self.acceleration_time is None else ("acceleration_feedback",)
+        return *acceleration, *(("uncompensated_command",) if _has_dead_zone(self) else ())
+
     def law_outputs(self, scope: Scope) -> Quantities:
-        return {name: (scope.memory[name], self.command_unit) for name in ("integral", "derivative")}
+        names = ("integral", "derivative", *self._shown_additions())
+        return {name: (scope.memory[name], self.command_unit) for name in names}
 
     def gains_at(self, scope: Scope, measured: Any, setpoint: Any) -> dict[str, Any]:
         """Return gain, times and vent factor of the controller at an operating point.
@@ -253,6 +318,13 @@ class PID(SampledLoop):
         without_integral = scope["bias"] + gain * weighted + derivative
         if self.feedforward == "true":
             without_integral = without_integral + scope.inputs["feedforward"]
+        additions: dict[str, Any] = {}
+        if self.acceleration_time is not None:
+            acceleration, additions = self._acceleration(scope, measured - last)
+            feedback = -gain * scope["acceleration_time"] * scope["acceleration_time"] * acceleration
+            scope.label("new_acceleration_feedback", feedback, f"acceleration part [{self.command_unit}]")
+            without_integral = without_integral + feedback
+            additions["acceleration_feedback"] = feedback
         scope.label("without_integral", without_integral, f"all parts except the integral [{self.command_unit}]")
         low = -scope["vent_limit"] / gains["vent_factor"] if self.is_of_openings else scope["lower_limit"]
         high = scope["fill_limit" if self.is_of_openings else "upper_limit"]
@@ -264,18 +336,22 @@ class PID(SampledLoop):
         scope.label("safe_value", safe, f"safe command within the limits [{self.command_unit}]")
         # In the first sample after a safe state, the integral continues from the safe command.
         has_integral = gains["integral_time"] > 0.0
-        integral = where(recovering > 0.5, where(has_integral, safe - without_integral, integral), integral)
+        safe_of_law = self._command_of_law(scope, gains, safe)
+        integral = where(recovering > 0.5, where(has_integral, safe_of_law - without_integral, integral), integral)
         unlimited = without_integral + integral
         scope.label("unlimited", unlimited, f"command before its limits [{self.command_unit}]")
         is_automatic = scope.inputs["automatic"] > 0.5
-        requested = where(is_automatic, unlimited, scope.inputs["manual_command"])
+        compensated = self._command_of_valves(scope, gains, unlimited)
+        requested = where(is_automatic, compensated, scope.inputs["manual_command"])
         scope.label("requested", requested, f"automatic or manual command before the limits [{self.command_unit}]")
         command = where(is_safe > 0.5, safe, clip(requested, low, high))
         scope.label("new_command", command, f"command [{self.command_unit}]")
-        increment = self._integral_increment(scope, gains, error, unlimited, (low, high))
+        limits = self._command_of_law(scope, gains, low), self._command_of_law(scope, gains, high)
+        increment = self._integral_increment(scope, gains, error, unlimited, limits)
         scope.label("increment", increment, f"increment of the integral [{self.command_unit}]")
         # In manual mode and in the safe state, the integral follows the command: the return is bumpless.
-        following = where(has_integral, command - without_integral, integral)
+        command_of_law = self._command_of_law(scope, gains, command)
+        following = where(has_integral, command_of_law - without_integral, integral)
         scope.label("following", following, f"integral that gives the present command [{self.command_unit}]")
         is_active = where(is_automatic, where(is_safe > 0.5, 0.0, 1.0), 0.0)
         is_cut = where(requested > high, 1.0, where(requested < low, 1.0, 0.0))
@@ -289,8 +365,49 @@ class PID(SampledLoop):
             "last_measurement": measured,
             "last_error": weighted,
             "is_saturated": where(is_safe > 0.5, 0.0, is_cut),
+            **additions,
         } | ({"last_gain": gain} if self.schedule is not None else {})
+        if _has_dead_zone(self):
+            discrete["uncompensated_command"] = command_of_law
         return command, clip(-gains["vent_factor"] * command, 0.0, 1.0) if self.is_of_openings else None, discrete
+
+    def _acceleration(self, scope: Scope, change: Any) -> tuple[Any, dict[str, Any]]:
+        """Return the acceleration, and the new discrete states of its estimate.
+
+        `change` is the change of the measurement since the previous sample. The estimate is the filtered second
+        difference. It needs three successive samples with valid inputs; before the third, it decays.
+        """
+        if self.acceleration_input == "true":
+            return scope.inputs["acceleration"], {}
+        memory, time, filter_time = scope.memory, scope["sample_time"], scope["derivative_filter"]
+        count = memory["valid_samples"]
+        filtered = (filter_time * memory["speed"] + change) / (filter_time + time)
+        # The first difference after a fault starts the filter, which would otherwise change from an invalid value.
+        speed = where(count > 1.5, filtered, change / time)
+        scope.label("new_speed", speed, f"rate of the measurement [{self.unit}/s]")
+        speed_change = where(count > 1.5, speed - memory["speed"], 0.0)
+        acceleration = (filter_time * memory["acceleration"] + speed_change) / (filter_time + time)
+        is_faulty = scope.inputs["input_fault"] > 0.5
+        acceleration = where(is_faulty, filter_time / (filter_time + time) * memory["acceleration"], acceleration)
+        scope.label("new_acceleration", acceleration, f"acceleration [{self.unit}/s^2]")
+        valid_samples = where(is_faulty, 0.0, minimum(count + 1.0, 2.0))
+        return acceleration, {"speed": speed, "acceleration": acceleration, "valid_samples": valid_samples}
+
+    def _dead_zone(self, scope: Scope, gains: dict[str, Any]) -> tuple[Any, Any, Any]:
+        """Return the dead zones of positive and negative commands, and the smoothing.
+
+        The command is the opening of the fill valve, but a negative one times the vent factor is that of the vent
+        valve.
+        """
+        return scope["fill_dead_zone"], scope["vent_dead_zone"] / gains["vent_factor"], scope["dead_zone_smoothing"]
+
+    def _command_of_valves(self, scope: Scope, gains: dict[str, Any], command: Any) -> Any:
+        """Return the command that compensates the dead zones for a command of the law."""
+        return add_dead_zone(command, *self._dead_zone(scope, gains)) if _has_dead_zone(self) else command
+
+    def _command_of_law(self, scope: Scope, gains: dict[str, Any], command: Any) -> Any:
+        """Return the command of the law for a command of the valves."""
+        return remove_dead_zone(command, *self._dead_zone(scope, gains)) if _has_dead_zone(self) else command
 
     def _integral_increment(
         self, scope: Scope, gains: dict[str, Any], error: Any, command: Any, limits: tuple[Any, Any]

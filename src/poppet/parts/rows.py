@@ -165,6 +165,42 @@ class ForceRows(NumberTable):
         return ForceTable(*(self.column(name, values) for name in _COLUMNS))
 
 
+@dataclass(frozen=True)
+class FrictionFactor(NumberTable):
+    """Table of a factor on the friction of a body as a function of its position.
+
+    Values between the rows are interpolated linearly. Beyond the ends of the table the factor is constant.
+
+    Parameters
+    ----------
+    columns : mapping
+        Mapping from the name of each column to its numbers, one for each position.
+    form : tuple of str
+        SI unit of the position.
+
+    Examples
+    --------
+    >>> factor = FrictionFactor.read({"position": [0.0, "10 mm"], "factor": [1.0, 1.5]})
+    >>> factor.at(0.005, factor.parameters(1e5))
+    1.25
+    """
+
+    field: ClassVar[str] = "friction.position_factor"
+
+    @classmethod
+    def column_specs(cls, *form: str) -> Mapping[str, NumberSpec]:
+        position = NumberSpec(form[0] if form else "m", "position of the body")
+        return {"position": position, "factor": NumberSpec("1", "factor on the friction", above=0.0)}
+
+    def at(self, position: Any, values: Mapping[str, Any]) -> Any:
+        """Return the factor at a position of the body.
+
+        `values` contains the values of all numbers of the table, under the names that `numbers` returns.
+        """
+        columns = {name: self.column(name, values) for name in self.columns}
+        return _interpolate(position, columns.pop("position"), columns)["factor"]
+
+
 _DEFAULTS = {"derivative_time": 0.0, "vent_factor": 1.0}
 
 
@@ -213,13 +249,19 @@ class GainSchedule(NumberTable):
 
         `values` contains the values of all numbers of the table, under the names that `numbers` returns.
         """
-        point_column = self.form[0]
-        gaps = range(1, len(self.columns[point_column]))
-        steps = {name: [values[f"{name}_{k + 1}"] - values[f"{name}_{k}"] for k in gaps] for name in self.columns}
-        # The fraction of each gap below the operating point: a sum, which is traced without a branch.
-        widths = zip(gaps, steps.pop(point_column), strict=True)
-        fractions = [clip((point - values[f"{point_column}_{k}"]) / width, 0.0, 1.0) for k, width in widths]
-        gains: dict[str, Any] = dict(_DEFAULTS)
-        for name, heights in steps.items():
-            gains[name] = values[f"{name}_1"] + sum(a * b for a, b in zip(fractions, heights, strict=True))
-        return gains
+        columns = {name: self.column(name, values) for name in self.columns}
+        points = columns.pop(self.form[0])
+        return dict[str, Any](_DEFAULTS) | _interpolate(point, points, columns)
+
+
+def _interpolate(point: Any, points: Sequence[Any], columns: Mapping[str, Sequence[Any]]) -> dict[str, Any]:
+    """Return the value of each column at a point by linear interpolation.
+
+    `points` contains the increasing points of the rows. Beyond its ends, the values are constant.
+    """
+    # The fraction of each gap below the point: a sum, which is traced without a branch.
+    fractions = [clip((point - low) / (high - low), 0.0, 1.0) for low, high in pairwise(points)]
+    return {
+        name: column[0] + sum(a * (high - low) for a, (low, high) in zip(fractions, pairwise(column), strict=True))
+        for name, column in columns.items()
+    }

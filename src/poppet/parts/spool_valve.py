@@ -3,16 +3,45 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Hashable, Mapping
 from dataclasses import dataclass
 from typing import Any, ClassVar
 
-from poppet.core.symbolic import clip
+from poppet.core.errors import ErrorCollector, OutOfRangeError
+from poppet.core.provenance import Number
+from poppet.core.symbolic import clip, is_certain, is_symbolic, maximum, where
 from poppet.parts import symbols
 from poppet.parts.captions import CaptionNumbers
-from poppet.parts.fields import NumberLike, number, option, port
+from poppet.parts.fields import (
+    NumberLike,
+    NumberSpec,
+    OptionSpec,
+    declared,
+    number,
+    option,
+    port,
+    specs,
+)
 from poppet.parts.flow_path import FlowPath, named_flow
 from poppet.parts.part import AMBIENT, Flow, GasState, Input, PassageFlows, Quantities, Scope, State, Surroundings
+from poppet.parts.spool_functions import (
+    FIELDS,
+    FUNCTIONS,
+    PILOTS,
+    PROPORTIONAL,
+    SETPOINTS,
+    SpoolFunction,
+    command_properties,
+    edge_opening,
+    function_of,
+    pilot_properties,
+    pilot_signal,
+    possible_defaults,
+    resting_position,
+    switched_speed,
+    time_properties,
+    used_field,
+)
 
 MIN_SWITCHING_TIME = 1e-6
 """Time from the centre to an end of a spool without a speed limit [s]."""
@@ -39,16 +68,33 @@ class SpoolValve(FlowPath):
 
     Notes
     -----
-    In the equation, s is the position of the spool, o the overlap of the edge, :math:`C_e` the conductance of the open
-    edge and :math:`C_l` `leak_conductance`. A positive command fills port a and vents port b. The overlaps determine
-    the centre position of a 5/3 valve: closed if both are zero or positive, exhausted if only the exhaust overlap is
-    negative, pressurised if only the supply overlap is negative. Commands of a 5/2 valve are -1 and 1 only.
-    `switching_time` limits the speed of the spool; by default there is no limit.
+    In the equation, s is the position of the spool from -1 to 1, o the overlap of the edge, :math:`C_e` the conductance
+    of the open edge and :math:`C_l` `leak_conductance`. At positive positions, port a is filled and port b vented.
+
+    A proportional valve has the input `command`, the position of the spool from -1 to 1, or a setpoint in V or A. Its
+    overlaps determine the centre position: closed if both are zero or positive, exhausted if only the exhaust overlap
+    is negative, pressurised if only the supply overlap is negative. `switching_time` and `closing_time` limit the speed
+    of the spool away from the centre and back to it; by default there is no limit. `hysteresis` is the width of the
+    loop of the position, as a fraction of the full stroke from -1 to 1.
+
+    The other functions are those of switched valves, whose spool moves at constant speed between its ends:
+
+    - 5/2 monostable: with `command` 1 or pressure at `pilot_a`, the position is 1, otherwise -1 by the spring.
+    - 5/2 bistable: `command_a` or `pilot_a` moves the spool to 1, `command_b` or `pilot_b` to -1. It keeps its position
+      if both sides or no side is set. Its initial position is -1, unless `command_a` is set.
+    - 5/3: as bistable, but the springs move the spool to the centre if both sides or no side is set. There, all edges
+      are closed, or the exhausts or the supplies are open. Edges that are open at the centre close over the first half
+      of the stroke, and the others open over the second half.
+
+    A command counts as set from 0.75, and as not set up to 0.25. A pilot is set at `pilot_pressure`, and not set if its
+    pressure is lower by `pilot_hysteresis`. No gas flows through a pilot port. `switching_time` is the time from one
+    end to the other with two positions, and from the centre to an end with three. `closing_time` is the time of the
+    return, by default the same.
 
     By default, the exhausts are the ambient, and `exhaust_overlap` equals `overlap`. The edges from the supply to port
     b and from port a to its exhaust have the flow capacity of the edge from the supply to port a. The edge from port b
-    to its exhaust has the flow capacity of the edge from port a to its exhaust. The initial position of the spool is
-    the value of `command`.
+    to its exhaust has the flow capacity of the edge from port a to its exhaust. An edge that is open at the centre has
+    its flow capacity also there. The initial position of the spool is that of the commands.
 
     References
     ----------
@@ -66,20 +112,55 @@ class SpoolValve(FlowPath):
     symbol: ClassVar[symbols.Symbol | str] = symbols.SPOOL_VALVE
     summary: ClassVar[str] = "directional valve with five ports, 5/3 or 5/2, proportional or switched"
     resume: ClassVar[dict[str, str]] = {"position": "initial_position"}
+    pilot_ports: ClassVar[tuple[str, ...]] = PILOTS
 
     supply: str | None = port("gas node at port 1")
     a: str | None = port("gas node at port 4")
     b: str | None = port("gas node at port 2")
     exhaust_a: str | None = port("gas node at port 5", optional=True)
     exhaust_b: str | None = port("gas node at port 3", optional=True)
-    command: NumberLike = number("1", 0.0, doc="command", low=-1.0, high=1.0, note="centre by default")
+    pilot_a: str | None = port("gas node at pilot port 14; its pressure moves the spool to a", optional=True)
+    pilot_b: str | None = port("gas node at pilot port 12; its pressure moves the spool to b", optional=True)
+    function: str = option(*FUNCTIONS, doc="function; positions and inputs")
+    setpoint_type: str = option("command", *SETPOINTS, doc="type of setpoint; position, or voltage or current for it")
+    command: NumberLike = number(
+        "1", 0.0, doc="command", low=-1.0, high=1.0, note="centre by default", varies=command_properties
+    )
+    command_a: NumberLike = number(
+        "1", 0.0, doc="command to a", low=0.0, high=1.0, note="off by default", varies=used_field("command_a")
+    )
+    command_b: NumberLike = number(
+        "1", 0.0, doc="command to b", low=0.0, high=1.0, note="off by default", varies=used_field("command_b")
+    )
     delay: NumberLike = number("s", 0.0, doc="delay of a command signal", low=0.0, note="none by default")
     dynamics: str = option("first_order", "second_order", doc="dynamics of the spool")
-    lag: NumberLike = number("s", "5 ms", doc="time constant of the spool", above=0.0, note="a small valve")
-    natural_frequency: NumberLike = number("Hz", 100.0, doc="natural frequency", above=0.0, note="a small valve")
-    damping: NumberLike = number("1", 0.7, doc="damping ratio", above=0.0, note="small overshoot")
-    switching_time: NumberLike = number("s", optional=True, doc="shortest time from centre to end", above=0.0)
-    overlap: NumberLike = number("1", 0.0, doc="overlap o of the supply edges", low=-1.0, below=1.0, note="none")
+    lag: NumberLike = number(
+        "s", "5 ms", doc="time constant of the spool", above=0.0, note="a small valve", varies=used_field("lag")
+    )
+    natural_frequency: NumberLike = number(
+        "Hz", 100.0, doc="natural frequency", above=0.0, note="a small valve", varies=used_field("natural_frequency")
+    )
+    damping: NumberLike = number(
+        "1", 0.7, doc="damping ratio", above=0.0, note="small overshoot", varies=used_field("damping")
+    )
+    hysteresis: NumberLike = number(
+        "1", optional=True, doc="hysteresis; width of the loop as a fraction of the full stroke", low=0.0, below=1.0
+    )
+    switching_time: NumberLike = number(
+        "s", "10 ms", doc="switching time", above=0.0, note="typical of a small valve", varies=time_properties
+    )
+    closing_time: NumberLike = number("s", optional=True, doc="switching time of the return", above=0.0)
+    pilot_pressure: NumberLike = number(
+        "Pa", "2.5 bar g", doc="switching pressure of the pilots", kind="pressure", above=0.0, note="a small valve",
+        varies=pilot_properties,
+    )  # fmt: skip
+    pilot_hysteresis: NumberLike = number(
+        "Pa", "0.5 bar", doc="hysteresis of the pilots; pressure below the switching pressure at which they release",
+        kind="pressure_difference", above=0.0, note="a small valve", varies=pilot_properties,
+    )  # fmt: skip
+    overlap: NumberLike = number(
+        "1", 0.0, doc="overlap o of the supply edges", low=-1.0, below=1.0, note="none", varies=used_field("overlap")
+    )
     exhaust_overlap: NumberLike = number("1", optional=True, doc="overlap o of the exhaust edges", low=-1.0, below=1.0)
     supply_b_conductance: NumberLike = number("m^3/(s Pa)", optional=True, doc="conductance C from 1 to 2", low=0.0)
     supply_b_ratio: NumberLike = number("1", optional=True, doc="critical ratio b from 1 to 2", low=0.0, below=1.0)
@@ -87,21 +168,76 @@ class SpoolValve(FlowPath):
     exhaust_a_ratio: NumberLike = number("1", optional=True, doc="critical ratio b from 4 to 5", low=0.0, below=1.0)
     exhaust_b_conductance: NumberLike = number("m^3/(s Pa)", optional=True, doc="conductance C from 2 to 3", low=0.0)
     exhaust_b_ratio: NumberLike = number("1", optional=True, doc="critical ratio b from 2 to 3", low=0.0, below=1.0)
+    centre_conductance: NumberLike = number(
+        "m^3/(s Pa)", optional=True, doc="conductance C of the open edges at the centre", low=0.0
+    )
+    centre_ratio: NumberLike = number(
+        "1", optional=True, doc="critical ratio b of the open edges at the centre", low=0.0, below=1.0
+    )
     leak_conductance: NumberLike = number(
         "m^3/(s Pa)", 0.0, doc="conductance C of a closed edge", low=0.0, note="tight"
     )
     initial_position: NumberLike = number("1", optional=True, doc="initial position of the spool", low=-1.0, high=1.0)
 
+    def __post_init__(self) -> None:
+        # A copy with other options must not keep the defaults of the previous ones.
+        for name, _, spec in declared(type(self), NumberSpec):
+            value = getattr(self, name)
+            is_known = spec.varies is not None and isinstance(value, Number) and not is_symbolic(value.value)
+            if is_known and value in possible_defaults(name, spec):
+                object.__setattr__(self, name, None)
+        super().__post_init__()
+
+    def check(self) -> None:
+        super().check()
+        with ErrorCollector() as errors:
+            for name, functions in FIELDS.items():
+                default = spec.choices[0] if isinstance(spec := specs(type(self))[name], OptionSpec) else None
+                if self.function not in functions and getattr(self, name) != default:
+                    errors.add("spool.idle_field", name, function=self.function, functions=[*functions])
+            for name in ("pilot_pressure", "pilot_hysteresis"):
+                if getattr(self, name) is not None and self.pilot_a is None and self.pilot_b is None:
+                    errors.add("spool.no_pilot", name)
+
+    @property
+    def _function(self) -> SpoolFunction:
+        return function_of(self)
+
+    @property
+    def _is_switched(self) -> bool:
+        return self.function != PROPORTIONAL
+
     def ports(self) -> dict[str, str]:
         exhausts = (name for name in ("exhaust_a", "exhaust_b") if getattr(self, name) is None)
         return super().ports() | dict.fromkeys(exhausts, AMBIENT)
 
+    def structure(self) -> Hashable:
+        optional = ("hysteresis", "closing_time", "centre_conductance", "centre_ratio")
+        return super().structure(), tuple(name for name in optional if getattr(self, name) is not None)
+
+    def symbol_for(self, is_driven: bool) -> symbols.Symbol | str:
+        function = self._function
+        if not self._is_switched:
+            return self.symbol
+        pilots = (self.pilot_a is not None, self.pilot_b is not None)
+        return symbols.switched_valve(function.positions, function.open_at_centre, pilots, len(function.commands) == 1)
+
     def caption(self, numbers: CaptionNumbers) -> list[str]:
+        if self._is_switched:
+            has_pilots = self.pilot_a is not None or self.pilot_b is not None
+            pilots = [f"pilots at {numbers.text(self.pilot_pressure)}"] if has_pilots else []
+            return [
+                self.function,
+                *super().caption(numbers),
+                f"switches in {numbers.text(self.switching_time)}",
+                *pilots,
+            ]
         overlaps: dict[str, Any] = {"supply": self.overlap, "exhausts": self.exhaust_overlap or self.overlap}
         is_open = " and ".join(side for side, overlap in overlaps.items() if float(overlap) < 0.0)
         dynamics = self.lag if self.dynamics == "first_order" else self.natural_frequency
         head, spool = f"5/3, {is_open or 'nothing'} open at the centre", f"spool {numbers.text(dynamics)}"
-        return [head, *super().caption(numbers), spool]
+        setpoint = [] if self.setpoint_type == "command" else [f"setpoint: {self.setpoint_type}"]
+        return [head, *super().caption(numbers), spool, *setpoint]
 
     def parameters(self, ambient: Surroundings) -> dict[str, float]:
         values = super().parameters(ambient)
@@ -109,9 +245,20 @@ class SpoolValve(FlowPath):
         for edge, default in _INHERITS.items():
             for size in ("conductance", "ratio"):
                 sizes[f"{edge}_{size}"] = values.setdefault(f"{edge}_{size}", sizes[f"{default}_{size}"])
-        values.setdefault("exhaust_overlap", values["overlap"])
-        values.setdefault("switching_time", MIN_SWITCHING_TIME)
-        values.setdefault("initial_position", values["command"])
+        if "overlap" in values:
+            values.setdefault("exhaust_overlap", values["overlap"])
+        if self._is_switched:
+            values.setdefault("closing_time", values["switching_time"])
+            values.setdefault("initial_position", resting_position(self._function, *self._signals(values)))
+        else:
+            values.setdefault("switching_time", MIN_SWITCHING_TIME)
+            values.setdefault("initial_position", self._position(values["command"]))
+        if "pilot_pressure" in values:
+            release = values["pilot_pressure"] - values["pilot_hysteresis"]
+            if is_certain(release <= ambient.pressure):
+                facts = {"release_bar": release / 1e5, "ambient_bar": ambient.pressure / 1e5}
+                shown = self.numbers()["pilot_pressure"].display()
+                raise OutOfRangeError("spool.never_released", "pilot_pressure", shown=shown, **facts)
         return values
 
     def states(self) -> tuple[State, ...]:
@@ -120,31 +267,85 @@ class SpoolValve(FlowPath):
         return (position,) if self.dynamics == "first_order" else (position, velocity)
 
     def inputs(self) -> tuple[Input, ...]:
-        return (Input("command", "1", "command", low=-1.0, high=1.0, delay="delay", is_command=True),)
+        unit, low, high = SETPOINTS.get(self.setpoint_type, ("1", -1.0, 1.0))
+        if self._is_switched:
+            low, high = 0.0, 1.0
+        names = self._function.commands
+        return tuple(Input(name, unit, name, low=low, high=high, delay="delay", is_command=True) for name in names)
 
     def start(self, scope: Scope) -> dict[str, Any]:
         values = {"position": scope["initial_position"], "velocity": 0.0}
         return {state.name: values[state.name] for state in self.states()}
 
     def flows(self, scope: Scope, gas: Mapping[str, GasState]) -> PassageFlows:
-        position, leak = scope.states["position"], scope["leak_conductance"]
+        position = scope.states["position"]
         flows, outputs = list[Flow](), Quantities(position=(position, "1"))
         for edge, (first, second, side) in EDGES.items():
-            is_first = edge == "supply_a"
-            conductance, ratio = (
-                self.size_at(scope, None) if is_first else (scope[f"{edge}_conductance"], scope[f"{edge}_ratio"])
-            )
-            overlap = scope["overlap" if edge.startswith("supply") else "exhaust_overlap"]
-            opening = clip((side * position - overlap) / (1.0 - overlap), 0.0, 1.0)
-            size = leak + (conductance - leak) * opening, ratio
+            size = self._edge_size(scope, edge, side * position)
             flow, edge_outputs = named_flow(scope, gas, edge, (first, second), size)
             flows.append(flow)
             outputs.update(edge_outputs)
-        error, max_speed = scope.inputs["command"] - position, 1.0 / scope["switching_time"]
-        if self.dynamics == "first_order":
-            rates = {"position": clip(error / scope["lag"], -max_speed, max_speed)}
-        else:
-            omega, velocity = math.tau * scope["natural_frequency"], scope.states["velocity"]
-            rate = omega * omega * error - 2.0 * scope["damping"] * omega * velocity
-            rates = {"position": clip(velocity, -max_speed, max_speed), "velocity": rate}
+        rates = self._switched_rates(scope, gas) if self._is_switched else self._proportional_rates(scope)
         return PassageFlows(tuple(flows), outputs, rates)
+
+    # Flow capacity -----------------------------------------------------------------------------------------------
+
+    def _edge_size(self, scope: Scope, edge: str, position: Any) -> tuple[Any, Any]:
+        """Return sonic conductance [m^3/(s Pa)] and critical pressure ratio [1] of a metering edge.
+
+        `position` is the position of the spool in the direction in which the edge opens.
+        """
+        is_first, kind = edge == "supply_a", edge.partition("_")[0]
+        conductance, ratio = (
+            self.size_at(scope, None) if is_first else (scope[f"{edge}_conductance"], scope[f"{edge}_ratio"])
+        )
+        if kind == self._function.open_at_centre:
+            shift = clip(position, 0.0, 1.0)
+            if self.centre_conductance is not None:
+                conductance = scope["centre_conductance"] + (conductance - scope["centre_conductance"]) * shift
+            if self.centre_ratio is not None:
+                ratio = scope["centre_ratio"] + (ratio - scope["centre_ratio"]) * shift
+        lap = "overlap" if kind == "supply" else "exhaust_overlap"
+        overlap = scope[lap] if self.function in FIELDS[lap] else 0.0
+        opening = edge_opening(self._function, kind, position, overlap)
+        leak = scope["leak_conductance"]
+        return leak + (conductance - leak) * opening, ratio
+
+    # Motion of the spool -----------------------------------------------------------------------------------------
+
+    def _position(self, command: Any) -> Any:
+        """Return the position of a proportional spool for a constant command."""
+        if self.setpoint_type not in SETPOINTS:
+            return command
+        _, low, high = SETPOINTS[self.setpoint_type]
+        return (command - 0.5 * (low + high)) / (0.5 * (high - low))
+
+    def _proportional_rates(self, scope: Scope) -> dict[str, Any]:
+        position, speed = scope.states["position"], 1.0 / scope["switching_time"]
+        error, max_speed, min_speed = self._position(scope.inputs["command"]) - position, speed, -speed
+        if self.hysteresis is not None:
+            # The position has the unit of half the stroke: this fraction is half the width of its loop.
+            error = error - clip(error, -scope["hysteresis"], scope["hysteresis"])
+        if self.closing_time is not None:
+            return_speed = 1.0 / scope["closing_time"]
+            max_speed = where(position < 0.0, return_speed, speed)
+            min_speed = -where(position > 0.0, return_speed, speed)
+        if self.dynamics == "first_order":
+            return {"position": clip(error / scope["lag"], min_speed, max_speed)}
+        omega, velocity = math.tau * scope["natural_frequency"], scope.states["velocity"]
+        rate = omega * omega * error - 2.0 * scope["damping"] * omega * velocity
+        return {"position": clip(velocity, min_speed, max_speed), "velocity": rate}
+
+    def _switched_rates(self, scope: Scope, gas: Mapping[str, GasState]) -> dict[str, Any]:
+        signals = [*self._signals(scope.inputs)]
+        for k, pilot in enumerate(PILOTS):
+            if pilot in gas:
+                pressures = scope["pilot_pressure"], scope["pilot_hysteresis"]
+                signals[k] = maximum(signals[k], pilot_signal(gas[pilot].pressure, *pressures))
+        times = scope["switching_time"], scope["closing_time"]
+        return {"position": switched_speed(self._function, scope.states["position"], signals[0], signals[1], *times)}
+
+    def _signals(self, commands: Mapping[str, Any]) -> tuple[Any, Any]:
+        """Return the signals towards a and b of a switched valve for its commands by name."""
+        first, *second = (commands[name] for name in self._function.commands)
+        return first, (second or [0.0])[0]

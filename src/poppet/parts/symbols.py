@@ -46,13 +46,14 @@ def circle(x: float, y: float, radius: float) -> Symbol:
     return outline(*((x + radius * math.cos(angle), y + radius * math.sin(angle)) for angle in angles))
 
 
-def arrow(start: tuple[float, float], end: tuple[float, float]) -> Symbol:
-    """Return a schematic symbol that is a line with a filled arrowhead at its end."""
+def arrow(start: tuple[float, float], end: tuple[float, float], head: float = 0.14) -> Symbol:
+    """Return a schematic symbol that is a line with a filled arrowhead of length `head` at its end."""
     (x0, y0), (x, y) = start, end
     length = math.hypot(x - x0, y - y0)
     dx, dy = (x - x0) / length, (y - y0) / length
-    base_x, base_y = x - 0.14 * dx, y - 0.14 * dy
-    corners = [(base_x - side * dy, base_y + side * dx) for side in (0.06, -0.06)]
+    base_x, base_y = x - head * dx, y - head * dy
+    width = head * 3.0 / 7.0
+    corners = [(base_x - side * dy, base_y + side * dx) for side in (width, -width)]
     return line(start, end) + outline(end, *corners, filled=True)
 
 
@@ -167,6 +168,66 @@ SPOOL_VALVE = (
     + coil(-0.5, 0.36)
     + coil(1.28, 0.36)
 )
+
+
+# Ports of a valve square by number, as distances from its left side, and the ports that flows of a position connect.
+_BOTTOM, _TOP = {5: 0.09, 1: 0.26, 3: 0.43}, {4: 0.17, 2: 0.35}
+_SIDE = 0.52
+_PATHS = {
+    "a": ((1, 4), (2, 3)), "b": ((1, 2), (4, 5)),
+    "": (), "exhaust": ((4, 5), (2, 3)), "supply": ((1, 4), (1, 2)),
+}  # fmt: skip
+
+
+def _five_port_square(left: float, position: str) -> Symbol:
+    """Return a square of a valve with five ports.
+
+    `left` is the coordinate of its left side, and `position` a key of `_PATHS`.
+    """
+    ends = {port: (left + x, 0.24) for port, x in _BOTTOM.items()} | {
+        port: (left + x, 0.76) for port, x in _TOP.items()
+    }
+    symbol = rectangle(left, 0.24, _SIDE, _SIDE)
+    for start, end in _PATHS[position]:
+        symbol += arrow(ends[start], ends[end], 0.11)
+    for port in ends.keys() - {port for path in _PATHS[position] for port in path}:
+        x, y = ends[port]
+        stop = y + (0.1 if port in _BOTTOM else -0.1)
+        symbol += line((x, y), (x, stop)) + line((x - 0.05, stop), (x + 0.05, stop))
+    return symbol
+
+
+def _pilot(tip: float, direction: float) -> Symbol:
+    """Return the schematic symbol of a pneumatic pilot, whose triangle touches a valve at `tip`."""
+    base = tip - 0.16 * direction
+    return outline((base, 0.54), (base, 0.74), (tip, 0.64)) + line(
+        (base, 0.64), (base - 0.14 * direction, 0.64), dashed=True
+    )
+
+
+def switched_valve(positions: int, open_at_centre: str, pilots: tuple[bool, bool], has_spring: bool) -> Symbol:
+    """Return the schematic symbol of a valve with five ports and two or three positions.
+
+    `open_at_centre` is "supply", "exhaust" or empty. `pilots` contains True for each side with a pneumatic pilot
+    instead of a solenoid, that for a first. `has_spring` is True if a spring replaces the actuation of the second side.
+    """
+    names = ("a", open_at_centre, "b") if positions == 3 else ("a", "b")
+    left = 0.5 - 0.5 * _SIDE * positions
+    right = 0.5 + 0.5 * _SIDE * positions
+    symbol: Symbol = ()
+    for k, name in enumerate(names):
+        symbol += _five_port_square(left + k * _SIDE, name)
+    symbol += _pilot(left, 1.0) if pilots[0] else coil(left - 0.22, 0.5)
+    if not has_spring:
+        symbol += _pilot(right, -1.0) if pilots[1] else coil(right, 0.5)
+    springs = spring(right, right + 0.24, 0.35)
+    return (
+        symbol
+        + (springs if has_spring or positions == 3 else ())
+        + (spring(left - 0.24, left, 0.35) if positions == 3 else ())
+    )
+
+
 MAIN_STAGE = CONTINUOUS_VALVE + outline((-0.22, 0.36), (0.02, 0.5), (-0.22, 0.64)) + spring(0.98, 1.26, 0.5)
 PROPORTIONAL_VALVE = CONTINUOUS_VALVE + coil(-0.2, 0.36) + arrow((-0.26, 0.3), (0.06, 0.72)) + spring(0.98, 1.26, 0.5)
 PILOT_STAGE = (
@@ -192,3 +253,13 @@ MUSCLE = line(
 ) + line((-0.05, 0.5), (0.1, 0.5), (0.3, 0.75), (0.5, 0.25), (0.7, 0.75), (0.9, 0.5), (1.05, 0.5))  # fmt: skip
 TUBE = line((-0.3, 0.38), (1.3, 0.38)) + line((-0.3, 0.62), (1.3, 0.62))
 OPEN_END = line((0.0, 0.5), (0.35, 0.5)) + outline((0.35, 0.2), (0.35, 0.8), (0.85, 0.5))
+PRESSURE_REGULATOR = (
+    _PATH
+    + rectangle(0.22, 0.22, 0.56, 0.56)
+    + arrow((0.22, 0.5), (0.78, 0.5))
+    + line((0.9, 0.5), (0.9, 0.06), (0.5, 0.06), (0.5, 0.22), dashed=True)
+    + line((0.5, 0.78), (0.42, 0.83), (0.58, 0.89), (0.42, 0.95), (0.58, 1.01), (0.5, 1.06))
+    + arrow((0.28, 0.8), (0.74, 1.08))
+    + outline((0.22, 0.36), (0.22, 0.22), (0.1, 0.29))
+)
+COMPRESSOR = line((0.82, 0.5), (1.0, 0.5)) + circle(0.5, 0.5, 0.32) + outline((0.34, 0.28), (0.34, 0.72), (0.8, 0.5))

@@ -22,5 +22,12 @@ def switching_rate(position: Any, drive: Any, switching_time: Any) -> Any:
     switching pressure. The element moves to 1 if the drive exceeds 1, and to 0 if it is below -1. Between these limits,
     it keeps its end position. `switching_time` T is the time from one end to the other [s].
     """
-    target = clip(position + DRIVE_GAIN * (drive + 2.0 * position - 1.0), 0.0, 1.0)
-    return clip(END_GAIN * (target - position), -1.0, 1.0) / switching_time
+    return clip(END_GAIN * (switching_target(position, drive) - position), -1.0, 1.0) / switching_time
+
+
+def switching_target(position: Any, drive: Any) -> Any:
+    """Return the position towards which an element that switches between the positions 0 and 1 moves.
+
+    The arguments are those of `switching_rate`. Beyond the hysteresis, the result is 0 or 1.
+    """
+    return clip(position + DRIVE_GAIN * (drive + 2.0 * position - 1.0), 0.0, 1.0)

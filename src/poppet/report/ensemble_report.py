@@ -210,7 +210,10 @@ def in_usual_unit(values: Array, unit: str) -> Array:
 
 
 def usual_unit(unit: str) -> str:
-    """Return the unit that reports use for an SI unit; empty for a dimensionless quantity."""
+    """Return the unit that reports use for an SI unit.
+
+    The text is empty for a dimensionless quantity.
+    """
     return "" if unit == "1" else pretty(USUAL.get(unit, unit))
 
 
@@ -240,7 +243,7 @@ def yield_figure(yields: list[Yield]) -> Figure:
 def _label_rows(axes: Any, names: list[str], *, is_labelled: bool = True) -> None:
     """Set the tick labels of horizontal bars, from top to bottom.
 
-    Without `is_labelled`, the ticks have no labels.
+    If the keyword `is_labelled` is False, the ticks have no labels.
     """
     axes.set_yticks(range(len(names)), list(reversed(names)) if is_labelled else [""] * len(names))
     axes.set_ylim(-0.6, len(names) - 0.4)

@@ -59,7 +59,8 @@ def write_page(path: str | Path, text: Callable[[], str]) -> Path:
 def document(title: str, sections: Iterable[tuple[str, Content]], *, style: str = "", program: str = "") -> str:
     """Return a complete HTML page with the given sections.
 
-    `style` contains further style sheets. `program` is a script that runs after all others and may use WebAssembly.
+    The keyword `style` contains further style sheets. The keyword `program` is a script that runs after all others and
+    may use WebAssembly.
 
     Examples
     --------
@@ -130,7 +131,7 @@ def picture(
     `figure` is a Matplotlib figure or the text of an SVG file.
 
     The first words of the caption are the text for screen readers. If the figure has curves, the page includes their
-    values, and an interactive plot replaces the picture. Set `is_still` to keep the picture.
+    values, and an interactive plot replaces the picture. If the keyword `is_still` is True, the picture is kept.
     """
     values = None
     if isinstance(figure, str):

@@ -58,7 +58,7 @@ class Column:
 def numeric(*headings: str, digits: str = "s") -> tuple[Column, ...]:
     """Return a right-aligned column for each heading.
 
-    `digits` is the number format. The default `s` is for numbers that are already text.
+    The keyword `digits` is the number format of all columns. The default `s` is for numbers that are already text.
     """
     return tuple(Column(heading, digits) for heading in headings)
 

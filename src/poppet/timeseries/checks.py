@@ -46,10 +46,10 @@ def numbers(name: str, series: ArrayLike) -> FloatArray:
 
 
 def first_bad_time(time: FloatArray, owner: str = "") -> tuple[int, InputError] | None:
-    """Return the index of the first invalid time, and the error; None if all times are valid.
+    """Return the index of the first invalid time, and the error.
 
-    Times must be a vector of at least one finite value, and must increase strictly. `owner` is the name of the series
-    in the error message.
+    The result is None if all times are valid. Times must be a vector of at least one finite value, and must increase
+    strictly. `owner` is the name of the series in the error message.
     """
     if time.ndim != 1 or not time.size:
         return 0, InputError("series.time.shape", owner=owner, shape=time.shape)

@@ -234,7 +234,7 @@ class Chirp(_Wave):
     end_frequency : float
         Frequency at and after the end of the sweep, positive [Hz].
     duration : float, optional
-        Duration of the sweep, by default that of the run [s].
+        Duration of the sweep [s] (default: duration of the run).
     phase : float, optional
         Phase at t = 0 [rad].
 
@@ -262,7 +262,7 @@ class Chirp(_Wave):
 class Prbs(Signal):
     """Pseudo-random binary signal.
 
-    Each bit takes the time `bit_time`. Its level is one of two with equal probability.
+    Each bit lasts `bit_time`. Its level is low or high with equal probability.
 
     Parameters
     ----------
@@ -398,8 +398,8 @@ class Pwm(_Pulses):
     frequency : float
         Carrier frequency, positive [Hz].
     duty : float or Signal
-        Fraction of each period at the high level, 0 to 1. The value of a signal at the start of a period applies to
-        the whole period, as in a timer that loads its compare register there.
+        Fraction of each period at the high level, 0 to 1. The value of a signal at the start of a period applies to the
+        whole period. A timer that loads its compare register at this time behaves in the same way.
     low, high : float, optional
         Levels in SI, low below high.
 

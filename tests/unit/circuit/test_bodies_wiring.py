@@ -132,3 +132,35 @@ rod.dead_volume = "5 cm^3"
         loads(text)
     codes = {problem.code for problem in caught.value.problems}
     assert codes == {"fields.out_of_range", "quantity.other_quantity", "fields.not_an_option"}
+
+
+def test_tables_of_friction_over_the_position_are_checked():
+    def slide(**table: Any) -> Mass:
+        return Mass(mass=1.0, friction={"position_factor": table})
+
+    with refused("schedule.not_a_table", "friction.position_factor"):
+        Mass(mass=1.0, friction={"position_factor": 2.0})
+    with refused("fields.unknown", "friction.position_factor.angle"):
+        slide(angle=[0.0, 1.0], position=[0.0, 1.0], factor=[1.0, 2.0])
+    with refused("schedule.unequal_lengths", "friction.position_factor"):
+        slide(position=[0.0, 1.0], factor=[1.0])
+    with refused("fields.out_of_range", "friction.position_factor.factor_2"):
+        slide(position=[0.0, 1.0], factor=[1.0, 0.0])
+    with refused("schedule.not_rising", "slide.friction.position_factor.position"):
+        circuit(slide(position=[1.0, 0.0], factor=[1.0, 2.0]))
+    friction = {"kind": "elasto_plastic", "coulomb_force": 10.0, "bristle_stiffness": 1e6}
+    with refused("bodies.breakaway", "friction.breakaway_displacement", limit=2e-6):
+        Mass(mass=1.0, friction={**friction, "negative_coulomb_force": 2.0, "breakaway_displacement": 5e-6})
+
+
+def test_numbers_of_a_table_of_friction_have_addresses():
+    before = circuit(Mass(mass=1.0, friction={"position_factor": {"position": [0.0, "50 mm"], "factor": [1.0, 2.0]}}))
+    assert str(before.numbers()["slide.friction.position_factor.position_2"]) == "50 mm"
+    after = before.with_values(
+        {"slide.friction.position_factor.factor_2": 3.0, "slide.friction.viscous_coefficient": 5.0}
+    )
+    assert after.parameters["slide.friction.position_factor.factor_2"] == 3.0
+    assert before.parameters["slide.friction.position_factor.factor_2"] == 2.0
+    assert after.structure == before.structure
+    with refused("names.unknown", "slide.friction.position_factor.factor_3"):
+        before.with_values({"slide.friction.position_factor.factor_3": 3.0})

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from poppet import Circuit
-from poppet.bench.sine_rig import SineRig, find_agreement, without_bands
+from poppet.bench.sine_rig import without_bands
 from poppet.circuit.linear_model import SteadyState
 from poppet.circuit.sampled import sampled_steady_state as rest_module
 from poppet.circuit.sampled.point import SampledPoint
@@ -20,7 +20,6 @@ from poppet.core.codes import Note
 from poppet.core.errors import InputError, SimulationError
 from poppet.parts import Chamber, Orifice, ProportionalValve, Reservoir
 from poppet.signals import Constant
-from refusals import refused
 
 PLAIN = {"valve.electronics.outer.derivative_time": 0.0}
 LEAK = {"valve.pilot.exhaust_leak.sonic_conductance": 2e-11}
@@ -219,23 +218,6 @@ class TestModel:
         with pytest.raises(InputError) as caught:
             smooth_model().frequency_response(1.0, "valve.setpiont", "tank.pressure")
         assert (caught.value.code, caught.value.facts["suggestion"].names[:1]) == ("names.unknown", ["valve.setpoint"])
-
-
-class TestAgreement:
-    def test_amplitudes_that_do_not_increase_are_rejected(self):
-        circuit = smooth()
-        rig = SineRig(circuit.instance, "valve.setpoint", "tank.pressure", settling=0.1)
-        with refused("limits.amplitudes"):
-            find_agreement(rig, smooth_model(), 5.0, (10.0, 1.0))
-
-    def test_missing_steady_state_is_reported(self):
-        """Return a linear model of another circuit."""
-        rig = SineRig(smooth().instance, "valve.setpoint", "tank.pressure", settling=0.5)
-        other = smooth(**{"tank.volume": "20 l"}).linearise()
-        found = find_agreement(rig, other, 30.0, (20.0, 40.0))
-        assert np.isnan(found.low)
-        assert np.isnan(found.high)
-        assert min(found.differences) > 0.1
 
 
 def test_command_prints_poles_and_kinks(capsys, tmp_path, monkeypatch):

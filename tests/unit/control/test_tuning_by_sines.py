@@ -145,6 +145,27 @@ def test_a_dead_zone_has_its_describing_function(size):
     assert abs(np.angle(ratio, deg=True)) < 1.5
 
 
+def test_a_compensated_dead_zone_has_the_response_of_a_valve_without_one():
+    """The response is that to the command of the law, also with a command that acts one sample later."""
+    for acts in ("at_once", "next_sample"):
+        responses = []
+        for overlap, fields in ((0.0, {}), (0.03, {"fill_dead_zone": 0.03, "dead_zone_smoothing": 1e-4})):
+            circuit = balanced_cylinder(spool={"overlap": overlap, "lag": "0.2 ms"}, acts=acts, **fields)
+            point = make_measured_loop(circuit, None, [0.05], None).operating_point(0.1)
+            responses.append(next(iter(point.models.values())))
+        without, compensated = responses
+        z = without.at(without.known_frequencies)
+        ratio = compensated.response(z) / without.response(z) * (1.0 - 0.03)
+        is_slow = without.known_frequencies < 20.0
+        assert np.max(np.abs(ratio[is_slow] - 1.0)) < 0.05
+
+
+def test_acceleration_feedback_is_not_tuned():
+    for amplitudes in ([], [0.02]):
+        with refused("tuning.acceleration", "c.acceleration_time"):
+            tune(balanced_cylinder(acceleration_time="5 ms"), at=["100 mm"], amplitudes=amplitudes)
+
+
 def test_gains_for_a_dead_zone_are_those_of_its_response():
     """A third of the response permits three times the gain; the final error is within the dead zone."""
     without_zone, zoned = (

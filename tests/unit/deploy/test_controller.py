@@ -30,6 +30,7 @@ CASES = {
     "schedule": ("pressure_control_scheduled", (), SENSOR, 1.0),
     "feedback linearisation": ("pressure_control_linearising", (), SENSOR, 1.0),
     "position": ("position_control", (), POSITION, 0.5),
+    "dead zone": ("position_dead_zone", (), POSITION, 0.5),
     "electronics": ("pressure_regulator", (), OUTLET, 0.5),
     "cascade": ("muscle_joint", ("position", "inverse", "valve"), {**ANGLE, **OUTLET}, 1.2),
 }

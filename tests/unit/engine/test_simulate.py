@@ -195,7 +195,7 @@ class TestFailures:
         assert recording.time.tolist() == [k / 100 for k in range(recording.time.size)]
         assert str(caught.value) == recording.outcome
         assert "tank.mass has fallen to" in recording.outcome
-        assert "Check whether a flow source empties this gas node" in recording.outcome
+        assert "Check whether a flow source empties this gas volume" in recording.outcome
         assert np.all(recording["tank.pressure"] > 0.0)
         assert np.diff(recording["tank.mass"]) == pytest.approx(np.full(recording.time.size - 1, -1e-5), rel=1e-6)
 

@@ -17,6 +17,8 @@ from refusals import refused
 
 AIR = Surroundings(1e5, 293.15, 287.05, 1.4, 1.0)
 PORTS = {"supply": "supply", "outlet": "tank", "exhaust": "room"}
+CLOSED = -4e-6
+"""Stroke of varga2012 at which both seats are closed [m]."""
 GAS = {"supply": GasState(7e5, 293.15), "outlet": GasState(2e5, 293.15), "exhaust": GasState(1e5, 293.15)}
 
 
@@ -249,3 +251,38 @@ def test_assumed_numbers_are_shown_as_such():
     numbers = stage().numbers()
     assert numbers["plate_area"].source.kind == "assumed"
     assert numbers["characteristic.sonic_conductance.k1"].source.kind == "paper"
+
+
+@pytest.mark.parametrize("fields", [{}, {"exhaust_leak_conductance": "0.002 dm^3/(s bar)"}])
+def test_leaks_of_closed_seats_follow_iso_6358(fields):
+    part = stage(leak_conductance="0.001 dm^3/(s bar)", **fields)
+    ratio, conductance = part.curve.critical_ratio_at(CLOSED, part.curve.parameters()), 1e-11
+    outputs = passing(part, 1e5, CLOSED).outputs
+    closed = passing(stage(), 1e5, CLOSED).outputs
+    supply = iso6358.mass_flow_rate(7e5, 2e5, 293.15, sonic_conductance=conductance, critical_ratio=ratio)
+    ratio = float(part.exhaust_seat.critical_ratio)
+    conductance = 2e-11 if fields else 1e-11  # 0.002 and 0.001 dm^3/(s bar)
+    exhaust = iso6358.mass_flow_rate(2e5, 1e5, 293.15, sonic_conductance=conductance, critical_ratio=ratio)
+    assert outputs["supply_mass_flow_rate"][0] == pytest.approx(supply, rel=1e-12)
+    assert outputs["exhaust_mass_flow_rate"][0] == pytest.approx(exhaust, rel=1e-12)
+    assert closed["supply_mass_flow_rate"][0] == closed["exhaust_mass_flow_rate"][0] == 0.0
+
+
+def test_a_leak_is_parallel_to_an_open_seat():
+    open_flow, with_leak = (
+        passing(stage(leak_conductance=leak), 1e5, 5e-4).outputs["supply_mass_flow_rate"][0] for leak in (0.0, 1e-11)
+    )
+    density = 1.185  # of the reference atmosphere
+    assert with_leak - open_flow == pytest.approx(1e-11 * 7e5 * density, rel=2e-3)
+
+
+def test_a_tank_at_a_leaking_valve_settles_between_supply_and_exhaust():
+    """Both leaks choked: C p_1 = C_x p_2 gives the ratio of the pressures."""
+    parts = {
+        "supply": Reservoir(pressure="8 bar"), "room": Reservoir(pressure="0.2 bar"),
+        "valve": stage(leak_conductance=2e-11, exhaust_leak_conductance=8e-11, pilot_pressure="0.09 bar g"),
+        "tank": Chamber(volume="10 cm^3", thermal="isothermal"),
+    }  # fmt: skip
+    recording = Circuit(parts).simulate(200.0)
+    assert recording["valve.contact"][-1] == 0.0
+    assert recording["tank.pressure"][-1] == pytest.approx(2e5, rel=1e-6)

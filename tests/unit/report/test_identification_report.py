@@ -127,7 +127,10 @@ def test_page_states_reason_of_each_other_verdict():
     bound = Note("finding.number.bound", "tank.wall_conductance", **facts)
     text = Page(identification_page(example_result(remarks=(bound,)))).text.partition("Findings")[0]
     assert "valve.critical_ratio: the 95 % interval is 0.130 ... 0.490. A ratio is determined if half its" in text
-    assert "is at most 5 % of the range between its bounds (0 to 1 by default). Half the interval is 0.18." in text
+    assert (
+        "is at most 5 % of the range between its bounds (0 to 1 by default). For this ratio, half the interval is 0.18."
+        in text
+    )
     assert "tank.wall_conductance reached its lower bound" in text
     assert text.count("valve.sonic_conductance") == 1  # determined: only in the table
     residuals = Note("finding.residuals.large", "discharge.tank.pressure", times=6.0, noise=50.0, unit="Pa")

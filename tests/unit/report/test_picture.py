@@ -19,6 +19,7 @@ from poppet.parts import (
     KINDS,
     Chamber,
     CheckValve,
+    Compressor,
     Cylinder,
     DirectionalValve,
     Electronics,
@@ -31,6 +32,7 @@ from poppet.parts import (
     Orifice,
     PilotedCheckValve,
     PilotStage,
+    PressureRegulator,
     ProportionalValve,
     QuickExhaustValve,
     ReliefValve,
@@ -64,7 +66,11 @@ def circuit_with_every_kind() -> Circuit:
             "check": CheckValve(from_="rail", to="load", cracking_pressure="0.1 bar", **SIZE),
             "relief": ReliefValve(from_="rail", to="room", set_pressure="6 bar g", **SIZE),
             "silencer": Silencer(from_="load", to="ambient", **SIZE),
-            "compressor": FlowSource(to="rail", mass_flow_rate="20 l/min ANR"),
+            "pump": FlowSource(to="rail", mass_flow_rate="20 l/min ANR"),
+            "compressor": Compressor(
+                "rail", free_air_delivery="200 l/min ANR", start_pressure="5 bar", stop_pressure="6 bar"
+            ),
+            "reducer": PressureRegulator(supply="rail", outlet="load", exhaust="room", setpoint="4 bar", **SIZE),
             "leak": Orifice(from_="load", to="room", nominal_flow="10 l/min ANR"),
             "throttle": Orifice(from_="load", to="end", characteristic="varga2012", stroke="0.5 mm"),
             "end": Chamber(volume="0.2 m^3", thermal="isothermal"),

@@ -56,7 +56,7 @@ class BenchResult(ResultFileMixin, HtmlMixin):
     def content(self) -> dict[str, Any]:
         """Return the content of the result file as nested dictionaries.
 
-        The keys are those of the TOML and JSON files.
+        The dictionaries have the same keys as the TOML and JSON files.
         """
         figures = {
             name: {"value": f.value, "unit": f.unit, "definition": f.definition, "standard": DEFINITIONS[name].standard}

@@ -189,12 +189,12 @@ def _branch_curves(swept: Sequence[SetpointSweep]) -> tuple[Branches, float]:
 
 
 def _noise_correlation(groups: Sequence[FloatArray], error: float) -> float:
-    """Return the number of neighbouring grid values that have the same noise.
+    """Return the number of neighbouring grid values that share the same noise.
 
     Correlated noise changes slowly along a branch, so the differences between repeated branches contain larger
-    low-order polynomials than independent values. The result is the power of these polynomials relative to that of
-    independent values. Each group contains repeated branches, one per row. `error` is the standard deviation of one
-    value [% FS].
+    low-order polynomials than independent values. The result is the power of these polynomials divided by the power
+    that independent values would have. Each group contains repeated branches, one per row. `error` is the standard
+    deviation of one value [% FS].
     """
     positions = np.linspace(-1.0, 1.0, np.count_nonzero(INSIDE))
     # The constant is left out: a valve that shifts from cycle to cycle is not noise.

@@ -78,7 +78,7 @@ class BenchSettings:
 class Pace(NamedTuple):
     """Settling time and sweep time of a test valve, which determine the durations of trials.
 
-    Both times are those with the first volume of the settings.
+    Both times are valid for the first volume of the settings.
     """
 
     specimen: Specimen
@@ -257,7 +257,8 @@ class Evaluation:
     def note(self, code: str, address: str = "", /, **facts: Any) -> None:
         """Add a note, unless an equal note exists.
 
-        `code` is the note code without the prefix `bench.`, and `facts` are the values in the text of the note.
+        `code` is the note code without the prefix `bench.`, and the keyword arguments are the values in the text of the
+        note.
         """
         note = Note(f"bench.{code}", address, **facts)
         if note not in self.notes:
@@ -266,7 +267,7 @@ class Evaluation:
     def note_absence(self, reason: str, *names: str, **facts: Any) -> None:
         """Add a note for each characteristic value that could not be determined.
 
-        `names` are the names of these values, and `reason` is the last part of the note code.
+        The further arguments are the names of these values, and `reason` is the last part of the note code.
         """
         for name in names:
             self.note(f"absent.{reason}", name, **facts)
@@ -274,9 +275,9 @@ class Evaluation:
     def limit_to_bounds(self, *names: str) -> None:
         """Replace characteristic values by bounds, because clipped cases were omitted.
 
-        `names` are the names of these values. A value that is the maximum of all cases becomes a lower bound, because
-        an omitted case could be larger. A value that is the minimum becomes an upper bound. Other values are removed,
-        with a note.
+        The arguments are the names of these values. A value that is the maximum of all cases becomes a lower bound,
+        because an omitted case could be larger. A value that is the minimum becomes an upper bound. Other values are
+        removed, with a note.
         """
         for name in names:
             bound = AT_MOST if name in self.test.smallest else AT_LEAST
@@ -298,8 +299,8 @@ class Evaluation:
     ) -> None:
         """Add a characteristic value with its uncertainty and operating conditions.
 
-        If the value is only a bound, `bound` is `at most` or `at least`. A note reports a value without a finite
-        uncertainty.
+        If the value is only a bound, the keyword `bound` is `at most` or `at least`. A note reports a value without a
+        finite uncertainty.
         """
         definition = self.test.definitions[name]
         figure = CharacteristicValue(float(value), definition.unit, definition.full, bound, conditions)
@@ -315,7 +316,8 @@ class Evaluation:
     ) -> None:
         """Add a characteristic value, or an upper bound if noise hides it.
 
-        `limit` is the smallest magnitude that can be distinguished from noise. It is the bound of a smaller value.
+        `limit` is the smallest magnitude that can be distinguished from noise. If the value is smaller than `limit`,
+        `limit` is added as the upper bound.
         """
         if abs(value) >= limit:
             self.add(name, value, uncertainty, **conditions)
@@ -335,9 +337,9 @@ class Evaluation:
         """Add the largest value of a table column as a characteristic value.
 
         `name` is the characteristic value, and `key` the column. By default, all rows of the evaluation are compared.
-        `conditions` are the columns that are stored as operating conditions. The result is the row of the largest
-        value. If no row has the value, the result is None, and a note with the code `reason` is added unless `reason`
-        is empty.
+        The keyword `conditions` contains the columns that are stored as operating conditions. The result is the row of
+        the largest value. If no row has the value, the result is None, and a note with the code `reason` is added
+        unless `reason` is empty.
         """
         rows = [row for row in (self.rows if rows is None else rows) if key in row]
         if not rows:

@@ -33,7 +33,7 @@ LEAST_FLOW = 1e-9  # flow below which there is no flow [kg/s]
 def flow_trial(scale: Scale, volume: float, setpoint: float, sweep: float, hold: float, load: float) -> Trial:
     """Return a trial at constant setpoint, in which the flow rises and returns to zero.
 
-    `load` is the flow at the end of the rise, relative to the largest flow: 1 for forward flow, -1 for relief flow. The
+    `load` is the flow at the end of the rise, divided by the largest flow: 1 for forward flow, -1 for relief flow. The
     trial has a hold of `hold` seconds before, between and after the two sweeps of `sweep` seconds. `setpoint` is in %
     FS, and `volume` is the outlet volume [m^3].
     """

@@ -47,8 +47,8 @@ def frequency_trial(
 ) -> Trial:
     """Return a trial with a sinusoidal setpoint about a mean value.
 
-    `mean` and `amplitude` are in % FS, `frequency` is in Hz, `hold` is the settling time of the valve [s], and `volume`
-    the outlet volume [m^3]. Six periods are recorded after the transient.
+    The keywords `mean` and `amplitude` are in % FS, `frequency` is in Hz, `hold` is the settling time of the valve [s],
+    and `volume` the outlet volume [m^3]. Six periods are recorded after the transient.
     """
     settling = max(2.0, math.ceil(hold * frequency)) / frequency
     unit = (scale.setpoint_high - scale.setpoint_low) / 100.0
@@ -71,18 +71,6 @@ class SineComponent:
 def _evaluate(evaluation: Evaluation, records: Sequence[Record]) -> None:
     rows = [row for record in records for row in sine_rows(evaluation, record)]
     add_frequency_results(evaluation, rows)
-    _note_suspicions(evaluation, rows)
-    clipped_frequencies = [note.facts["frequency"] for note in evaluation.notes if note.code in CLIPPED]
-    if clipped_frequencies:
-        evaluation.limit_to_bounds("distortion")
-        # Gains and phases are relative to the lowest frequency; other clipped frequencies do not affect them.
-        is_relative = min(clipped_frequencies) < min((row["frequency"] for row in evaluation.rows), default=math.inf)
-        names = ("bandwidth_gain", "bandwidth_phase")
-        evaluation.remove_values(*(name for name in names if is_relative or name not in evaluation.figures))
-
-
-def _note_suspicions(evaluation: Evaluation, rows: Sequence[Row]) -> None:
-    """Add notes on a sensor without signal and on exchanged columns."""
     lowest = min((row["frequency"] for row in rows), default=math.inf)
     lost = [note.facts["frequency"] for note in evaluation.notes if note.code == "bench.frequency.lost"]
     if lost and min(lost) < lowest:
@@ -92,6 +80,13 @@ def _note_suspicions(evaluation: Evaluation, rows: Sequence[Row]) -> None:
     if len(leads) > MOSTLY * len(rows) and leads[0]["frequency"] == lowest and leads[0]["phase"] < 90.0:
         facts = {"phase": leads[0]["phase"], "frequency": lowest}
         evaluation.note("frequency.leads", count=len(leads), total=len(rows), **facts)
+    clipped_frequencies = [note.facts["frequency"] for note in evaluation.notes if note.code in CLIPPED]
+    if clipped_frequencies:
+        evaluation.limit_to_bounds("distortion")
+        # Gains and phases are relative to the lowest frequency; other clipped frequencies do not affect them.
+        is_relative = min(clipped_frequencies) < min((row["frequency"] for row in evaluation.rows), default=math.inf)
+        names = ("bandwidth_gain", "bandwidth_phase")
+        evaluation.remove_values(*(name for name in names if is_relative or name not in evaluation.figures))
 
 
 def sine_rows(evaluation: Evaluation, record: Record) -> list[Row]:
@@ -112,7 +107,7 @@ def add_frequency_results(evaluation: Evaluation, rows: Sequence[Row]) -> None:
 
     `rows` are the table rows of all sines. Sines with the same amplitude, mean and volume form one Bode plot. Its rows
     are sorted by frequency, with continuous phases, and with gains relative to the gain at the lowest frequency. Of
-    several rows with the same frequency, the one with the most periods is used. The bandwidths are those of the first
+    several rows with the same frequency, the one with the most periods is used. The bandwidths are read from the first
     Bode plot.
     """
     series: dict[str, list[Row]] = {}
@@ -143,8 +138,8 @@ def add_frequency_results(evaluation: Evaluation, rows: Sequence[Row]) -> None:
 def _sides_of_middle(values: FloatArray) -> NDArray[np.int64]:
     """Return +1, -1 or 0 for each sample above, below or near the middle.
 
-    The middle is that of the range of the series. Samples within a quarter of the range on either side are near it,
-    which avoids repeated crossings by noise.
+    The middle is halfway between the minimum and the maximum of the series. Samples within a quarter of the range on
+    either side are near it, which avoids repeated crossings by noise.
     """
     low, high = float(np.min(values)), float(np.max(values))
     middle, swing = 0.5 * (low + high), 0.25 * float(np.ptp(values))
@@ -288,8 +283,8 @@ def fit_sine(
 ) -> SineComponent:
     """Fit a sine of known frequency [Hz] to a series by least squares.
 
-    The fit includes harmonics up to the order `highest`, a mean and a linear drift. If `is_coloured` is True, the
-    standard error takes correlated noise into account.
+    The fit includes harmonics up to the order `highest` (a keyword), a mean and a linear drift. If the keyword
+    `is_coloured` is True, the standard error takes correlated noise into account.
 
     Examples
     --------

@@ -103,9 +103,9 @@ def _largest_changes(level: FloatArray, answer: FloatArray, least: float) -> dic
     """Return the largest setpoint changes [% FS] that were necessary to move the outlet.
 
     `level` is the setpoint and `answer` the outlet on each step of the staircase. A change of the outlet by `least` or
-    more is a motion. In the result, the key False has the largest change since the previous motion, and the key True
-    that since a reversal of the setpoint. The first motion is omitted unless it follows a reversal, because its
-    setpoint change is unknown.
+    more is a motion. The value of the key False is the largest change since the previous motion. The value of the key
+    True is the largest change since a reversal of the setpoint. The first motion is omitted unless it follows a
+    reversal, because its setpoint change is unknown.
     """
     changes: dict[bool, float] = {}
     since, direction, is_known, has_turned = 0, 0, False, False

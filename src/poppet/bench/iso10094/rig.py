@@ -148,9 +148,9 @@ def build_rig(
 ) -> Rig:
     """Return a virtual bench for one valve of a circuit.
 
-    By default, the absolute pressures `supply` [Pa] and `full_scale` [Pa] come from the circuit: the supply pressure,
-    and the pressure range of the valve electronics. Without electronics, the full scale ends at least 1 bar below the
-    supply pressure.
+    The keywords `supply` and `full_scale` are absolute pressures [Pa]. By default, they come from the circuit: the
+    supply pressure, and the pressure range of the valve electronics. Without electronics, the full scale ends at least
+    1 bar below the supply pressure.
     """
     part = circuit.parts[find_valve(circuit, valve)]
     item = next(item for name in SETPOINTS for item in part.inputs() if item.name == name)

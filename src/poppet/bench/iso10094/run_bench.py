@@ -135,8 +135,8 @@ class BenchRun:
     def _sweep_time(self) -> float:
         """Return the duration of a sweep over the full range [s].
 
-        It is specified in the settings, or 200 times the response time, within limits. A specified duration below the
-        response time raises an error.
+        The duration is specified in the settings. By default, it is 200 times the response time, within limits. A
+        specified duration below the response time raises an error.
         """
         first = self.settings.volumes[0]
         response = max(self._response_times(step for (volume, _), step in self.steps.items() if volume == first))
@@ -196,9 +196,9 @@ def run_bench(
 ) -> BenchResult:  # fmt: skip
     """Run the selected tests with a test valve, and return all results.
 
-    If the simulation of a test fails, a note reports it and the other tests continue. `source` is the kind of test
-    valve in the result, and `say` a function that shows progress messages. Ctrl-C ends the tests; the result then
-    contains the completed ones.
+    If the simulation of a test fails, a note reports it and the other tests continue. The keyword `source` is the kind
+    of test valve in the result, and the keyword `say` is a function that shows progress messages. Ctrl-C ends the
+    tests; the result then contains the completed ones.
     """
     settings = settings or BenchSettings()
     check_tests(tests)

@@ -96,8 +96,8 @@ class Record:
     def has_clipped_samples(self, *series: str, part: slice = slice(None)) -> bool:
         """Return True if at least one channel has clipped samples.
 
-        A clipped sample is at a limit of its channel, so the true value is unknown. `series` are the names of the
-        channels to check, by default all channels. `part` restricts the check to a slice of the samples.
+        A clipped sample is at a limit of its channel, so the true value is unknown. The arguments are the names of the
+        channels to check, by default all channels. The keyword `part` restricts the check to a slice of the samples.
         """
         return any(bool(mask[part].any()) for name, mask in self.clipped.items() if not series or name in series)
 
@@ -149,7 +149,7 @@ def setpoint_scale(raw: Any, full_scale: tuple[float, float], ambient: float, un
     """Return the scale that relates a setpoint range to a range of outlet pressures.
 
     `raw` contains the ends of the setpoint range as texts with units, and `full_scale` the absolute outlet pressures
-    [Pa]. If `raw` is None, the setpoint has the usual range of its SI unit `unit`.
+    [Pa]. If `raw` is None, the result has the usual setpoint range for the SI unit `unit`.
 
     Examples
     --------

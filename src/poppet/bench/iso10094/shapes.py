@@ -100,7 +100,7 @@ def values_at_points(x: FloatArray, y: FloatArray, points: FloatArray, half: flo
 
 @dataclass(frozen=True)
 class Jump:
-    """Step of the setpoint between two samples."""
+    """Sudden change (jump) of the setpoint between two samples."""
 
     time: float  # [s]
     before: int  # last sample at the old value
@@ -111,7 +111,8 @@ class Jump:
 def find_jumps(time: FloatArray, setpoint: FloatArray, threshold: float, *, is_exact: bool) -> list[Jump]:
     """Return all jumps of a setpoint that are at least as large as a threshold.
 
-    If `is_exact` is True, a jump occurs at the first sample with the new value. Otherwise its time is interpolated.
+    If the keyword `is_exact` is True, a jump occurs at the first sample with the new value. Otherwise its time is
+    interpolated.
 
     Examples
     --------
@@ -191,7 +192,7 @@ def unmasked_section(outside: Mask, first: int, end: int) -> slice:
 def steady_part(time: FloatArray, part: slice, fraction: float) -> slice:
     """Return the final part of a hold, in which the outlet is in steady state.
 
-    `part` is the slice of the hold. `fraction` is the duration of the final part relative to that of the hold.
+    `part` is the slice of the hold. `fraction` is the duration of the final part divided by the duration of the hold.
     """
     times = time[part]
     begin = times[-1] - fraction * (times[-1] - times[0])
@@ -301,8 +302,8 @@ def _end_of_sweep(
     """Return the rate of the outlet at the end of a sweep, and its change.
 
     Both come from a polynomial of degree `degree` that is fitted to the samples `is_coming` before the time `stop` [s].
-    The change is that from the end of the sweep to the level `held` in the hold. `noise` is the noise of the outlet.
-    The result is None if there are too few samples or the outlet is constant.
+    The change is the level `held` in the hold minus the outlet at the end of the sweep. `noise` is the noise of the
+    outlet. The result is None if there are too few samples or the outlet is constant.
     """
     if is_coming.sum() < (FEWEST if degree == SECTIONS[0][1] else 2 * FEWEST):
         return None

@@ -75,8 +75,8 @@ class SmoothedSeries:
     def crossing(self, level: float, extra: float, *, last: bool = False) -> tuple[float, Uncertainty]:
         """Return the time at which the series crosses a level [s], with its uncertainty.
 
-        By default, it is the first rise to the level. If `last` is True, it is the last fall below the level. `extra`
-        is the standard deviation of the level. The time is NaN if the series does not cross the level.
+        By default, it is the first rise to the level. If the keyword `last` is True, it is the last fall below the
+        level. `extra` is the standard deviation of the level. The time is NaN if the series does not cross the level.
         """
         time = self._crossing_time(level, last=last)
         if not math.isfinite(time):
@@ -146,8 +146,8 @@ class SmoothedSeries:
     def _crossing_time(self, level: float, *, last: bool) -> float:
         """Return the time at which a noisy series crosses a level [s].
 
-        Noise can cause several crossings: the result is the mean of the first and the last one of the rise to the
-        level. If `last` is True, it is that of the final fall below the level.
+        Noise can cause several crossings, so the result is the mean of the first and the last crossing during the rise
+        to the level. If the keyword `last` is True, the crossings during the final fall below the level are used.
         """
         if not last:
             risen = np.flatnonzero(self.values >= level)
@@ -185,9 +185,9 @@ class SmoothedSeries:
 def smooth_response(time: FloatArray, values: FloatArray, noise: Noise, narrowest: int = 0) -> SmoothedSeries:
     """Smooth a series by local parabolas, whose widths adapt to the curvature.
 
-    The method is the intersection of confidence intervals [1]_: a parabola widens while its value agrees with those of
-    the narrower parabolas. `narrowest` is the smallest half width of a parabola [samples]; the result omits this number
-    of samples at the end.
+    The method is the intersection of confidence intervals [1]_: a parabola widens while its value agrees with the
+    values of the narrower parabolas. `narrowest` is the smallest half width of a parabola [samples]; the result omits
+    this number of samples at the end.
 
     References
     ----------

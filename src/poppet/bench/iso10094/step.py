@@ -238,7 +238,10 @@ def _add_characteristic_values(evaluation: Evaluation) -> None:
 
 
 def _add_longest(evaluation: Evaluation, name: str, rows: Sequence[Row]) -> None:
-    """Add the longest time of the rows to the evaluation, where repetitions of one step count with their mean."""
+    """Add the longest time of the rows to the evaluation.
+
+    Repetitions of the same step count as one step, with their mean time.
+    """
     groups = _repetitions(rows)
     means = [mean_of(*evaluation.values_of(group, name)) for group in groups]
     value, uncertainty, k = greatest(*zip(*means, strict=True))

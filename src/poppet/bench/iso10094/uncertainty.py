@@ -216,8 +216,8 @@ class SmoothCurve:
     def draws(self, random: np.random.Generator) -> tuple[FloatArray, FloatArray]:
         """Return random curves with the noise that remains after smoothing.
 
-        Both arrays have one curve per row. In the first array, only the `kept` coefficients of the fit vary; in the
-        second, also those that the fit omits.
+        Both arrays have one curve per row. In the first array, only the `kept` coefficients of the fit vary. In the
+        second array, the coefficients that the fit omits also vary.
         """
         chance = self.sigma * random.standard_normal((DRAWS, self.basis.shape[1]))
         selected = self.values + chance[:, : self.kept] @ self.basis[:, : self.kept].T
@@ -299,8 +299,8 @@ def mean_of(values: Sequence[float], uncertainties: Sequence[Uncertainty]) -> tu
 
     The uncertainty includes the scatter of the values. The field `common` of the uncertainties is the half width of a
     range that contains the error of each value. The errors within this range are assumed to be equal in all
-    repetitions. If the values differ by more than their noise, this cannot be true; the result is then the overlap of
-    the ranges of all values.
+    repetitions. If the values differ by more than their noise, this assumption is not possible. The result is then the
+    overlap of the ranges of all values.
 
     Examples
     --------

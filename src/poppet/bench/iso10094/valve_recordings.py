@@ -75,7 +75,7 @@ def read_valve_recordings(
 ) -> ValveRecordings:
     """Read all recordings that are listed in a recordings file.
 
-    `data` is the content of the file, and `path` its path. The arguments `full_scale` and `rated_flow` [kg/s] override
+    `data` is the content of the file, and `path` its path. The keywords `full_scale` and `rated_flow` [kg/s] replace
     the values in the file.
     """
     raw = data.get("ambient_pressure", DEFAULT_AMBIENT)

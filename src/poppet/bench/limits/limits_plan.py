@@ -88,8 +88,9 @@ class LimitsPlan:
     def rig(self, volume: float, changes: Changes | None = None, *, bands: bool = True) -> SineRig:
         """Return the circuit, settled at the mean pressure, for runs with sines and steps.
 
-        `volume` is the outlet volume [m^3], and `changes` maps addresses of parameters to new values. If `bands` is
-        False, dead band and hold band are zero, and the pulsed flow of each solenoid is replaced by its mean.
+        `volume` is the outlet volume [m^3], and `changes` maps addresses of parameters to new values. If the keyword
+        `bands` is False, dead band and hold band are zero, and the pulsed flow of each solenoid is replaced by its
+        mean.
         """
         case = self.case(volume, changes)
         instance = (case if bands else without_bands(case)).instance
@@ -124,7 +125,8 @@ def limits_plan(
 ) -> LimitsPlan:  # fmt: skip
     """Return a plan for the dynamic limits of a valve in a circuit.
 
-    Defaults replace the settings that are None. `springs` and `dampings` are factors on spring rates and damping.
+    Defaults replace the settings that are None. The keywords `springs` and `dampings` are factors on spring rates and
+    damping.
     """
     name = find_valve(circuit, valve, ProportionalValve)
     outlet = circuit.parts[name].ports()["outlet"]

@@ -69,12 +69,31 @@ class LimitsResult(ResultFileMixin, HtmlMixin):
     @property
     def findings(self) -> tuple[Note, ...]:
         """Notes on the parts that limit the bandwidth, and on stability."""
-        return (*_limiting_part_notes(self), *_stability(self))
+        limited = {key: point for key, point in self.points.items() if point.limiting}
+        notes = []
+        for part in (*PARTS, LOAD, CONTROLLER):
+            keys = [key for key, point in limited.items() if point.limiting == part]
+            if not keys:
+                continue
+            volumes, amplitudes = zip(*keys, strict=True)
+            facts = {
+                "count": len(keys),
+                "known": len(limited),
+                "volumes": _smallest_and_largest(volumes),
+                "amplitudes": _smallest_and_largest(amplitudes),
+            }
+            if part == CONTROLLER:
+                notes.append(Note("limits.controller", **facts))
+                continue
+            best = max(keys, key=lambda key: limited[key].gains[part])
+            members, gain = 2 if part in SEVERAL else 1, limited[best].gains[part]
+            notes.append(Note("limits.part", part, members=members, gain=gain, best=best, **facts))
+        return (*notes, *_stability(self))
 
     def content(self) -> dict[str, Any]:
         """Return the content of the result file as nested dictionaries.
 
-        The keys are those of the TOML and JSON files.
+        The dictionaries have the same keys as the TOML and JSON files.
         """
         plan = self.plan
         names = ("gain_frequency", "phase_frequency", "rise_up", "rise_down", "noise", "limiting")
@@ -133,30 +152,6 @@ def find_limits(plan: LimitsPlan, progress: Callable[[int, int, str], Any] | Non
         result.outcome = INTERRUPTED
     report("done")
     return result
-
-
-def _limiting_part_notes(result: LimitsResult) -> list[Note]:
-    """Return a note for each part that limits the bandwidth at one or more points."""
-    limited = {key: point for key, point in result.points.items() if point.limiting}
-    notes = []
-    for part in (*PARTS, LOAD, CONTROLLER):
-        keys = [key for key, point in limited.items() if point.limiting == part]
-        if not keys:
-            continue
-        volumes, amplitudes = zip(*keys, strict=True)
-        facts = {
-            "count": len(keys),
-            "known": len(limited),
-            "volumes": _smallest_and_largest(volumes),
-            "amplitudes": _smallest_and_largest(amplitudes),
-        }
-        if part == CONTROLLER:
-            notes.append(Note("limits.controller", **facts))
-            continue
-        best = max(keys, key=lambda key: limited[key].gains[part])
-        members, gain = 2 if part in SEVERAL else 1, limited[best].gains[part]
-        notes.append(Note("limits.part", part, members=members, gain=gain, best=best, **facts))
-    return notes
 
 
 def _smallest_and_largest(values: Sequence[float]) -> tuple[float, ...]:

@@ -59,7 +59,7 @@ class Stability:
 
     @property
     def word(self) -> str:
-        """Text of the note on this point; empty without a note."""
+        """Text of the note on this point. The text is empty if there is no note."""
         return "" if self.note is None else str(self.note)
 
 

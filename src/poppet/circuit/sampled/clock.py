@@ -97,10 +97,11 @@ def find_clock(kernel: Kernel, x: Array, u: Array, p: Array) -> Clock:
 def _run_timers(
     kernel: Kernel, x: Array, u: Array, p: Array, counts: NDArray[np.bool_], end: float | None = None
 ) -> tuple[list[list[float]], Array]:
-    """Run only the timers of a circuit; return the instants of each timer and the final discrete state.
+    """Run only the timers of a circuit.
 
-    The states x and the inputs u are constant. `counts` is a mask of the discrete states that are timers or counters.
-    The timers run up to the time `end` [s]. If it is None, they run until each has at least `TICKS` instants.
+    The result contains the instants of each timer, and the final discrete state. The states x and the inputs u are
+    constant. `counts` is a mask of the discrete states that are timers or counters. The timers run up to the time `end`
+    [s]. If it is None, they run until each has at least `TICKS` instants.
     """
     n = kernel.model.n_timers
     p, z, fired = p.copy(), np.empty(len(kernel.model.memory)), np.zeros(n)

@@ -71,7 +71,7 @@ class SampledPoint:
     def p(self, v: Array) -> Array:
         """Return the parameter vector p, which ends with the discrete states.
 
-        The discrete states come from v, except those of the clocks, which have their values at the time `clock.start`.
+        The discrete states come from v. The clocks are an exception: they have their values at the time `clock.start`.
         """
         # A controller can treat its first sample differently.
         memory = self.clock.memory.copy()

@@ -173,9 +173,9 @@ def print_function(
 ) -> str:
     """Return the C text of one traced function.
 
-    `signature` contains the names of its arguments and results, as in `SIGNATURES`. The keyword `labels` contains
-    comments for the elements of each argument. With `shares_inverses`, divisions by the same value become products with
-    one inverse, which is faster and changes the last digit.
+    `signature` contains the names of its arguments and results, for example an entry of `SIGNATURES`. The keyword
+    `labels` contains comments for the elements of each argument. With the keyword `shares_inverses`, divisions by the
+    same value become products with one inverse, which is faster and changes the last digit.
     """
     arguments, _, results = (signature or SIGNATURES[name]).partition("->")
     names, name = (arguments.split(), results.split()), prefix + name

@@ -205,7 +205,7 @@ class _Values:
     def order(
         self, results: Any, vectors: Mapping[str, int], n_p: int, derived: Mapping[int, int]
     ) -> list[Instruction]:
-        """Return the instructions that compute `results`, which have the form of those of `read`.
+        """Return the instructions that compute `results`, in the form that `read` returns.
 
         Values in `derived` are read from p instead of being computed. `vectors` contains the indices of the arguments,
         and `n_p` is the original length of p.

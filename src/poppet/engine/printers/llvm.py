@@ -152,7 +152,10 @@ class Text:
         return name
 
     def at(self, pointer: str, offset: int | str) -> str:
-        """Add the computation of the address of an array element; return the name of the address."""
+        """Add lines that compute the address of an array element.
+
+        The result is the name of the address.
+        """
         return self.emit(f"getelementptr inbounds {self.kind.number}, ptr {pointer}, i64 {offset}")
 
     def load(self, pointer: str, offset: int | str) -> str:
@@ -168,7 +171,10 @@ class Text:
         self.lines.append(f"  {name} = getelementptr inbounds {self.kind.number}, ptr {pointer}, i64 {offset}")
 
     def times(self, factor: float, value: str) -> str:
-        """Add the product of a constant and a value; return its name."""
+        """Add the product of a constant and a value.
+
+        The result is the name of the product.
+        """
         return self.emit(f"fmul contract {self.kind.number} {self.kind.constant(factor)}, {value}")
 
     def multiply_add(self, a: str | float, b: str, c: str) -> str:

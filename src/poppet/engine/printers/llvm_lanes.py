@@ -92,10 +92,10 @@ def _define_function(kind: Kind, name: str, formal: str, text: Text, result: str
 def _define_inverse(kind: Kind) -> str:
     """Return LLVM IR of the function `inverse`.
 
-    With AVX-512, it takes two Newton steps from an estimate of 14 bits; otherwise it divides.
+    With AVX-512, the function takes two Newton steps from an estimate of 14 bits. Otherwise it divides.
 
-    The error is at most 1 ulp, instead of half an ulp for a division, which takes three times longer. Infinite values
-    and NaN are handled as in a division.
+    The error is at most 1 ulp. A division has an error of half an ulp, but takes three times longer. For infinite
+    values and NaN, the result is the same as in a division.
     """
     d, unity = kind.number, kind.words["one"]
     if not _has_estimates(kind):
@@ -158,9 +158,10 @@ def _add_fused(text: Text, a: str, b: str, c: str) -> str:
 
 
 def _keep_estimate(text: Text, error: str, first: str, refined: str) -> str:
-    """Add the refined value, or the first estimate if the error is NaN; return the name.
+    """Add the refined value, or the first estimate if the error is NaN.
 
-    `first` is the estimate, and `error` its error. The error is NaN for zero, infinite values and NaN.
+    The result is the name of the value. `first` is the estimate, and `error` its error. The error is NaN for zero,
+    infinite values and NaN.
     """
     d = text.kind.number
     is_nan = text.emit(f"fcmp uno {d} {error}, {error}")
@@ -205,9 +206,9 @@ general:
 def print_judge(n_controlled: int, kind: Kind) -> str:
     """Return LLVM IR of `judge`, which computes the error of a step and factors on the step length.
 
-    The formulas are those of `error` and `growth` in `poppet.engine.stepping`, with square roots in place of powers.
-    The arguments are tolerances, lower limits of the states, state, new state, error estimate, time with step length,
-    and `control`. The results are rows of `control`.
+    The functions `error` and `growth` in `poppet.engine.stepping` use the same formulas, but powers instead of square
+    roots. The arguments are tolerances, lower limits of the states, state, new state, error estimate, time with step
+    length, and `control`. The results are rows of `control`.
     """
     text, d, b = Text(kind), kind.number, kind.flag
     infinite, unity, zero = kind.constant(float("inf")), kind.words["one"], kind.words["zero"]
@@ -269,7 +270,7 @@ def _store_mask(text: Text, flags: str, number: int) -> None:
 def print_choose(kind: Kind) -> str:
     """Return the LLVM IR of the function `choose` for the length of the next step.
 
-    The formula is that of `length` in `poppet.engine.stepping`.
+    The function `length` in `poppet.engine.stepping` uses the same formula.
     """
     text, d, b = Text(kind), kind.number, kind.flag
 

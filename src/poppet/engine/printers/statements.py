@@ -38,7 +38,10 @@ class Language(NamedTuple):
 
 
 class Value(NamedTuple):
-    """Expression. If it is not an atom, such as a name or a call, it needs parentheses inside other expressions."""
+    """Expression in the text of a program.
+
+    An expression that is not an atom (a name, a constant or a call) needs parentheses inside other expressions.
+    """
 
     text: str
     is_flag: bool = False
@@ -135,9 +138,9 @@ class Statements:
     ) -> tuple[list[int], dict[int, str], list[str], set[int], list[bool]]:
         """Return data on the use of each instruction, by its index.
 
-        The results are the number of uses of its value; its label, if it has one; and the name of the result or label
-        for which it is computed. The set of needed instructions follows. The last list is True for values whose
-        expression can be long, because they are results or halves of a choice.
+        The result has five items. The first three are the number of uses of the value, its label (if it has one), and
+        the name of the result or label for which it is computed. The fourth item is the set of needed instructions. The
+        last item is True for values whose expression can be long, because they are results or halves of a choice.
         """
         uses, names, consumers = [0] * len(function), dict[int, str](), [list[int]() for _ in function]
         last: dict[int, int] = {}
@@ -195,7 +198,10 @@ class Statements:
                 self.lines.append(self.language.assignment.format(name=name, text=remaining.pop(name)))
 
     def _number(self, value: Value, *, is_operand: bool = True) -> str:
-        """Return an expression as a number; a condition becomes 0 or 1."""
+        """Return an expression as a number.
+
+        A condition becomes 0 or 1.
+        """
         if not value.is_flag:
             return value.operand if is_operand else value.text
         one, zero = (self.language.literal(number) for number in (1.0, 0.0))
@@ -203,7 +209,10 @@ class Statements:
         return text if (text.endswith(")") and not text.startswith("(")) or not is_operand else f"({text})"
 
     def _flag(self, value: Value) -> str:
-        """Return an expression as a condition; a number is compared with zero."""
+        """Return an expression as a condition.
+
+        A number is compared with zero.
+        """
         if value.is_flag:
             return value.text
         if value.text == self.language.literal(1.0) or value.text == self.language.literal(0.0):
@@ -259,7 +268,10 @@ class Statements:
         return Value(form.format(*(self._number(a, is_operand=not is_call) for a in arguments)), is_atom=is_call)
 
     def _merge(self, a: Value, b: Value) -> Value | None:
-        """Return the sum of two choices with opposite conditions as one choice; None for other values."""
+        """Return the sum of two choices with opposite conditions as one choice.
+
+        The result is None for other values.
+        """
         if a.choice is None or b.choice is None or a.choice[0] != b.choice[0] or a.choice[1] == b.choice[1]:
             return None
         if a.is_flag and b.is_flag:
@@ -273,7 +285,7 @@ class Statements:
     def _variable(self, value: Value, name: str, *, is_label: bool = False) -> Value:
         """Assign an expression to a new variable, and return the variable.
 
-        The variable has the given name if it is a label, otherwise this name with a number.
+        If the name is a label, the variable has this name. Otherwise a number is added to the name.
         """
         self.counts[name] += not is_label
         name = self.new_name(name if is_label else f"{name}_{self.counts[name]}")

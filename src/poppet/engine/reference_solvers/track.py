@@ -34,7 +34,7 @@ class Leg(NamedTuple):
 def rounding(t: float) -> float:
     """Return the time difference below which two times count as equal [s].
 
-    It is the same as in the compiled integrator.
+    The compiled integrator uses the same difference.
     """
     return 1e-14 * t + 1e-15
 
@@ -193,7 +193,7 @@ def jacobian(problem: Problem, segment: int, t: float, x: Array) -> Array:
 def tolerances(problem: Problem) -> Array:
     """Return the absolute tolerance of each controlled state per relative tolerance.
 
-    The values are those of the compiled integrator.
+    The compiled integrator uses the same values.
     """
     _, floor, nominal = problem.kernel.scales
     initial = np.abs(problem.x0[: nominal.size])

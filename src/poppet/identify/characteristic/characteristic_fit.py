@@ -91,8 +91,9 @@ class LackOfFit:
     def coverage(self) -> float:
         """Ratio of the half width of a 95 % interval to the standard uncertainty.
 
-        The ratio is that of the normal distribution. If the lack of fit enlarges the uncertainty, it is that of
-        Student's t. Its degrees of freedom are those of the lack of fit plus a constant for the stated uncertainties.
+        The ratio belongs to the normal distribution, or to Student's t distribution if the lack of fit enlarges the
+        uncertainty. The degrees of freedom are then the ones of the lack of fit plus a constant for the stated
+        uncertainties.
         """
         return coverage_factor(self.freedom + STATED if self.widening > 1.0 else math.inf)
 
@@ -208,7 +209,8 @@ class CurveFit:
 class _CurveObjective:
     """Function object that returns the residuals of all tests and their derivatives.
 
-    Its argument is the vector of the free parameters: those of the curves of C and b, then those of the bench.
+    Its argument is the vector of the free parameters of the curves of C and b, followed by the free parameters of the
+    bench.
     """
 
     terms: Sequence[TestEvidence | RecordingTerm]

@@ -181,7 +181,7 @@ def start_parameters(shape: Shape, x: Array, y: Array, weight: Array) -> Array:
 def pchip(knots: tuple[float, ...], values: Array, x: Array) -> Array:
     """Evaluate a monotone piecewise cubic curve through `values` at `knots`, at the positions `x`.
 
-    Beyond the knots the curve is constant. The interpolation equals that of the curve class `TableCurve`.
+    Beyond the knots the curve is constant. The curve class `TableCurve` uses the same interpolation.
 
     Examples
     --------

@@ -112,7 +112,7 @@ def identify_characteristic(
     form : str, optional
         `polynomial`, or `spline`: monotone piecewise cubics with C rising and 0 <= b < 1.
     degree_conductance, degree_ratio : int, optional
-        Degrees of the polynomials; 7 and 4 are those of the paper.
+        Degrees of the polynomials; the paper uses 7 and 4.
     domain : tuple of float, optional
         First and last stroke of the curves; the default is the tested range [m].
     knots : sequence of float, optional
@@ -134,7 +134,7 @@ def identify_characteristic(
     notes : tuple of Note or str, optional
         Notes on the tests; the findings include them.
     progress : callable, optional
-        Called with the number of evaluations and the cost of the joint fit.
+        Function that is called with the number of evaluations and the cost of the joint fit.
 
     Returns
     -------

@@ -245,7 +245,7 @@ def evaluate_test(test: StrokeTest, name: str) -> TestEvidence:
 def free_parameters(test: StrokeRecording) -> tuple[FreeParameter, ...]:
     """Return the free parameters of the fit to one recorded test.
 
-    C and b come first, then those of the test bench, such as a wall conductance.
+    C and b come first. Free parameters of the test bench, such as a wall conductance, follow.
     """
     return (*(read_free(f"{test.passage}.{number}", {}, test.circuit) for number in NUMBERS), *test.free)
 
@@ -253,8 +253,8 @@ def free_parameters(test: StrokeRecording) -> tuple[FreeParameter, ...]:
 def point_of_result(result: Result, stroke: float, *, part: str = "", name: str = "") -> StrokePoint:
     """Return the C and b of an earlier identification as a test at the stroke `stroke` [m].
 
-    `result` is the result of a tank test or a flow bench, and `part` the name of the flow path in it. The uncertainties
-    exclude errors that all tests on a bench have in common.
+    `result` is the result of a tank test or a flow bench. The keyword `part` is the name of the flow path in this
+    result. The uncertainties exclude errors that all tests on a bench have in common.
     """
     keys = [f"{part}.{number}" if part else number for number in NUMBERS]
     missing = [key for key in keys if key not in result.parameters]
@@ -282,8 +282,8 @@ def point_of_result(result: Result, stroke: float, *, part: str = "", name: str 
 def common_of_result(result: Result, *, part: str = "") -> tuple[float, float]:
     """Return the standard uncertainties of the errors that all tests on a bench share, of C (relative) and b.
 
-    The errors are those of the sensors and of an unknown ambient temperature. `result` is the result of a tank test or
-    a flow bench, and `part` the name of the flow path in it.
+    Their sources are the sensors and an unknown ambient temperature. `result` is the result of a tank test or a flow
+    bench. The keyword `part` is the name of the flow path in this result.
     """
     keys = [f"{part}.{number}" if part else number for number in NUMBERS]
     budget = result.comparison.get("uncertainty", {})

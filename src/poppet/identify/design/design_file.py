@@ -92,7 +92,7 @@ class DesignPlan:
     known : Result, optional
         Result of an earlier identification, used as prior information.
     fits : int, optional
-        Number of simulated fits of the recommended tests. None selects 5, or 0 if a fit is slow.
+        Number of simulated fits of the recommended tests. If it is None, the number is 5, or 0 if a fit is slow.
     """
 
     title: str
@@ -122,7 +122,7 @@ def read_design_file(path: str | Path) -> DesignPlan:
     Raises
     ------
     InputErrors
-        With all errors, each with its line if available.
+        If the file is invalid. The exception contains all errors, each with its line if available.
     """
     file = TomlFile.read(path, "tests")
     with file.errors():

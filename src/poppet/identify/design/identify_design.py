@@ -164,7 +164,8 @@ def identify_design(plan: DesignPlan | str | Path, *, progress: Callable[[int, i
     plan : DesignPlan, str or Path
         Free parameters, sensors and candidates, or a design file.
     progress : callable, optional
-        Called with the number of evaluated candidates, their total number and the name of the next one.
+        Function that is called with the number of evaluated candidates, their total number and the name of the next
+        one.
 
     Returns
     -------
@@ -254,7 +255,7 @@ def _points_and_information(plan: DesignPlan) -> tuple[list[FloatArray], FloatAr
     """Return sample points of the priors, and the Fisher information before any new test.
 
     The points are the start values of the free parameters and random samples of their priors. The information, (n_free,
-    n_free), is that of the priors and of an earlier result.
+    n_free), comes from the priors and from an earlier result.
     """
     points = [np.array([f.start for f in plan.free])]
     generator = np.random.default_rng(plan.seed)
@@ -321,10 +322,10 @@ def _standard_errors(plan: DesignPlan, information: FloatArray) -> tuple[FloatAr
 
 
 def _criterion(plan: DesignPlan, information: FloatArray) -> float:
-    """Return the logarithm of the criterion for the choice of tests; a lower value is better.
+    """Return the logarithm of the criterion for the choice of tests.
 
-    It is averaged over samples of the priors. `information` is the Fisher information at each sample, (n_points,
-    n_free, n_free).
+    A lower value is better. The result is averaged over samples of the priors. `information` is the Fisher information
+    at each sample, (n_points, n_free, n_free).
     """
     errors, volumes = _standard_errors(plan, information)
     if plan.criterion == "volume":

@@ -202,7 +202,7 @@ class _RecordingReader:
         Raises
         ------
         InputErrors
-            With all errors of all recordings.
+            If any recording is invalid. The exception contains the errors of all recordings.
         """
         parts = self.circuit.parts
         if not isinstance(recordings, Mapping):

@@ -217,7 +217,7 @@ def parameter_notes(free: Sequence[FreeParameter], estimates: Mapping[str, Estim
 
 
 def unusual_ratio_notes(free: Sequence[FreeParameter], estimates: Mapping[str, Estimate]) -> Iterator[Note]:
-    """Yield notes on critical ratios above that of an ideal nozzle."""
+    """Yield notes on critical ratios above the critical ratio of an ideal nozzle."""
     for f in free:
         e = estimates[f.name]
         if f.address.endswith("critical_ratio") and e.value > IDEAL_RATIO and e.verdict not in LOST:
@@ -323,7 +323,7 @@ def correlation_notes(fit: CompletedFit) -> Iterator[Note]:
 def critical_ratio_notes(fit: CompletedFit) -> Iterator[Note]:
     """Yield a note on each critical ratio that the data do not determine.
 
-    The note compares the rms residual of the fit with those of refits at other critical ratios.
+    The note compares the rms residual of the fit with the rms residuals of refits at other critical ratios.
     """
 
     def first_rms(x: FloatArray) -> float:

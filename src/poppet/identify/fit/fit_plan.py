@@ -81,7 +81,7 @@ def read_fit_file(path: str | Path) -> FitPlan:
     Raises
     ------
     InputErrors
-        With all errors, each with its line if available.
+        If the file is invalid. The exception contains all errors, each with its line if available.
     """
     file = TomlFile.read(path, "recordings")
     with file.errors():
@@ -134,7 +134,7 @@ def read_circuit(data: Mapping[str, Any], folder: Path) -> BaseCircuit:
 def _read_search_settings(data: Mapping[str, Any]) -> tuple[SearchSettings, dict[str, Any]]:
     """Return the search settings of a fit file, and the remaining tables.
 
-    The remaining tables are those of the free parameters. Settings can be in several tables, but must agree.
+    The remaining tables describe the free parameters. Settings can be in several tables, but must agree.
     """
     parameters = {k: dict(v) if isinstance(v, Mapping) else v for k, v in data["free"].items() if k not in SEARCH}
     tables = {"": data, "free.": data["free"]} | {f"free.{k}.": v for k, v in parameters.items() if isinstance(v, dict)}
@@ -319,7 +319,7 @@ def check_effects(plan: FitPlan) -> None:
     Raises
     ------
     InputErrors
-        With all parameters without effect.
+        If a parameter has no effect. The exception contains one error for each such parameter.
     """
     if any(experiment.samples for experiment in plan.experiments):
         return

@@ -61,7 +61,7 @@ def recursion(factor: Array, term: Array) -> Array:
 def shift_series(time: Array, values: Array, delay: float, *, hold: bool = False) -> tuple[Array, Array]:
     """Return times and values of a series that is shifted to earlier times by `delay`, and starts at time 0.
 
-    The value at time 0 is interpolated linearly. If `hold` is True, it is the last value before time 0.
+    The value at time 0 is interpolated linearly. If the keyword `hold` is True, it is the last value before time 0.
     """
     shifted_time = time - delay
     first = float(np.interp(0.0, shifted_time, values))

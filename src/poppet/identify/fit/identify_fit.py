@@ -66,9 +66,10 @@ def identify_fit(
     contour : bool, optional
         If True, add the chi-square contour over conductance and wall conductance to the series, and its findings.
     progress : callable, optional
-        Called with the number of evaluations and the least cost so far.
+        Function that is called with the number of evaluations and the least cost so far.
     stages : callable, optional
-        Called with the stage after the fit (profiles, contour, bootstrap), the completed steps and their total number.
+        Function that is called with the stage after the fit (profiles, contour, bootstrap), the number of completed
+        steps and their total number.
 
     Returns
     -------
@@ -97,7 +98,7 @@ def identify_fit(
 def describe_optimum(plan: FitPlan, optimum: Optimum, *, with_trials: bool = True) -> Result:
     """Return the result of a fit from its optimum: estimates, residuals and findings.
 
-    If `with_trials` is True, the findings include refits with other critical ratios.
+    If the keyword `with_trials` is True, the findings include refits with other critical ratios.
     """
     values = by_name(plan.free, optimum.x)
     fitted, validation = channel_fits(plan.experiments, values), channel_fits(plan.validation, values)

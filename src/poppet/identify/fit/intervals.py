@@ -33,7 +33,7 @@ BETWEEN = 8
 
 
 def add_profiles(plan: FitPlan, optimum: Optimum, result: Result, names: Sequence[str], stages: Stages) -> Result:
-    """Replace the intervals of the parameters `names` by those of the profile likelihood.
+    """Replace the intervals of the parameters `names` by intervals from the profile likelihood.
 
     The profile of a parameter is the least cost at each of its values, with all other parameters fitted again.
     """

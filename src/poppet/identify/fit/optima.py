@@ -73,8 +73,9 @@ class _Searches:
     ) -> Optimum:
         """Run one search from a start point, and return the optimum.
 
-        `name` is the name of the start point. `fixed` maps names of parameters to fixed values. The search ends early
-        if it reaches an optimum in `joinable`. `weights` is the noise of each channel.
+        `name` is the name of the start point. The keyword `fixed` maps names of parameters to fixed values. The search
+        ends early if it reaches an optimum in the keyword `joinable`. The keyword `weights` is the noise of each
+        channel.
         """
         evaluations_before = self.evaluations
 
@@ -318,8 +319,8 @@ def distant_limit(plan: FitPlan, best: Optimum) -> float:
 def is_distant(free: Sequence[FreeParameter], x: FloatArray, other: FloatArray) -> bool:
     """Return True if two optima have clearly different conductances.
 
-    `x` and `other` contain their parameter values. The difference must exceed the limit up to which the verdict on a
-    conductance is `determined`.
+    `x` and `other` contain their parameter values. The relative difference must exceed the limit of the verdict
+    `determined` on a conductance.
     """
     flows = [k for k, f in enumerate(free) if f.address.endswith(CONDUCTANCES)]
     return any(abs(other[k] - x[k]) > DETERMINED * abs(x[k]) for k in flows)
@@ -341,7 +342,7 @@ def rounding_ratio(plan: FitPlan, optimum: Optimum) -> float:
 
 
 def _evidence_against(plan: FitPlan, best: Optimum, rival: Optimum, offset_channels: Collection[int]) -> float:
-    """Return by how much the cost of the optimum `rival` exceeds that of `best`, at least 0.
+    """Return the cost of the optimum `rival` minus the cost of the optimum `best`, at least 0.
 
     The difference excludes what an offset of the channels `offset_channels` explains. It also excludes samples at which
     the models differ by less than the resolution of a coarse sensor.
@@ -406,7 +407,7 @@ def _likely_range(estimate: Estimate, excess: float, limit: float) -> tuple[floa
 
 
 def unite_estimates(plan: FitPlan, local: Local) -> dict[str, Estimate]:
-    """Return the estimates at the best optimum, with intervals that include those of all equivalent optima.
+    """Return the estimates at the best optimum, with intervals that cover all equivalent optima.
 
     `local` contains the estimates at each of these optima, the best first.
     """

@@ -59,9 +59,9 @@ class SearchSettings:
     seed : int
         Seed of the random start points.
     kicks : int or None
-        Maximum number of rounds of restarts near the optimum, if the residuals are not white. None selects 3 rounds, or
-        0 for circuits with sampled controllers, because their residuals are seldom white and their simulations take
-        long.
+        Maximum number of rounds of restarts near the optimum, if the residuals are not white. If it is None, the number
+        is 3. For circuits with sampled controllers it is then 0, because their residuals are seldom white and their
+        simulations take long.
     """
 
     loss: str = "linear"
@@ -128,7 +128,7 @@ class Optimum:
 class FitObjective:
     """Residuals of all recordings as a function of the free parameters.
 
-    The residuals are divided by the noise. Those of the priors come last.
+    The residuals are divided by the noise. The residuals of the priors come last.
     """
 
     experiments: Sequence[Experiment]
@@ -156,14 +156,18 @@ class FitObjective:
         return np.array([k for k, f in enumerate(self.free) if f.name not in self.fixed], dtype=np.int64)
 
     def cost(self, x: FloatArray, loss: str = "linear") -> float:
-        """Return the cost at the point `x`: half the sum of squared residuals, or that of a robust loss."""
+        """Return the cost at the point `x`.
+
+        The cost is half the sum of the squared residuals. For a robust loss, the sum of the losses replaces the sum of
+        squares.
+        """
         residual = self.residual(x)
         return self._last_residual[2] if loss == "linear" else float(np.sum(costs_of(residual, loss)))
 
     def residual(self, x: FloatArray) -> FloatArray:
         """Return the residuals at the point `x`, divided by the noise.
 
-        Those of the priors follow those of the samples.
+        The residuals of the priors follow the residuals of the samples.
         """
         key = x.tobytes()
         if self._last_residual[0] != key:
@@ -262,9 +266,9 @@ def optimise(
 ) -> Optimum:
     """Search for the parameter values with the lowest cost.
 
-    The search begins at the start values, or at `start_point`. `sigmas` is the noise of each channel from an earlier
-    search. `fixed` maps names of parameters to fixed values. The search ends if it reaches a known optimum in
-    `joinable`.
+    The search begins at the start values, or at the point in the keyword `start_point`. The keyword `sigmas` is the
+    noise of each channel from an earlier search, and `fixed` maps names of parameters to fixed values. The search ends
+    if it reaches one of the known optima in `joinable`.
     """
     settings = settings or SearchSettings()
     stated_noise = [fitted.channel.noise for fitted in channels_of(experiments)]

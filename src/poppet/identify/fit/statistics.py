@@ -106,7 +106,7 @@ class SensorLimits(NamedTuple):
 
 
 class SensorOffset(NamedTuple):
-    """Detected offset of a sensor, in units of the noise of the channel.
+    """Offset of a sensor that the residuals indicate, in units of the noise of the channel.
 
     `bias` is the mean of model - measurement. `size` is the estimated offset if no other sensor has one, and `error` is
     the standard deviation of this estimate. Both are limited to the largest possible offset of the sensor.
@@ -125,7 +125,7 @@ class SensorOffset(NamedTuple):
 class ErrorModel:
     r"""Error model of a fit: it gives the standard deviation of any weighted sum of the samples.
 
-    A parameter estimate is such a sum.
+    A parameter estimate is an example of such a sum.
 
     .. math:: \sigma^2 = \max\Big(w \sum_i k_i^2,\; \sum_c \sum_{i,j \in c} \beta_{ij} m_i m_j,\;
         s^2 \sum_i k_i^2 + \sum_c e_c\Big)
@@ -181,8 +181,8 @@ class ErrorModel:
     def deviation(self, weights: FloatArray, *, offsets: Sequence[SensorOffset] | None = None) -> float:
         """Return the standard deviation of a weighted sum of the samples.
 
-        The samples are divided by their noise. `offsets` contains the sensor offsets that are included; by default, all
-        detected ones.
+        The samples are divided by their noise. The keyword `offsets` contains the sensor offsets that are included, by
+        default all detected ones.
         """
         if not np.all(np.isfinite(weights)):
             return float("inf")
@@ -196,7 +196,7 @@ class ErrorModel:
         return float(np.sqrt(spread + shifts))
 
     def factor(self, weights: FloatArray) -> float:
-        """Return the ratio of the variance of a weighted sum of the samples to its value for white noise.
+        """Return the variance of a weighted sum of the samples, divided by its value for white noise.
 
         The samples are divided by their noise.
         """
@@ -228,8 +228,8 @@ class ErrorModel:
     def is_local(self, weights: FloatArray, factor: float) -> bool:
         """Return True if few samples with a large lack of fit dominate the variance of a weighted sum.
 
-        `weights` are those of the samples in the sum. The variance from the lack of fit of each sample must exceed
-        `factor` squared times that from the mean lack of fit.
+        `weights` contains the weight of each sample in the sum. The variance is computed from the lack of fit of each
+        sample, and from the mean lack of fit. The first value must exceed `factor` squared times the second.
         """
         if not np.all(np.isfinite(weights)):
             return False
@@ -241,7 +241,7 @@ class ErrorModel:
     def _rounding_variance(self, weights: FloatArray) -> float:
         """Return the variance of a weighted sum of the samples, with correlated rounding errors of coarse sensors.
 
-        `weights` are those of the samples. The result is 0 if no sensor is coarse.
+        `weights` contains the weight of each sample. The result is 0 if no sensor is coarse.
         """
         pairs = [(gauge.steps, rows) for gauge, rows in zip(self._gauges, self.rows, strict=True) if gauge.steps]
         if not pairs:
@@ -324,8 +324,8 @@ def estimates(
     """Return the estimate of each free parameter by name.
 
     An estimate contains the 95 % confidence interval and the verdict. `spread` is the error model of the fit. The
-    intervals include the effect of all values of parameters at a bound that the data do not reject. If `is_conditional`
-    is True, these parameters are treated as fixed.
+    intervals include the effect of all values of parameters at a bound that the data do not reject. If the keyword
+    `is_conditional` is True, these parameters are treated as fixed.
     """
     quantile, result = _quantile(optimum), {}
     errors = np.array([spread.deviation(weights) for weights in spread.influences])

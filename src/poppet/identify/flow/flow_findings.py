@@ -178,7 +178,7 @@ def suspicions(
 def most_informative_ratio(critical_ratio: float, u_pressure_ratio: float = 1e-3, u_flow_ratio: float = 5e-3) -> float:
     """Return the p2/p1 at which one more point reduces the uncertainty of b most.
 
-    The last two arguments are the standard uncertainties of p2/p1 and of the flow relative to choked flow.
+    The last two arguments are the standard uncertainties of p2/p1, and of the flow divided by the choked flow.
 
     Examples
     --------
@@ -285,7 +285,8 @@ def _point_notes(fit: FlowFit, influence: Mapping[str, list[float]]) -> Iterator
 def _point_facts(indices: Any, points: FlowPoints) -> dict[str, Any]:
     """Return the facts of a message that lists some points of a flow bench.
 
-    They contain the numbers of the first points, counted from 1, with their p2/p1, and the count of further points.
+    The facts contain the numbers of the first points (counted from 1) with their p2/p1, and the number of further
+    points.
     """
     texts = [f"point {k + 1} (p2/p1 = {points.pressure_ratio[k]:.4g})" for k in indices[:4]]
     return {"points": texts, "more": max(len(indices) - 4, 0) or None}

@@ -75,7 +75,7 @@ class FlowModel:
     def effects(self) -> tuple[Effect, ...]:
         """Errors that all points share, each with its change of the readings.
 
-        A change is that of an error of one standard deviation.
+        Each change is the effect of an error of one standard deviation.
         """
         return tuple(self.points.effects())
 
@@ -134,8 +134,8 @@ class FlowModel:
     def flow(self, x: FloatArray, **shifts: FloatArray) -> FloatArray:
         """Return the flow that the flow meter should read according to the model [kg/s].
 
-        `x` contains the scaled free parameters and common errors. `shifts` maps channels to values that are added to
-        their readings.
+        `x` contains the scaled free parameters and common errors. Each keyword argument is a value that is added to the
+        readings of the channel with this name.
         """
         readings = self.readings(x)
         for channel, shift in shifts.items():
@@ -231,7 +231,7 @@ class FlowFit:
 
     @cached_property
     def residuals(self) -> FloatArray:
-        """Weighted residuals of the points, followed by those of the common errors.
+        """Weighted residuals of the points, followed by the residuals of the common errors.
 
         The residual of a point is model minus measurement, divided by `sigma`.
         """
@@ -262,8 +262,8 @@ class FlowFit:
     def scatter_factor(self) -> float:
         """Factor on the standard errors by scatter, at least 1, because a stated scatter can be too small.
 
-        It is the upper limit of the scatter according to the residuals. Few residuals determine the scatter poorly, so
-        the factor is at most 2 if Birge's ratio is smaller.
+        The factor is the upper limit of the scatter that the residuals permit. Few residuals determine the scatter
+        poorly, so the factor is limited to 2 unless Birge's ratio is larger.
         """
         from scipy.special import chdtri
 
@@ -362,8 +362,8 @@ def _iterate_weights(
 ) -> FlowFit:
     """Return the fit after alternating updates of weights and parameters.
 
-    `adapt` names the argument of `FlowModel.variances` that is adapted until chi-square equals its degrees of freedom.
-    If it is empty, the variances stay as stated.
+    The keyword `adapt` is the name of the argument of `FlowModel.variances` that is adapted until chi-square equals its
+    degrees of freedom. If `adapt` is empty, the variances are not adapted.
     """
     from scipy.optimize import least_squares
 
@@ -436,7 +436,8 @@ def start_point(model: FlowModel) -> FloatArray:
 def _unit_flow(points: FlowPoints, **law: Any) -> FloatArray:
     """Return the flow at all points for a sonic conductance C of 1.
 
-    `law` contains the other parameters of the flow law. If they are columns, the result has one row for each set.
+    The keyword arguments are the other parameters of the flow law. If they are columns, the result has one row for each
+    set.
     """
     readings = (getattr(points, channel) for channel in CHANNELS if channel != "mass_flow_rate")
     return np.asarray(mass_flow_rate(*readings, sonic_conductance=1.0, **law))
@@ -498,7 +499,8 @@ def _law_verdict(name: str, value: float, half: float, at_bound: bool, scale: fl
 def choked_estimates(fit: FlowFit, choked: FlowFit) -> dict[str, Estimate]:
     """Return the estimates of a flow law if all points may be choked.
 
-    `choked` is the fit under this assumption. C then has a range, and b only a lower limit.
+    `choked` is the fit under this assumption. The estimate of C is then a range, and the estimate of b is only a lower
+    limit.
     """
     points = choked.model.points
     ratios = np.linspace(0.0, 0.99, 199)
@@ -551,7 +553,7 @@ def find_other_law(fit: FlowFit) -> tuple[str, FlowFit] | None:
 def widen_estimates(estimates: Mapping[str, Estimate], other_estimates: Mapping[str, Estimate]) -> dict[str, Estimate]:
     """Return estimates whose intervals also cover the fit of another law.
 
-    `other_estimates` are those of the other law.
+    `other_estimates` are the estimates of the other law.
     """
     widened = {}
     for name, e in estimates.items():

@@ -232,7 +232,7 @@ class FlowPoints:
         temperature_1 : str
             Name of the series with the upstream temperature.
         **uncertainties
-            As in `FlowPoints`.
+            Uncertainties of the instruments, which `FlowPoints` describes.
 
         Returns
         -------

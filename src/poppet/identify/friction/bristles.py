@@ -192,8 +192,8 @@ class ReversalData:
         """Return the samples up to `distance` after a reversal.
 
         `turn` is the stroke that begins with the reversal. `values` contains the parameters of sliding friction, and
-        `offsets` the force offset of each recording. `is_chained` is True if the bristles start at the deflection at
-        which the previous stroke ended.
+        `offsets` the force offset of each recording. The keyword `is_chained` is True if the bristles start at the
+        deflection at which the previous stroke ended.
         """
         is_within, last = turn.distance <= distance, turn.last
         assert last is not None
@@ -217,9 +217,10 @@ class ReversalData:
     def squares(self, stiffness: FloatArray, shifts: FloatArray, force: FloatArray) -> tuple[FloatArray, FloatArray]:
         """Return sums for the least-squares fit of the damping, (3, n_shifts, n_stiffnesses).
 
-        The sums are those of the squared error, of error times rate, and of the squared rate of deflection. The error
-        is measured minus modelled bristle force. `shifts` contains shifts of the start of the stroke [m]. `force` is
-        the bristle force at the end of the previous stroke. The second item is the force at the end of this stroke.
+        The three rows are the sums of the squared error, of error times rate, and of the squared rate of deflection.
+        The error is measured minus modelled bristle force. `shifts` contains shifts of the start of the stroke [m].
+        `force` is the bristle force at the end of the previous stroke. The second item is the force at the end of this
+        stroke.
         """
         if not self.is_chained:
             force = np.full(force.shape, (self.lead_level if self.lead_level.size else self.level)[0])

@@ -175,9 +175,9 @@ def _read_channel(
 
 
 def _has_valid_unit(errors: ErrorCollector, channel: str, unit: str, coordinate: Coordinate) -> bool:
-    """Return True if the unit of a channel fits the kind of motion; otherwise add an error.
+    """Return True if the unit of a channel fits the kind of motion.
 
-    A rotation has the units of torque and angle.
+    Otherwise, an error is added to `errors`. A rotation has the units of torque and angle.
     """
     opposite = coordinate.opposite
     with suppress(InputError):  # `read_column` reports an unknown unit

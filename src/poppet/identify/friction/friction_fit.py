@@ -146,7 +146,7 @@ class FrictionData:
 def _design_matrix(rows: SlidingRows, law: FrictionLaw, velocity: float, offsets: Sequence[int]) -> FloatArray:
     """Return the matrix by which linear parameters of a law are multiplied to give the friction, (n, n_parameters).
 
-    `velocity` is the Stribeck velocity. The last columns are those of the force offsets of the recordings `offsets`.
+    `velocity` is the Stribeck velocity. The last columns belong to the force offsets of the recordings `offsets`.
     """
     sign = rows.sign
     columns = [sign]
@@ -173,7 +173,7 @@ class LawSolution:
     def design(self, rows: SlidingRows, offsets: Sequence[int] = ()) -> FloatArray:
         """Return the matrix that gives the friction from the linear parameters, (n, n_parameters).
 
-        The matrix is that for the fitted Stribeck velocity. Its last columns are those of the force offsets of the
+        The matrix is valid for the fitted Stribeck velocity. Its last columns belong to the force offsets of the
         recordings `offsets`.
         """
         return _design_matrix(rows, self.law, self.values.get(STRIBECK, 1.0), offsets)
@@ -405,7 +405,8 @@ class FrictionLawFit:
 def count_speeds(rows: SlidingRows) -> int:
     """Return the number of clearly different speeds in the samples.
 
-    Speeds with few samples do not count. A law needs at least one speed for each parameter that depends on speed.
+    Speeds with few samples do not count. A fit needs at least one speed for each parameter of the law that depends on
+    speed.
     """
     speed, count = np.sort(np.abs(rows.velocity)), 0
     while speed.size:

@@ -162,8 +162,8 @@ def rows_of_recording(
     """Divide the recording of a moving body into strokes, and each stroke into blocks.
 
     The result contains samples of steady motion and reversals. `index` is the index of the recording, and
-    `first_stroke` that of its first stroke. If `window`, the duration of a block, is None, it depends on the speed of
-    each stroke. `mass` is the mass of the body.
+    `first_stroke` the index of its first stroke. If `window`, the duration of a block, is None, it depends on the speed
+    of each stroke. `mass` is the mass of the body.
     """
     time, position = record.time, record.position
     assert time is not None

@@ -105,7 +105,7 @@ class MusclePoints:
 
     @cached_property
     def slack_force(self) -> float:
-        """Force up to which the muscle counts as slack [N]."""
+        """Largest force at which the muscle is regarded as slack [N]."""
         return SLACK * float(np.max(self.force)) if self.slack_below is None else self.slack_below
 
     @cached_property
@@ -161,7 +161,7 @@ class MusclePoints:
         If `groups` are levels of pressure, these are levels of contraction, and vice versa. The value contains the name
         of the axis, and the group index of each point, (n,). Points at the outer levels have the index -1. They are
         never withheld along this axis, because a law would have to extrapolate to them. The value is None if the points
-        are no force map, or if the axis has too few levels.
+        are not a force map, or if the axis has too few levels.
         """
         name = {"pressure": "contraction", "contraction": "pressure"}.get(self.groups[0])
         if name is None:

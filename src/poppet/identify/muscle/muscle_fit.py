@@ -67,7 +67,7 @@ class ForceLawCandidate(ABC):
 
 
 class SarosiCandidate(ForceLawCandidate):
-    """Force law of Sarosi, for a fit."""
+    """Force law of Sarosi with parameters that a fit determines."""
 
     name = "sarosi"
     shapes = (-300.0, -5.0)
@@ -87,7 +87,7 @@ class SarosiCandidate(ForceLawCandidate):
 
 
 class BraidCandidate(ForceLawCandidate):
-    """Force law of Chou and Hannaford, for a fit.
+    """Force law of Chou and Hannaford with parameters that a fit determines.
 
     The force is linear in the parameter b = 1/sin(alpha)^2, where alpha is the braid angle at rest.
     """
@@ -112,7 +112,7 @@ class BraidCandidate(ForceLawCandidate):
 
 
 class TonduCandidate(BraidCandidate):
-    """Force law of Tondu and Lopez, for a fit.
+    """Force law of Tondu and Lopez with parameters that a fit determines.
 
     It extends the law of Chou and Hannaford by the end factor k.
     """

@@ -247,8 +247,8 @@ def _local_model(plan: FitPlan, result: Result, errors: FloatArray) -> tuple[Flo
     r"""Return the derivatives of the estimates by the residuals, and the second moments of the errors given the data.
 
     `errors` contains the changes of the residuals by the errors e of stated quantities, (n_rows, n_errors). Each error
-    has the size of its standard uncertainty. A large error would be visible in the residuals r. Its moments therefore
-    are those of the posterior distribution with a standard normal prior:
+    has the size of its standard uncertainty. A large error would be visible in the residuals r. Its moments are
+    therefore computed from the posterior distribution with a standard normal prior:
 
     .. math:: \Sigma = (1 + C^T C / w)^{-1}, \quad m = -\Sigma C^T r / w, \quad E[e e^T] = \Sigma + m m^T
 

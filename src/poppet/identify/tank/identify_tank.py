@@ -96,9 +96,10 @@ def identify_tank(
     contour : bool, optional
         If True, add the chi-square contour over conductance and wall conductance to the series, and its findings.
     progress : callable, optional
-        Called with the number of evaluations and the least cost so far.
+        Function that is called with the number of evaluations and the least cost so far.
     stages : callable, optional
-        Called with the stage after the fit (profiles, contour, bootstrap), the completed steps and their total number.
+        Function that is called with the stage after the fit (profiles, contour, bootstrap), the number of completed
+        steps and their total number.
 
     Returns
     -------

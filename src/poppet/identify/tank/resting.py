@@ -28,8 +28,8 @@ def rest_before_opening(time: FloatArray, values: FloatArray, noise: float) -> f
     """Return how long the pressure is constant before it begins to change [s].
 
     The result is 0 if a constant start is not evident. `time` starts at 0, and `noise` is the standard deviation of the
-    samples. Two models of the samples are compared: a rest that is followed by a polynomial of degree 2, and a sensor
-    lag, which also starts with a zero slope. The rest must fit better.
+    samples. Two models of the samples are compared: a constant start that is followed by a polynomial of degree 2, and
+    a sensor lag, which also starts with a zero slope. The constant start must fit better.
     """
     begin = float(np.median(values[: min(3, 1 + time.size // 50)]))
     change = np.abs(values - begin)

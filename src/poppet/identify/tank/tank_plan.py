@@ -108,7 +108,8 @@ class TankRun:
     def supply(self) -> NumberLike:
         """Supply pressure of the recording, as stated.
 
-        If it is free, this is its start value, by default the highest recorded tank pressure.
+        If the supply pressure is a free parameter, the value is its start value (default: highest recorded tank
+        pressure).
         """
         return _start_value(self.supply_pressure, float(np.max(self.pressure.values)))
 
@@ -452,8 +453,8 @@ def _free_by_recording(
     """Return the free parameters that an argument of a tank test declares for its recordings.
 
     `arguments` contains the argument for each recording. There is one parameter for each recording whose argument is
-    free, or one for all recordings if `is_shared` is True. If there is only one recording, the name of the parameter
-    has no prefix.
+    free, or one for all recordings if the keyword `is_shared` is True. If there is only one recording, the name of the
+    parameter has no prefix.
     """
     if is_shared:
         return [_read_free(address, arguments[0], circuits[0])] if is_free(arguments[0]) else []

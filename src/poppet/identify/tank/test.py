@@ -47,25 +47,25 @@ class TankTest:
     thermal : str
         Thermal law: `energy` (default, with a fitted wall conductance), `isothermal` or `polytropic`.
     sonic_conductance : number
-        Sonic conductance C [m^3/(s Pa)]; default `free`.
+        Sonic conductance C [m^3/(s Pa)] (default: `free`).
     critical_ratio : number
-        Critical back-pressure ratio b; default `free`.
+        Critical back-pressure ratio b (default: `free`).
     subsonic_index : number
-        Subsonic index m; default 0.5.
+        Subsonic index m (default: 0.5).
     wall_conductance : number
-        Wall conductance h A for `energy` [W/K]; default `free`. All recordings share it if they have the same direction
-        and volume; else each recording has its own value.
+        Wall conductance h A for `energy` [W/K] (default: `free`). Recordings with the same direction and volume share
+        one value. Otherwise, each recording has its own value.
     polytropic_exponent : number
-        Exponent n for `polytropic`; default `free`.
+        Exponent n for `polytropic` (default: `free`).
     supply_pressure : number
         Absolute supply pressure of a charge [Pa].
     supply_temperature : number
-        Supply temperature of a charge [K]; default ambient temperature.
+        Supply temperature of a charge [K] (default: ambient temperature).
     initial_temperature : number
         Initial gas temperature in the tank [K]. The default is the first sample of a recorded temperature, else the
         ambient temperature.
     wall_temperature : number
-        Temperature of the tank wall [K]; default ambient temperature.
+        Temperature of the tank wall [K] (default: ambient temperature).
     wall_heat_capacity : number
         Heat capacity of the tank wall [J/K]. By default the wall temperature is constant.
     ambient_pressure : number
@@ -73,14 +73,14 @@ class TankTest:
     ambient_temperature : number
         Ambient temperature [K]. The default is 20 degC with wider intervals for its uncertainty.
     valve_delay : number
-        Time from `opens` until the component is open [s]; default 0, `free` for an unknown start time.
+        Time from `opens` until the component is open [s] (default: 0). It is `free` if the start time is unknown.
     leak_conductance : number
-        Sonic conductance of a leak from the tank to the ambient [m^3/(s Pa)]; default 0.
+        Sonic conductance of a leak from the tank to the ambient [m^3/(s Pa)] (default: 0).
     pressure_lag : number
-        Time constant of the pressure sensor [s]; default 0. It applies to channels that state no time constant.
+        Time constant of the pressure sensor [s] (default: 0). It applies to channels that state no time constant.
     bore : number
-        Diameter of the narrowest section of the component, optional [m]. The conductance cannot exceed that of a nozzle
-        of this bore.
+        Diameter of the narrowest section of the component, optional [m]. The conductance cannot exceed the conductance
+        of a nozzle of this bore.
     bore_uncertainty : number
         Standard deviation of the bore [m].
     pressure_offset : str
@@ -94,7 +94,7 @@ class TankTest:
         assumed: 0.5 %, 0.3 %, 1.5 %, 0.3 %, and 0.06 % of the range of the recorded pressure. A stated leak has the
         default 0. With `uncertainties = 0`, the intervals include noise and lack of fit alone.
     part : str
-        Name of the component in the result; default `valve`.
+        Name of the component in the result (default: `valve`).
     title : str
         Title of the result.
     loss : str
@@ -112,7 +112,7 @@ class TankTest:
     Raises
     ------
     InputErrors
-        With all errors.
+        If a field is invalid. The exception contains all errors.
 
     Notes
     -----
@@ -182,7 +182,10 @@ class TankTest:
 
     @property
     def effective_ambient_temperature(self) -> NumberLike:
-        """Ambient temperature of the test, as stated; 293.15 K if the test does not state it."""
+        """Ambient temperature of the test.
+
+        The value is 293.15 K if the test does not state it.
+        """
         return ROOM if self.ambient_temperature is None else self.ambient_temperature
 
 
@@ -209,7 +212,7 @@ def read_tank_file(path: str | Path) -> TankTest:
     Raises
     ------
     InputErrors
-        With all errors, each with its line if available.
+        If the file is invalid. The exception contains all errors, each with its line if available.
 
     Examples
     --------

@@ -119,7 +119,7 @@ class Characteristic:
         x : float, array or symbol
             Stroke [m].
         parameters : mapping of str to float or symbol, optional
-            Values under the names that the method `parameters` returns; default the values of this characteristic.
+            Values under the names that the method `parameters` returns (default: values of this characteristic).
 
         Returns
         -------
@@ -152,7 +152,7 @@ class Characteristic:
         x : float, array or symbol
             Stroke [m].
         parameters : mapping of str to float or symbol, optional
-            Values under the names that the method `parameters` returns; default the values of this characteristic.
+            Values under the names that the method `parameters` returns (default: values of this characteristic).
 
         Returns
         -------

@@ -31,8 +31,8 @@ def pchip_slopes(x: Sequence[float], y: Sequence[float]) -> list[float]:
 
     Notes
     -----
-    The slopes equal those of scipy.interpolate.PchipInterpolator. At the ends, the slope is that of
-    the parabola through three points, limited so that the first and the last segment are monotone.
+    scipy.interpolate.PchipInterpolator uses the same slopes. At the ends, the slope is that of the parabola through
+    three points, limited so that the first and the last segment are monotone.
 
     References
     ----------

@@ -240,9 +240,9 @@ def divided(conductance: float, critical_ratio: float, weights: Sequence[float])
 
     Notes
     -----
-    C and b without index are those of the complete flow path. The first equation makes the pressure drops of the pieces
-    at small flow add up to the drop of the complete flow path. :math:`k_\mathrm{end}` has one value for the first and
-    one for the last piece: with these values, the pieces choke at the choked flow of the complete flow path in both
+    C and b without index belong to the complete flow path. The first equation makes the pressure drops of the pieces at
+    small flow add up to the drop of the complete flow path. :math:`k_\mathrm{end}` has one value for the first and one
+    for the last piece: with these values, the pieces choke at the choked flow of the complete flow path in both
     directions. Inner pieces use the smaller value. k is the factor at which b of a piece is 0.
 
     All C are then reduced by half of the relative excess flow at intermediate pressure ratios. Without heat exchange,
@@ -274,7 +274,7 @@ def divided(conductance: float, critical_ratio: float, weights: Sequence[float])
 def _divide_into_pieces(drops: Sequence[Any], first: Any, last: Any) -> list[tuple[Any, Any]]:
     """Divide a flow path into pieces in series; return conductance C and critical ratio b of each.
 
-    All C are relative to that of the complete flow path. `drops` contains (1 - b)/C^2 of each piece, which determines
+    All C are divided by the C of the complete flow path. `drops` contains (1 - b)/C^2 of each piece, which determines
     its pressure drop at small flow. `first` and `last` are the largest permitted C of the first and the last piece.
     """
     smaller = minimum if is_symbolic(first, last, drops[0]) else min  # the latter is much faster

@@ -96,7 +96,7 @@ def conductance_from_effective_area(
     effective_area : float
         Area of the ideal nozzle with the same choked flow [m^2].
     critical_ratio : float, optional
-        Critical pressure ratio b [1]; default that of the isentropic nozzle (0.5283 for air).
+        Critical pressure ratio b [1]; default: value of the isentropic nozzle (0.5283 for air).
     isentropic_exponent, gas_constant : float, optional
         Ratio of specific heats, above 1, and specific gas constant [J/(kg K)].
 
@@ -220,7 +220,7 @@ def conductance_from_flow_coefficient_cv(
     flow_coefficient_cv : float
         Flow coefficient Cv: flow of water in US gal/min at a pressure drop of 1 psi.
     critical_ratio : float, optional
-        Critical pressure ratio b [1]; default 0.3, which the note of the result describes as assumed.
+        Critical pressure ratio b [1]. The default is 0.3; the note of the result states that this value is assumed.
     definition : str, optional
         "pneumatic": Cv of a pneumatic catalogue, Q = 114.5 Cv sqrt(dp p2/T1), with Q in dm3/s ANR, pressures in bar and
         temperature in K. "small_dp": Cv of a liquid test, which is valid for a gas at pressure drops at which its
@@ -261,7 +261,7 @@ def conductance_from_flow_coefficient_kv(
     flow_coefficient_kv : float
         Flow coefficient Kv: flow of water in m^3/h at a pressure drop of 1 bar.
     critical_ratio : float, optional
-        Critical pressure ratio b [1]; default 0.3, which the note of the result describes as assumed.
+        Critical pressure ratio b [1]. The default is 0.3; the note of the result states that this value is assumed.
     definition : str, optional
         "pneumatic" or "small_dp", see `conductance_from_flow_coefficient_cv`.
 
@@ -355,7 +355,7 @@ def conductance_from_nominal_flow(
     nominal_flow : float
         Volume flow rate at the reference atmosphere ANR, 20 degC and 1 bar [m^3/s].
     critical_ratio : float, optional
-        Critical pressure ratio b [1]; default 0.3, which the note of the result describes as assumed.
+        Critical pressure ratio b [1]. The default is 0.3; the note of the result states that this value is assumed.
     subsonic_index, atmosphere : float, optional
         Subsonic index m [1], and absolute ambient pressure to which the gauge pressures of 6 and 5 bar refer [Pa].
 
@@ -501,7 +501,7 @@ def _from_cv(cv: float, critical_ratio: float | None, definition: Definition, co
 
 
 def _text(value: Any, form: str = "g") -> str:
-    """Return a value as text; a symbol keeps its name."""
+    """Return a value as text. A symbol is shown by its name."""
     return str(value) if is_symbolic(value) else format(value, form)
 
 

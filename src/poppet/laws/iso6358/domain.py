@@ -64,7 +64,7 @@ DOMAINS: dict[str, Domain] = {
 def problem(name: str, value: Any, domain: Domain) -> OutOfRangeError | None:
     """Return an error if a value is outside its valid interval.
 
-    For an array, the error is that of the first invalid element. The result is None if there is no error, or if the
+    For an array, the error describes the first invalid element. The result is None if there is no error, or if the
     value is a symbol or None. `name` is the name of the argument.
     """
     if type(value) is float:  # fast path for the most frequent type

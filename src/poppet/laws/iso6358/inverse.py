@@ -199,7 +199,7 @@ def sonic_conductance_from_flow(
     temperature_1 : float or array
         Stagnation temperature at port 1 [K].
     temperature_2 : float or array, optional
-        Stagnation temperature at port 2; default `temperature_1` [K].
+        Stagnation temperature at port 2 [K] (default: `temperature_1`).
     critical_ratio : float or array
         Critical pressure ratio b, which has no effect if the flow is choked [1].
     subsonic_index, cracking_pressure : float or array, optional

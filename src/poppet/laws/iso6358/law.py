@@ -56,7 +56,7 @@ def mass_flow_rate(
     temperature_1 : float, array or symbol
         Stagnation temperature of the gas at port 1 [K].
     temperature_2 : float, array or symbol, optional
-        Stagnation temperature of the gas at port 2; default `temperature_1` [K].
+        Stagnation temperature of the gas at port 2 [K] (default: `temperature_1`).
     sonic_conductance : float, array or symbol
         Sonic conductance C: choked mass flow rate divided by reference density and upstream pressure [m^3/(s Pa)].
     critical_ratio : float, array or symbol
@@ -157,7 +157,7 @@ def flow(
     temperature_1 : float, array or symbol
         Stagnation temperature of the gas at port 1 [K].
     temperature_2 : float, array or symbol, optional
-        Stagnation temperature of the gas at port 2; default `temperature_1` [K].
+        Stagnation temperature of the gas at port 2 [K] (default: `temperature_1`).
     sonic_conductance : float, array or symbol
         Sonic conductance C: choked mass flow rate divided by reference density and upstream pressure [m^3/(s Pa)].
     critical_ratio : float, array or symbol
@@ -180,11 +180,9 @@ def flow(
     mass_flow_rate : float, array or symbol
         Positive from port 1 to port 2 [kg/s].
     upstream_temperature : float, array or symbol
-        Stagnation temperature of the flow: that of the upstream port, smoothed at flow reversal [K].
+        Stagnation temperature of the flow: temperature of the upstream port, smoothed at flow reversal [K].
 
-    Notes
-    -----
-    See `mass_flow_rate` and `upstream_temperature` for the laws and their limits.
+    Notes ----- The functions `mass_flow_rate` and `upstream_temperature` describe the laws and their limits.
 
     Examples
     --------

@@ -100,7 +100,7 @@ def nozzle_mass_flow_rate(
     temperature_1 : float, array or symbol
         Stagnation temperature of the gas at port 1 [K].
     temperature_2 : float, array or symbol, optional
-        Stagnation temperature of the gas at port 2; default `temperature_1` [K].
+        Stagnation temperature of the gas at port 2 [K] (default: `temperature_1`).
     effective_area : float, array or symbol
         Area of the throat times its discharge coefficient [m^2].
     isentropic_exponent, gas_constant : float, optional

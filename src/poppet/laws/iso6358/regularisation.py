@@ -143,7 +143,7 @@ def mass_flow_and_temperature(
 ) -> tuple[Any, ...]:
     """Return mass flow rate [kg/s] and temperature of the flow [K] by the regularised flow law.
 
-    The arguments are those of `flow`. They are not checked.
+    The function `flow` describes the arguments. They are not checked.
     """
     width = 1.0 - laminar_ratio
     upstream, drop = upstream_pressure_and_drop(pressure_1, pressure_2)
@@ -177,7 +177,7 @@ def upstream_temperature_between(
 ) -> tuple[Any, ...]:
     """Return the temperature of the flow between two ports [K], as a tuple of one value.
 
-    The arguments are those of `upstream_temperature`. They are not checked.
+    The function `upstream_temperature` describes the arguments. They are not checked.
     """
     _, drop = upstream_pressure_and_drop(pressure_1, pressure_2)
     return (smoothed_upstream_temperature(clip(drop / (1.0 - laminar_ratio), -1.0, 1.0), temperature_1, temperature_2),)
@@ -188,8 +188,8 @@ def regime_code(
 ) -> tuple[Any, ...]:
     """Return the code of the flow regime, as a tuple of one value.
 
-    The arguments and the code are those of `flow_regime`. The arguments are not checked. The conditions compare
-    products instead of ratios, so a vacuum needs no special case.
+    The function `flow_regime` describes the arguments and the code. The arguments are not checked. The conditions
+    compare products instead of ratios, so a vacuum needs no special case.
     """
     upstream = pressure_1 if one_way else maximum(pressure_1, pressure_2)
     downstream = pressure_2 if one_way else minimum(pressure_1, pressure_2)

@@ -148,7 +148,7 @@ def lugre_force(
     -----
     With constant damping, the LuGre model generates energy at moderate speeds. With the decreasing damping it generates
     none if :math:`\sigma_1 e^{-(v/v_s)^2} \le 4 g(v)/|v|`, where g is the friction of `sliding_level`. The
-    elasto-plastic model needs this condition only while the deflection exceeds that of steady sliding.
+    elasto-plastic model needs this condition only while the deflection exceeds the deflection of steady sliding.
 
     References
     ----------

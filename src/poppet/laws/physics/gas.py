@@ -21,7 +21,7 @@ def mass(pressure: Any, volume: Any, temperature: Any, gas_constant: Any = AIR_G
     pressure, volume, temperature : float, array or symbol
         Absolute pressure p [Pa], volume V [m^3], temperature T [K].
     gas_constant : float, array or symbol
-        Specific gas constant R; default that of air [J/(kg K)].
+        Specific gas constant R [J/(kg K)] (default: value of air).
 
     Returns
     -------
@@ -51,7 +51,7 @@ def temperature(pressure: Any, volume: Any, mass: Any, gas_constant: Any = AIR_G
     pressure, volume, mass : float, array or symbol
         Absolute pressure p [Pa], volume V [m^3], mass m of the gas [kg].
     gas_constant : float, array or symbol
-        Specific gas constant R; default that of air [J/(kg K)].
+        Specific gas constant R [J/(kg K)] (default: value of air).
 
     Returns
     -------
@@ -76,7 +76,7 @@ def density(pressure: Any, temperature: Any, gas_constant: Any = AIR_GAS_CONSTAN
     pressure, temperature : float, array or symbol
         Absolute pressure p [Pa], temperature T [K].
     gas_constant : float, array or symbol
-        Specific gas constant R; default that of air [J/(kg K)].
+        Specific gas constant R [J/(kg K)] (default: value of air).
 
     Returns
     -------

@@ -59,7 +59,7 @@ class ForceLaw(ABC):
     def swept(self, contraction: Any) -> Any:
         """Return the integral of `slope` from zero to the given contraction.
 
-        Times the nominal length, it is the increase in volume.
+        The increase in volume is this integral, multiplied by the nominal length.
 
         Parameters
         ----------

@@ -34,7 +34,10 @@ CurveValues = list[tuple[PlottedCurve, Any, Any]]
 
 
 def curves_of(result: BenchResult | None, test: str) -> list[PlottedCurve]:
-    """Return the curves of one test in a bench result; empty if `result` is None."""
+    """Return the curves of one test in a bench result.
+
+    The list is empty if `result` is None.
+    """
     return list(result.curves.get(test, ())) if result is not None else []
 
 

@@ -398,8 +398,8 @@ def _liters(plan: LimitsPlan) -> list[str]:
 def _label_axes(axes: Any, x_scale: Scale, y_scale: Scale, *, is_first: bool = True, is_last: bool = True) -> None:
     """Set the names and tick labels of both axes of a map.
 
-    `is_first` is False for all but the first panel of a row, which has no labels at the left. `is_last` is False for
-    panels above another one, which have no labels at the bottom.
+    The keyword `is_first` is False if the panel is not the first of its row: it then has no labels at the left. The
+    keyword `is_last` is False if there is another panel below: the panel then has no labels at the bottom.
     """
     axes.grid(visible=False)
     (x_name, x), (y_name, y) = x_scale, y_scale

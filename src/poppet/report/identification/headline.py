@@ -43,8 +43,8 @@ NEXT = {
 def headline(result: Result, *, is_plain: bool = False) -> str:
     """Return the main parameters with their errors, and the verdicts, as one line of text.
 
-    The main parameters are the sonic conductance C and the critical ratio b if they were identified. With `is_plain`,
-    the text is ASCII.
+    The main parameters are the sonic conductance C and the critical ratio b if they were identified. With the keyword
+    `is_plain`, the text contains only ASCII characters.
 
     Examples
     --------
@@ -128,7 +128,7 @@ def next_step(result: Result) -> str:
 
 
 def split_notes(notes: Iterable[Note]) -> tuple[list[Note], list[Note]]:
-    """Divide notes into findings and notes on reading the recordings."""
+    """Divide notes into findings, and notes about the reading of the recordings."""
     major: list[Note] = []
     minor: list[Note] = []
     for note in notes:
@@ -139,7 +139,7 @@ def split_notes(notes: Iterable[Note]) -> tuple[list[Note], list[Note]]:
 def result_summary(result: Result, max_findings: int | None = None) -> str:
     """Return an identification result as text for a terminal.
 
-    `max_findings` limits the number of findings; None selects all.
+    `max_findings` is the largest number of findings. If it is None, all findings are included.
     """
     step = next_step(result)
     lines = [result.title] * bool(result.title) + [headline(result, is_plain=True)]

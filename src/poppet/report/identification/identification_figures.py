@@ -58,7 +58,7 @@ class Trace:
 
     @property
     def is_timed(self) -> bool:
-        """True if the horizontal axis is time, as in a recording."""
+        """True if the horizontal axis is time, which is the case for recordings."""
         return self.x_name == "time"
 
     @property
@@ -339,7 +339,8 @@ def interval_figure(parameters: Mapping[str, Estimate]) -> Figure:
 def interval_range(e: Estimate) -> tuple[float, float]:
     """Return the limits of an axis for an estimate and its confidence interval.
 
-    The range includes zero, and all of value, start value and ends of the interval that are not far away.
+    The range includes zero. It also includes the value, the start value and the ends of the interval, unless they are
+    far away.
 
     Examples
     --------

@@ -230,6 +230,7 @@ def _channel_content(result: Result, index: int, trace: figures.Trace) -> str:
 def _report_text(code: str, **facts: float | str) -> str:
     """Return a text of the report from the message catalogue.
 
-    `code` is the code of the message without the prefix `identification.`, and `facts` are the values in its text.
+    `code` is the code of the message without the prefix `identification.`, and the keyword arguments are the values in
+    its text.
     """
     return sentence(f"identification.{code}", facts)

@@ -301,7 +301,7 @@ def _interval_cell(value: float, low: float, high: float, si_unit: str) -> Marku
 def law_table(result: Result) -> ReportTable:
     """Return a table that compares the fits of different thermal laws, one row per law.
 
-    A row contains AICc minus that of the best law, the estimates and the residuals.
+    A row contains the difference in AICc from the best law, the estimates and the residuals.
     """
     laws, names = result.comparison["thermal_laws"], main_parameters(result)
     min_aicc = min(float(law["aicc"]) for law in laws.values())

@@ -30,25 +30,36 @@ def verdict_limits(result: Result) -> dict[str, float]:
 
 
 def verdict_reasons(result: Result) -> list[str]:
-    """Return a text for each verdict other than `determined`."""
-    return [_reason(result, name, e) for name, e in result.parameters.items() if e.verdict != "determined"]
+    """Return a text for each verdict other than `determined`.
 
-
-def _reason(result: Result, name: str, estimate: Estimate) -> str:
-    """Return the finding that explains a verdict; without such a finding, the 95 % interval."""
-    capping = result.conditions.get("capped", {}).get(name, ())
-    for code in (*capping, *CODES):
-        for note in result.remarks:
-            is_related = note.address == name or code in capping or name in note.facts.get("names", ())
-            if note.code == code and is_related:
-                return f"{note}{_ratio_limit(result, name, estimate) if code in WIDTH_CODES else ''}"
-    unit = readable_unit(estimate.unit, estimate.value)
-    width = with_unit(interval(estimate.low, estimate.high, estimate.unit, unit), unit)
-    return f"{name}: the 95 % interval is {width}.{_ratio_limit(result, name, estimate)}"
+    The text is the finding that explains the verdict. Without such a finding, it is the 95 % interval.
+    """
+    texts = []
+    for name, estimate in result.parameters.items():
+        if estimate.verdict == "determined":
+            continue
+        limit, capping = _ratio_limit(result, name, estimate), result.conditions.get("capped", {}).get(name, ())
+        reasons = (
+            note
+            for code in (*capping, *CODES)
+            for note in result.remarks
+            if note.code == code and (note.address == name or code in capping or name in note.facts.get("names", ()))
+        )
+        reason = next(reasons, None)
+        if reason is not None:
+            texts.append(f"{reason}{limit if reason.code in WIDTH_CODES else ''}")
+        else:
+            unit = readable_unit(estimate.unit, estimate.value)
+            width = with_unit(interval(estimate.low, estimate.high, estimate.unit, unit), unit)
+            texts.append(f"{name}: the 95 % interval is {width}.{limit}")
+    return texts
 
 
 def _ratio_limit(result: Result, name: str, estimate: Estimate) -> str:
-    """Return a sentence on the limit of the verdict on a critical ratio; empty for other parameters."""
+    """Return a sentence on the limit of the verdict on a critical ratio.
+
+    The text is empty for other parameters.
+    """
     half, limit = 0.5 * (estimate.high - estimate.low), verdict_limits(result)["ratio_determined"]
     if not name.endswith("critical_ratio") or estimate.verdict == "at bound" or half <= 0.01 * limit:
         return ""

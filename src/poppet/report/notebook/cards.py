@@ -71,7 +71,7 @@ _SCALE = 1.12
 def card(title: str, lead: str, *blocks: Content) -> str:
     """Return the HTML block with which a notebook shows one object.
 
-    `title` and `lead` are text. `blocks` contains HTML or tables.
+    `title` and `lead` are texts. The further arguments are HTML texts or tables.
 
     Examples
     --------
@@ -307,8 +307,8 @@ def _end_of_scale(value: float, span: float) -> str:
 def svg_path(series: Series, span: tuple[float, float], scale: tuple[float, float]) -> str:
     """Return a curve as the text of an SVG path.
 
-    `span` contains the ends of the time axis, and `scale` those of the vertical axis. The path has a width of 1000 and
-    a height of 100. NaN interrupts it.
+    `span` contains the ends of the time axis, and `scale` the ends of the vertical axis. The path has a width of 1000
+    and a height of 100. NaN interrupts it.
 
     Examples
     --------

@@ -98,7 +98,7 @@ class _DataColumns:
         """Add a column of numbers if it is new, and return its index.
 
         Equidistant numbers are stored as first value, step and count. Other numbers are rounded to the digits that an
-        enlarged plot can show; NaN becomes None.
+        enlarged plot can show. NaN becomes None.
         """
         key = values.tobytes() + bytes([is_log])
         if key in self._indices:
@@ -307,7 +307,7 @@ def style() -> str:
 def policy(*scripts: str, computes: bool = False) -> str:
     """Return a content security policy (CSP) that permits only the given scripts.
 
-    If `computes` is True, the policy also permits WebAssembly.
+    If the keyword `computes` is True, the policy also permits WebAssembly.
     """
     hashes = (base64.b64encode(hashlib.sha256(text.encode()).digest()).decode() for text in scripts)
     allowed = " ".join(f"'sha256-{digest}'" for digest in hashes) or "'none'"

@@ -353,7 +353,7 @@ def _figures(results: runs.Findings) -> Iterator[tuple[str, Figure]]:
 
 
 def figure_3() -> Figure:
-    """Draw the sonic conductance versus the stroke, as in fig. 3 of the paper."""
+    """Draw the sonic conductance versus the stroke (fig. 3 of the paper)."""
     figure, axes = _sheet(FIG3_AXES, "sonic conductance C  [1e-8 m³/(s Pa)]")
     strokes = np.concatenate((np.linspace(0.0, 0.03e-3, 121), np.linspace(0.03e-3, 1e-3, 400)))
     printed, closed = library.characteristic("varga2012"), library.characteristic("varga2012.closed")
@@ -377,7 +377,7 @@ def figure_3() -> Figure:
 
 
 def figure_4() -> Figure:
-    """Draw the critical pressure ratio versus the stroke, as in fig. 4 of the paper."""
+    """Draw the critical pressure ratio versus the stroke (fig. 4 of the paper)."""
     figure, axes = _sheet(FIG4_AXES, "critical pressure ratio b  [1]")
     strokes = np.linspace(0.0, 1e-3, 500)
     printed = library.characteristic("varga2012")
@@ -388,7 +388,7 @@ def figure_4() -> Figure:
 
 
 def figure_6(findings: runs.Findings) -> Figure:
-    """Draw tank pressure and gas temperature versus time, as in fig. 6 of the paper."""
+    """Draw tank pressure and gas temperature versus time (fig. 6 of the paper)."""
     figure = new_figure(7.4, 5.9)
     upper = axes_in(figure, 0.75, 0.15, 6.45, 3.3)
     lower = axes_in(figure, 0.75, 3.65, 6.45, 1.7, sharex=upper)

@@ -182,8 +182,8 @@ def run_simulations(progress: Callable[[str], Any]) -> Findings:
 def filling_circuit(supply: float = SUPPLY, stroke: float = STROKE, **tank: Any) -> BaseCircuit:
     """Return a circuit that fills a tank through a main stage with a constant stroke.
 
-    It is the right half of fig. 5 of the paper. `supply` is the pressure [Pa], and `stroke` is in m. `tank` contains
-    further fields of the tank.
+    It is the right half of fig. 5 of the paper. `supply` is the pressure [Pa], and `stroke` is in m. The keyword
+    arguments are further fields of the tank.
     """
     valve = Orifice(from_="supply", to="tank", characteristic="varga2012", stroke=stroke)
     return _between(supply, valve, tank, "Filling at a fixed stroke")
@@ -193,7 +193,7 @@ def main_stage_circuit(mode: str, pilot: Signal | None = None, **tank: Any) -> B
     """Return a circuit in which a main stage with moving parts fills the tank.
 
     Port 3 is connected to the ambient. `mode` is the model of the moving parts, `pilot` the signal of the pilot
-    pressure, and `tank` contains further fields of the tank.
+    pressure, and the keyword arguments are further fields of the tank.
     """
     valve = MainStage(supply="supply", outlet="tank", exhaust="ambient", data="varga2012", mode=mode)
     signals = {} if pilot is None else {"valve.pilot_pressure": pilot}
@@ -215,8 +215,8 @@ def _between(
 def staircase_circuit(**tank: Any) -> BaseCircuit:
     """Return the circuit of fig. 6 of the paper, with a staircase of pilot pressures.
 
-    The main stage regulates the tank pressure to the values of the staircase. `tank` contains further fields of the
-    tank.
+    The main stage regulates the tank pressure to the values of the staircase. The keyword arguments are further fields
+    of the tank.
     """
     valve: Any = main_stage_circuit("regulator").parts["valve"]
     springs = valve.upper_spring, valve.lower_spring
@@ -285,7 +285,7 @@ def _root(function: Callable[[float], Any], low: float, high: float, **tolerance
 def _simulate_filling(**options: Any) -> Recording:
     """Simulate the filling of the tank until its pressure is 5 bar.
 
-    `options` are arguments of `filling_circuit`.
+    The keyword arguments are arguments of `filling_circuit`.
     """
     return _run_to_target(filling_circuit(**options))
 

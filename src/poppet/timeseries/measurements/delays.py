@@ -129,7 +129,7 @@ def _changes(time: FloatArray, values: FloatArray, times: FloatArray, span: floa
 
 
 def slow_sensor(channel: Channel, channels: Sequence[Channel]) -> list[Note]:
-    r"""Return a note if a temperature sensor reacts more slowly than the gas; otherwise an empty list.
+    r"""Return a note if a temperature sensor reacts more slowly than the gas, or an empty list.
 
     `channel` is the temperature. During the fastest change of the pressure of the same gas node in `channels`, the gas
     is assumed to be adiabatic:

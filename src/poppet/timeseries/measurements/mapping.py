@@ -203,7 +203,8 @@ class _MeasurementReader:
     def recording(self, title: str) -> Recording:
         """Return all channels as one recording.
 
-        Its times are those of all channels. A value is NaN if the channel has no sample at that time.
+        Its times are the sample times of all channels together. A value is NaN if the channel has no sample at that
+        time.
         """
         columns = self._columns(self.table, _OF_CHANNEL, self.location)
         self._reject_all()
@@ -392,7 +393,7 @@ def read_recording(
     ambient_pressure : str or float, optional
         Absolute pressure to which gauge values refer [Pa].
     title : str, optional
-        Title of the recording; default the name of the file.
+        Title of the recording (default: name of the file).
     **options
         Options of the file: `separator`, `decimal`, `header_rows` of a text, `group` of a TDMS or MDF file.
 

@@ -28,9 +28,10 @@ _QUANTITIES: tuple[tuple[str, str, float], ...] = (
     ("rad", "angle", 1.0),
     ("rad/s", "angular velocity", 10.0),
     ("N m", "torque", 10.0),
+    ("J", "energy", 10.0),
     ("1", "ratio", 1.0),
     ("kg/s", "mass flow rate", 1.0),
-    ("W", "heat flow rate", 10.0),
+    ("W", "power", 10.0),
     ("kg", "mass", 1.0),
     ("m^3", "volume", 1.0),
 )
@@ -114,7 +115,7 @@ def shown_series(
 ) -> list[Series]:
     """Return the series to draw, in their usual or requested units.
 
-    `names` are the selected names; None selects all series. `units` are the requested units.
+    `names` are the selected names. If it is None, all series are selected. `units` are the requested units.
     """
     # Pairs of a pattern and its requested unit; an empty pattern matches the whole quantity.
     if isinstance(units, Mapping):
@@ -146,7 +147,7 @@ def bodies_of(recordings: Sequence[Columns]) -> set[str]:
 def panels_of(
     series: Sequence[Series], *, keep_still: bool = False, bodies: Collection[str] = ()
 ) -> tuple[list[Panel], list[Series]]:
-    """Group series of the same quantity and unit into panels, and return the omitted series too.
+    """Group series of the same quantity and unit into panels; return the panels and the omitted series.
 
     Constant series are omitted, unless the keyword `keep_still` is True. If the keyword `bodies` contains names of
     moving bodies, the panels of positions and velocities come first.
@@ -171,7 +172,7 @@ def panels_of(
         title = quantity
         if quantity == "stroke" and "position" in phrases:
             title = "position"
-        elif len(phrases) == 1 and quantity in ("ratio", "stroke", "angle", ""):
+        elif len(phrases) == 1 and quantity in ("ratio", "stroke", "angle", "power", ""):
             # The quantity is unspecific: the title is the common name of the series.
             title = phrases.pop()
         ranked.append(((order, rank), Panel(title, unit, tuple(members))))
@@ -247,8 +248,9 @@ def _series(
     recording: Columns, source: int, name: str, requests: Sequence[tuple[str, str]], applied: set[int]
 ) -> Series:
     recorded_unit = recording.unit(name) or "1"
-    dimensions = enumerate(_QUANTITIES)
-    rank = next((k for k, (si, _, _) in dimensions if same_dimension(recorded_unit, si)), len(_QUANTITIES))
+    ranks = [k for k, (si, _, _) in enumerate(_QUANTITIES) if same_dimension(recorded_unit, si)] or [len(_QUANTITIES)]
+    # Energy and torque have the same dimension, so the text of the unit distinguishes them.
+    rank = ranks[-1 if "J" in recorded_unit else 0]
     reference, quantity, _ = (*_QUANTITIES, (recorded_unit, "", 0.0))[rank]
     unit = USUAL.get(reference, reference) if rank < len(_QUANTITIES) else recorded_unit
     for index, (pattern, requested) in enumerate(requests):
@@ -346,8 +348,8 @@ def code_styles(name: str, unit: str, values: FloatArray) -> dict[int, CodeStyle
 def bands_of(recordings: Sequence[Columns], names: tuple[str, ...] | None, columns: int) -> list[Band]:
     """Return the rows of the timeline, one for each series of state codes.
 
-    They are ordered by kind of code, series and recording. `names` selects series; None selects all. `columns` is the
-    width of the figure in pixels.
+    They are ordered by kind of code, series and recording. `names` contains the names of the series. If it is None, all
+    series are selected. `columns` is the width of the figure in pixels.
     """
     bands = []
     for source, recording in enumerate(recordings):

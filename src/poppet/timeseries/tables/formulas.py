@@ -50,7 +50,7 @@ def is_arithmetic(formula: str) -> bool:
 
 
 def formulas_of(conversion: Any) -> list[str]:
-    """Return all formulas of a conversion of an MDF channel, also those of its nested conversions."""
+    """Return all formulas of a conversion of an MDF channel, including nested conversions."""
     formulas, waiting, known = [], [conversion], set()
     while waiting:
         block = waiting.pop()

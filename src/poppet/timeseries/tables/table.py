@@ -37,7 +37,7 @@ _SPELLINGS = {
 
 
 def unit_of(spelling: str) -> str:
-    """Convert the spelling of a unit by an instrument, such as `PSI`, to that of poppet.
+    """Convert the spelling of a unit by an instrument, such as `PSI`, to the spelling of poppet.
 
     The result is empty if the text is not a unit.
 

@@ -191,9 +191,9 @@ def _lines(text: str) -> list[Line]:
 
 
 def _joined(lines: list[Line]) -> list[Line]:
-    """Join the lines of cells in quotes that contain newlines.
+    """Join lines that belong to one quoted cell, because the cell contains newlines.
 
-    A quote without a closing quote in the next lines, such as an inch sign, is left as it is.
+    A quote without a closing quote in the next lines, such as an inch sign, is unchanged.
     """
     joined: list[Line] = []
     k = 0

@@ -1,0 +1,327 @@
+"""Sampled step sequences, which command valves from conditions on outputs of the circuit."""
+
+from __future__ import annotations
+
+from collections.abc import Hashable
+from dataclasses import dataclass
+from typing import Any, ClassVar
+
+from poppet.core.codes import Note
+from poppet.core.errors import ErrorCollector
+from poppet.core.provenance import Number
+from poppet.core.symbolic import clip, maximum, where
+from poppet.parts.captions import CaptionNumbers
+from poppet.parts.conditions import KIND_OF_UNIT, Flag, Internal, Literal, Operand, Reading
+from poppet.parts.electronics import MIN_SAMPLE_TIME
+from poppet.parts.fields import NumberLike, number, reference
+from poppet.parts.part import (
+    Controller,
+    ControlOutputs,
+    DiscreteState,
+    Input,
+    PartConnection,
+    Quantities,
+    Scope,
+    Surroundings,
+    Timer,
+    advance_clock,
+)
+from poppet.parts.safe_state import FAULT_INPUT, FAULT_MEMORY, NEVER_VALID, fault_state
+from poppet.parts.steps import Form, SequenceProgram, SequenceStep, read_names
+
+_ROUNDING = 1e-6
+"""Tolerance of the time of a timeout, relative; it permits single precision."""
+
+
+@dataclass(frozen=True, init=False)
+class Sequence(Controller):
+    """Sampled step sequence, such as the program of a PLC.
+
+    Exactly one step is active. During a step, the outputs in its list `on` are 1, those in its table `set` have the
+    stated values, and all others are 0. At each sample instant, the first of these rules that applies decides:
+
+    1. `emergency` is 1: the sequence changes to the emergency step and remains in it.
+    2. `halt` is 1: step, outputs and times are unchanged.
+    3. `reset` is 1: the sequence starts again in its first step, with counters of zero.
+    4. A condition in `next` is true: the sequence changes to this step. The first true condition decides.
+    5. The time in the step has reached `timeout`: the sequence changes to the step `to`.
+
+    There is at most one transition per sample. All sequences and switches read the values before the instant, also
+    those of each other, and their outputs change at the instant.
+
+    Notes
+    -----
+    Outputs are the names in `outputs`, the number `step` of the step in the order of declaration (1, 2, ...), the time
+    `elapsed` in the step [s], and `cycles`, which counts the transitions to the first step.
+    Inputs are `halt`, `reset`, `emergency` (if there is an emergency step), `input_fault`, the names in `inputs`, and
+    one input for each output that a condition reads. The circuit connects the latter.
+
+    Numbers in conditions, in timeouts and in `set` are parameters, so that a fit, an ensemble or a slider can change
+    them. Their addresses are those of the fields, for example `plc.steps.extend A.next.extend B` and
+    `plc.steps.extend A.timeout.after`. If a condition contains several numbers, the addresses end with `.1`, `.2` and
+    so on. Integers after `==` and `!=` are constants, because they select a step.
+
+    After `fault_time` with an input fault, the sequence changes to the emergency step. Without such a step, all outputs
+    are 0, and the sequence continues with the first valid sample. In a steady state, the sequence holds its step.
+    """
+
+    kind: ClassVar[str] = "sequence"
+    summary: ClassVar[str] = "sampled step sequence with conditions, timeouts and counters"
+    resume: ClassVar[dict[str, str]] = {
+        "step": "initial_step", "elapsed": "initial_elapsed", "cycles": "initial_cycles"
+    }  # fmt: skip
+
+    outputs: Any = reference(doc="names of the outputs; list")
+    steps: Any = reference(doc="steps; mapping from name to a table with `on`, `set`, `next`, `timeout`")
+    start_: Any = reference(doc="first step")
+    inputs_: Any = reference(doc="names of the inputs, each 0 or 1; list")
+    emergency: Any = reference(doc="emergency step; adds the input `emergency`")
+    sample_time: NumberLike = number("s", "5 ms", doc="sample time", low=MIN_SAMPLE_TIME)
+    fault_time: NumberLike = number("s", "0.1 s", doc="time from an invalid input to the safe state", low=0.0)
+    initial_step: NumberLike = number(
+        "1", optional=True, doc="number of the step at the start of a run; default that of `start`", low=1.0
+    )
+    initial_elapsed: NumberLike = number("s", 0.0, doc="time in the step at the start of a run", low=0.0)
+    initial_cycles: NumberLike = number("1", 0.0, doc="completed cycles at the start of a run", low=0.0)
+
+    def __init__(
+        self,
+        outputs: Any = None,
+        steps: Any = None,
+        start: Any = None,
+        inputs: Any = None,
+        emergency: Any = None,
+        *,
+        sample_time: NumberLike = None,
+        fault_time: NumberLike = None,
+        initial_step: NumberLike = None,
+        initial_elapsed: NumberLike = None,
+        initial_cycles: NumberLike = None,
+        start_: Any = None,
+        inputs_: Any = None,
+    ) -> None:
+        # The attributes end with an underscore, because `start` and `inputs` are methods of all parts.
+        fields = {
+            "outputs": outputs, "steps": steps, "start_": start if start_ is None else start_,
+            "inputs_": inputs if inputs_ is None else inputs_, "emergency": emergency, "sample_time": sample_time,
+            "fault_time": fault_time, "initial_step": initial_step, "initial_elapsed": initial_elapsed,
+            "initial_cycles": initial_cycles,
+        }  # fmt: skip
+        for name, value in fields.items():
+            object.__setattr__(self, name, value)
+        self.__post_init__()
+
+    def check(self) -> None:
+        with ErrorCollector() as errors:
+            names: dict[str, tuple[str, ...]] = {"inputs": (), "outputs": ()}
+            for name, value in {"inputs": self.inputs_, "outputs": self.outputs}.items():
+                with errors.collecting():
+                    names[name] = read_names(value, name, names["inputs"])
+            form = Form(names["outputs"], names["inputs"], self.start_ or "", self.emergency or "")
+            with errors.collecting():
+                steps = SequenceProgram.read(self.steps, form)
+                number = self.initial_step
+                if number is not None and not 1 <= float(number) <= len(steps.steps):  # type: ignore[arg-type]
+                    errors.add("sequence.no_initial_step", "initial_step", value=float(number), most=len(steps.steps))  # type: ignore[arg-type]
+        for name, result in {"inputs_": names["inputs"], "outputs": names["outputs"], "steps": steps}.items():
+            object.__setattr__(self, name, result)
+
+    @property
+    def program(self) -> SequenceProgram:
+        """Steps with their parsed conditions."""
+        steps: SequenceProgram = self.steps
+        return steps
+
+    def notes(self) -> tuple[Note, ...]:
+        dead_ends = [
+            step.name for step in self.program.steps
+            if not step.transitions and step.timeout is None and step.name != self.emergency
+        ]  # fmt: skip
+        return tuple(Note("sequence.no_exit", f"steps.{name}", name=name) for name in dead_ends)
+
+    def caption(self, numbers: CaptionNumbers) -> list[str]:
+        return [f"sequence of {len(self.program.steps)} steps", f"sampled every {numbers.text(self.sample_time)}"]
+
+    def list_internal_outputs(self) -> tuple[str, ...]:
+        return "elapsed", "halt", "reset", "emergency", "input_fault", *self.program.readings()
+
+    def numbers(self) -> dict[str, Number]:
+        return super().numbers() | {f"steps.{name}": value for name, value in self.program.numbers().items()}
+
+    def parameters(self, ambient: Surroundings) -> dict[str, float]:
+        values = super().parameters(ambient)
+        values.setdefault("initial_step", float(self.program.number(self.program.form.start)))
+        for name, value in self.program.numbers().items():
+            values[f"steps.{name}"] = value.absolute(ambient.pressure)
+        return values
+
+    def structure(self) -> Hashable:
+        return super().structure(), self.program.structure()
+
+    def connections(self) -> dict[str, PartConnection]:
+        return {
+            name: PartConnection(reading.address, f"steps.{place}")
+            for name, (reading, place) in self.program.readings().items()
+        }
+
+    def inputs(self) -> tuple[Input, ...]:
+        def flag(name: str, **properties: Any) -> Input:
+            return Input(name, "1", 0.0, low=0.0, high=1.0, is_flag=True, **properties)
+
+        emergency = (flag("emergency"),) if self.program.form.emergency else ()
+        readings = (
+            Input(name, reading.unit, 0.0, kind=KIND_OF_UNIT.get(reading.unit, "plain"))
+            for name, (reading, _) in self.program.readings().items()
+        )
+        declared = (flag(name, is_command=True) for name in self.program.form.inputs)
+        return flag("halt", at_rest=1.0), flag("reset"), *emergency, *declared, *readings, FAULT_INPUT
+
+    def memory(self) -> tuple[DiscreteState, ...]:
+        counters = (f"count_{self.program.number(name)}" for name in self.program.counted())
+        names = (*self.program.form.outputs, "step", "elapsed_samples", "is_held", "cycles", *counters, "sample_count")
+        fault = (state for state in FAULT_MEMORY if state.name != "is_saturated")
+        return *(DiscreteState(name, "1") for name in names), *fault
+
+    def timers(self) -> tuple[Timer, ...]:
+        return (Timer("sample", rank=-1, is_simultaneous=True),)
+
+    def output_ranges(self) -> dict[str, tuple[str | float, str | float]]:
+        steps = self.program.steps
+        ranges: dict[str, tuple[str | float, str | float]] = {
+            name: (-1.0 if any(isinstance(step.values.get(name), str) for step in steps) else 0.0, 1.0)
+            for name in self.program.form.outputs
+        }
+        flags: dict[str, tuple[str | float, str | float]] = {f"step:{step.name}": (0.0, 1.0) for step in steps}
+        return ranges | flags | {"step": (1.0, float(len(steps))), "elapsed": (0.0, float("inf"))}
+
+    def start(self, scope: Scope) -> dict[str, Any]:
+        step, steps = scope["initial_step"], self.program
+        counts = {f"count_{steps.number(name)}": where(_is(step, steps.number(name)), 1.0, 0.0)
+                  for name in steps.counted()}  # fmt: skip
+        return {
+            **self._output_values(scope, step), **counts, "step": step,
+            # The first sample is at t = 0 and adds one.
+            "elapsed_samples": scope["initial_elapsed"] / scope["sample_time"] - 1.0,
+            "cycles": scope["initial_cycles"], "sample": 0.0, "sample_count": 0.0, "faulty_samples": NEVER_VALID,
+            "is_safe": 0.0, "is_held": 0.0,
+        }  # fmt: skip
+
+    def control(self, scope: Scope) -> ControlOutputs:
+        memory = scope.memory
+        outputs: Quantities = {name: (memory[name], "1") for name in self.program.form.outputs}
+        # Between instants the time continues, unless the sequence is halted.
+        period = scope["sample_time"]
+        since_sample = clip(period - (memory["sample"] - scope.time), 0.0, period)
+        since_sample = where(memory["is_held"] > 0.5, 0.0, since_sample)
+        elapsed = memory["elapsed_samples"] * period + since_sample
+        outputs |= {"step": (memory["step"], "1"), "elapsed": (elapsed, "s"), "cycles": (memory["cycles"], "1")}
+        # For conditions of other sequences: 1 during the step.
+        hidden: Quantities = {
+            f"step:{step.name}": (where(_is(memory["step"], k), 1.0, 0.0), "1")
+            for k, step in enumerate(self.program.steps, 1)
+        }
+        return ControlOutputs(outputs, hidden=hidden)
+
+    def update(self, timer: str, scope: Scope) -> dict[str, Any]:
+        memory, steps, form = scope.memory, self.program, self.program.form
+        is_safe, fault = fault_state(scope, scope["sample_time"])
+        step, samples = memory["step"], memory["elapsed_samples"] + 1.0
+        elapsed = samples * scope["sample_time"]
+        scope.label("time_in_step", elapsed, "time in the step [s]")
+        target = self._target(scope, step, elapsed)
+        scope.label("next_step", target, "number of the step to which a transition leads, 0 without a transition")
+        first = float(steps.number(form.start))
+        halts, resets = scope.inputs["halt"] > 0.5, scope.inputs["reset"] > 0.5
+        # Number of the entered step; 0 without a transition.
+        entered = where(halts, 0.0, where(resets, first, target))
+        is_held, restarts = where(halts, 1.0, 0.0), where(halts, 0.0, where(resets, 1.0, 0.0))
+        if form.emergency:
+            last = float(steps.number(form.emergency))
+            is_urgent = maximum(where(scope.inputs["emergency"] > 0.5, 1.0, 0.0), is_safe) > 0.5
+            entered = where(is_urgent, where(_is(step, last), 0.0, last), entered)
+            is_held, restarts = where(is_urgent, 0.0, is_held), where(is_urgent, 0.0, restarts)
+        else:
+            entered, restarts = where(is_safe > 0.5, 0.0, entered), where(is_safe > 0.5, 0.0, restarts)
+            is_held = maximum(is_held, is_safe)
+        scope.label("entered_step", entered, "number of the step that begins, 0 if the step continues")
+        is_entered = entered > 0.5
+        new_step = where(is_entered, entered, step)
+        values = self._output_values(scope, new_step)
+        if not form.emergency:
+            values = {name: where(is_safe > 0.5, 0.0, value) for name, value in values.items()}
+        result = {"step": new_step, "is_held": is_held, **values, **fault}
+        continued = where(is_held > 0.5, memory["elapsed_samples"], samples)
+        result["elapsed_samples"] = where(is_entered, 0.0, continued)
+        begins = where(_is(entered, first), 1.0, 0.0)
+        result["cycles"] = where(restarts > 0.5, 0.0, memory["cycles"] + begins)
+        for name in steps.counted():
+            k = float(steps.number(name))
+            count = memory[f"count_{k:.0f}"] + where(_is(entered, k), 1.0, 0.0)
+            result[f"count_{k:.0f}"] = where(restarts > 0.5, float(name == form.start), count)
+        return result | advance_clock(scope, timer, scope["sample_time"])
+
+    def _target(self, scope: Scope, step: Any, elapsed: Any) -> Any:
+        """Return the number of the step to which a transition leads, or 0.
+
+        `step` is the number of the present step, and `elapsed` the time in it [s].
+        """
+        names = {reading.address: name for name, (reading, _) in self.program.readings().items()}
+
+        def value(operand: Operand) -> Any:
+            match operand:
+                case Literal():
+                    return scope[f"steps.{operand.place}"] if operand.place else float(operand.number.value)
+                case Reading():
+                    return scope.inputs[names[operand.address]]
+                case Flag():
+                    return scope.inputs[operand.name]
+                case Internal(name="elapsed"):
+                    return elapsed
+                case Internal(name="cycles"):
+                    return scope.memory["cycles"]
+            return scope.memory[f"count_{self.program.number(operand.step)}"]
+
+        def target_of(item: SequenceStep) -> Any:
+            target: Any = 0.0
+            if item.timeout is not None:
+                after = scope[f"steps.{item.timeout.place}"]
+                target = where(
+                    elapsed >= after * (1.0 - _ROUNDING), float(self.program.number(item.timeout.target)), target
+                )
+            for transition in reversed(item.transitions):
+                is_true = transition.condition.evaluate(value) > 0.5
+                target = where(is_true, float(self.program.number(transition.target)), target)
+            return target
+
+        return _select(step, [target_of(item) for item in self.program.steps])
+
+    def _output_values(self, scope: Scope, step: Any) -> dict[str, Any]:
+        """Return the values of all outputs during the step with a given number."""
+
+        def value(item: SequenceStep, name: str) -> Any:
+            stated = item.values.get(name, 0.0)
+            return scope[f"steps.{stated}"] if isinstance(stated, str) else stated
+
+        return {
+            name: _select(step, [value(item, name) for item in self.program.steps])
+            for name in self.program.form.outputs
+        }  # fmt: skip
+
+
+def _is(step: Any, number: float) -> Any:
+    """Return True if the number of a step equals `number`."""
+    return (step - number) * (step - number) < 0.25
+
+
+def _select(step: Any, values: list[Any]) -> Any:
+    """Return the value for the present step; `values` contains one value for each step, beginning with step 1."""
+    result = values[-1]
+    for k in range(len(values) - 1, 0, -1):
+        # Equal values of successive steps need no choice.
+        if values[k - 1] is not result and not _are_equal(values[k - 1], result):
+            result = where(step < k + 0.5, values[k - 1], result)
+    return result
+
+
+def _are_equal(first: Any, second: Any) -> bool:
+    return isinstance(first, float) and isinstance(second, float) and first == second

@@ -1,0 +1,382 @@
+"""Steps of a sequence: reading, checks, and the numbers in their conditions."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Hashable, Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from typing import Any, NamedTuple
+
+from poppet.core.errors import ErrorCollector, InputError, NameSuggestion
+from poppet.core.provenance import Number
+from poppet.parts.conditions import (
+    WORDS,
+    Condition,
+    Flag,
+    Internal,
+    Literal,
+    Names,
+    Node,
+    Operand,
+    Reading,
+    Relation,
+    parse_condition,
+    written,
+)
+from poppet.parts.fields import NumberSpec, read_number
+
+NAME = re.compile(r"[A-Za-z][A-Za-z0-9_]{0,63}")
+"""Form of the name of an output or an input of a sequence."""
+STEP_NAME = re.compile(r"[A-Za-z0-9](?:[A-Za-z0-9 _+-]{0,62}[A-Za-z0-9_+-])?")
+"""Form of the name of a step."""
+MAX_STEPS = 500
+"""Maximum number of steps of a sequence."""
+BUILT_IN_INPUTS = ("halt", "reset", "emergency", "input_fault")
+BUILT_IN_OUTPUTS = ("step", "elapsed", "cycles")
+_FIELDS = ("on", "set", "next", "timeout")
+_RESERVED = (
+    *BUILT_IN_INPUTS,
+    *BUILT_IN_OUTPUTS,
+    *WORDS,
+    "sample",
+    "sample_count",
+    "elapsed_samples",
+    "faulty_samples",
+    "is_safe",
+    "is_held",
+)
+_AFTER = NumberSpec("s", "time in the step", low=0.0)
+_SET = NumberSpec("1", "value of an output", low=-1.0, high=1.0)
+
+
+class Form(NamedTuple):
+    """Fields of a sequence besides its steps: outputs, inputs, first step and emergency step."""
+
+    outputs: tuple[str, ...]
+    inputs: tuple[str, ...]
+    start: str
+    emergency: str
+
+
+@dataclass(frozen=True)
+class Transition:
+    """Change to the step `target` if a condition is true."""
+
+    target: str
+    condition: Condition
+
+
+@dataclass(frozen=True)
+class Timeout:
+    """Change to the step `target` after a time in the step [s]; `place` is the name of its parameter."""
+
+    target: str
+    place: str
+    after: Number
+
+
+@dataclass(frozen=True)
+class SequenceStep:
+    """Step of a sequence.
+
+    `values` maps outputs to their values during the step: a number, or the name of its parameter. Other outputs are 0.
+    """
+
+    name: str
+    values: Mapping[str, float | str]
+    transitions: tuple[Transition, ...] = ()
+    timeout: Timeout | None = None
+
+
+@dataclass(frozen=True)
+class SequenceProgram:
+    """Steps of a sequence, in the order of declaration.
+
+    Parameters
+    ----------
+    steps : tuple of SequenceStep
+        The steps. The first has the number 1.
+    form : Form
+        Outputs, inputs, first step and emergency step of the sequence.
+    values : mapping
+        Mapping from the name of each parameter in the steps to its number.
+    source : mapping
+        Tables of the steps as the user wrote them.
+    """
+
+    steps: tuple[SequenceStep, ...]
+    form: Form
+    values: Mapping[str, Number]
+    source: Mapping[str, Any] = field(repr=False)
+
+    @classmethod
+    def read(cls, table: Any, form: Form) -> SequenceProgram:
+        """Read and check the steps of a sequence; all errors are raised together."""
+        if isinstance(table, cls):
+            if table.form == form:
+                return table
+            table = table.table
+        return _Reader(table, form).read()
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """Names of the steps in the order of declaration."""
+        return tuple(step.name for step in self.steps)
+
+    @property
+    def table(self) -> dict[str, Any]:
+        """Tables of the steps with their present numbers, as in a circuit file."""
+        result: dict[str, Any] = {}
+        for step in self.steps:
+            table = dict(self.source[step.name])
+            if step.transitions:
+                table["next"] = {t.target: t.condition.with_text(self.values) for t in step.transitions}
+            if step.timeout is not None:
+                table["timeout"] = {"after": written(self.values[step.timeout.place]), "to": step.timeout.target}
+            if "set" in table:
+                table["set"] = {
+                    output: float(self.values[value].value) if isinstance(value, str) else value
+                    for output, value in step.values.items()
+                    if output in table["set"]
+                }
+            result[step.name] = table
+        return result
+
+    def number(self, name: str) -> int:
+        """Return the number of a step, which begins at 1."""
+        return self.names.index(name) + 1
+
+    def numbers(self) -> dict[str, Number]:
+        """Return the numbers in the steps by name, for example `extend A.next.extend B`."""
+        return dict(self.values)
+
+    def with_numbers(self, changes: Mapping[str, Number]) -> SequenceProgram:
+        """Return a copy in which some numbers are replaced."""
+        return replace(self, values={**self.values, **changes})
+
+    def operands(self) -> dict[Operand, str]:
+        """Return the operands of all conditions, each with the address of its first condition."""
+        result: dict[Operand, str] = {}
+        for step in self.steps:
+            for transition in step.transitions:
+                for operand in transition.condition.operands():
+                    result.setdefault(operand, f"{step.name}.next.{transition.target}")
+        return result
+
+    def readings(self) -> dict[str, tuple[Reading, str]]:
+        """Return the outputs of the circuit that the conditions read, by the name of the input of the sequence.
+
+        Each value contains the output and the address of the first condition that reads it.
+        """
+        result: dict[str, tuple[Reading, str]] = {}
+        taken = {*_RESERVED, *self.form.outputs, *self.form.inputs}
+        addresses: set[str] = set()
+        for operand, place in self.operands().items():
+            if isinstance(operand, Reading) and operand.address not in addresses:
+                addresses.add(operand.address)
+                first = name = re.sub(r"[^A-Za-z0-9_]", "_", operand.address)
+                k = 1
+                while name in taken or name in result:
+                    k += 1
+                    name = f"{first}_{k}"
+                result[name] = operand, place
+        return result
+
+    def counted(self) -> tuple[str, ...]:
+        """Return the steps whose entries a condition counts, in the order of declaration."""
+        names = {operand.step for operand in self.operands() if isinstance(operand, Internal) and operand.step}
+        return tuple(name for name in self.names if name in names)
+
+    def structure(self) -> Hashable:
+        """Return a key of the equations: everything except the values of the parameters."""
+        trees = (
+            (step.name, tuple(step.values.items()), step.timeout and step.timeout.target,
+             tuple((t.target, _shape(t.condition.tree)) for t in step.transitions))
+            for step in self.steps
+        )  # fmt: skip
+        return self.form, tuple(trees)
+
+
+def _shape(node: Any) -> Hashable:
+    """Return a tree of a condition without the values of its parameters."""
+    match node:
+        case Literal():
+            return node.place or float(node.number.value)
+        case Relation():
+            return _shape(node.left), node.relation, _shape(node.right), node.offset and _shape(node.offset)
+        case Flag() | Reading() | Internal():
+            return node
+    terms = (node.term,) if hasattr(node, "term") else node.terms
+    return type(node).__name__, tuple(map(_shape, terms))
+
+
+def read_names(value: Any, address: str, taken: Sequence[str] = ()) -> tuple[str, ...]:
+    """Read a list of names of outputs or inputs; the names in `taken` are not available."""
+    if value is None:
+        return ()
+    if isinstance(value, str) or not isinstance(value, Sequence):
+        raise InputError("sequence.no_list", address, value=value)
+    with ErrorCollector() as errors:
+        for k, name in enumerate(value):
+            if not isinstance(name, str) or not NAME.fullmatch(name):
+                errors.add("sequence.no_name", address, name=name)
+            elif name in value[:k] or name in taken:
+                errors.add("sequence.name_twice", address, name=name)
+            elif name in _RESERVED:
+                errors.add("sequence.reserved", address, name=name)
+    return tuple(value)
+
+
+class _Reader:
+    """Reader of the steps of one sequence, which collects all errors."""
+
+    def __init__(self, table: Any, form: Form) -> None:
+        self.table, self.form = table, form
+        self.errors = ErrorCollector()
+        self.values: dict[str, Number] = {}
+
+    def read(self) -> SequenceProgram:
+        if not isinstance(self.table, Mapping) or not self.table:
+            raise InputError("sequence.no_steps", "steps", value=self.table)
+        if len(self.table) > MAX_STEPS:
+            raise InputError("sequence.too_many", "steps", value=len(self.table), most=MAX_STEPS)
+        with self.errors as errors:
+            if not self.form.start:
+                errors.add("sequence.no_start", "start", example=next(iter(self.table)))
+            for name, key in ((self.form.start, "start"), (self.form.emergency, "emergency")):
+                if name and name not in self.table:
+                    self._unknown_step(key, name)
+            steps = tuple(self._step(name, table) for name, table in self.table.items())
+            if self.form.start in self.table:
+                self._check_reached(steps)
+            self._check_units(steps)
+        return SequenceProgram(steps, self.form, self.values, dict(self.table))
+
+    def _unknown_step(self, address: str, name: Any) -> None:
+        near = NameSuggestion(str(name), self.table)
+        self.errors.add("sequence.unknown_step", address, name=name, suggestion=near)
+
+    def _step(self, name: Any, table: Any) -> SequenceStep:
+        if not isinstance(name, str) or not STEP_NAME.fullmatch(name):
+            self.errors.add("sequence.no_step_name", "steps", name=name)
+            return SequenceStep(str(name), {})
+        address = f"steps.{name}"
+        if not isinstance(table, Mapping):
+            self.errors.add("sequence.no_table", address, value=table)
+            return SequenceStep(name, {})
+        for key in table:
+            if key not in _FIELDS:
+                near = NameSuggestion(str(key), _FIELDS)
+                self.errors.add("fields.unknown", f"{address}.{key}", table="step", suggestion=near)
+        values = self._values(address, table)
+        return SequenceStep(
+            name, values, self._transitions(address, table.get("next", {})), self._timeout(address, table)
+        )
+
+    def _values(self, address: str, table: Mapping[str, Any]) -> dict[str, float | str]:
+        values: dict[str, float | str] = {}
+        with self.errors.collecting():
+            on = table.get("on", ())
+            if isinstance(on, str) or not isinstance(on, Sequence):
+                raise InputError("sequence.no_list", f"{address}.on", value=on)
+            for output in on:
+                if self._is_output(f"{address}.on", output):
+                    values[output] = 1.0
+        with self.errors.collecting():
+            given = table.get("set", {})
+            if not isinstance(given, Mapping):
+                raise InputError("sequence.no_mapping", f"{address}.set", value=given, example="{ valve = -1 }")
+            for output, value in given.items():
+                if not self._is_output(f"{address}.set", output):
+                    continue
+                if output in values:
+                    self.errors.add("sequence.set_twice", f"{address}.set", name=output)
+                    continue
+                with self.errors.collecting():
+                    place = f"{address.partition('.')[2]}.set.{output}"
+                    self.values[place] = read_number(f"{address}.set.{output}", _SET, value)
+                    values[output] = place
+        return values
+
+    def _is_output(self, address: str, output: Any) -> bool:
+        if output in self.form.outputs:
+            return True
+        near = NameSuggestion(str(output), self.form.outputs)
+        self.errors.add("sequence.unknown_output", address, name=output, suggestion=near)
+        return False
+
+    def _transitions(self, address: str, table: Any) -> tuple[Transition, ...]:
+        if not isinstance(table, Mapping):
+            example = '{ "extend B" = "slideA.position > 98 mm" }'
+            self.errors.add("sequence.no_mapping", f"{address}.next", value=table, example=example)
+            return ()
+        inputs = [*self.form.inputs, *(["emergency"] if self.form.emergency else [])]
+        names, transitions = Names(inputs, [str(name) for name in self.table]), []
+        for target, text in table.items():
+            place = f"{address.partition('.')[2]}.next.{target}"
+            if target not in self.table:
+                self._unknown_step(f"{address}.next.{target}", target)
+            with self.errors.collecting("steps"):
+                condition = parse_condition(text, names, place)
+                self.values |= {literal.place: literal.number for literal in condition.literals()}
+                transitions.append(Transition(target, condition))
+        return tuple(transitions)
+
+    def _timeout(self, address: str, table: Mapping[str, Any]) -> Timeout | None:
+        if "timeout" not in table:
+            return None
+        value, address = table["timeout"], f"{address}.timeout"
+        if not isinstance(value, Mapping) or {*value} != {"after", "to"}:
+            example = '{ after = "3 s", to = "stop" }'
+            self.errors.add("sequence.no_mapping", address, value=value, example=example)
+            return None
+        if value["to"] not in self.table:
+            self._unknown_step(f"{address}.to", value["to"])
+        with self.errors.collecting():
+            place = f"{address.partition('.')[2]}.after"
+            after = read_number(f"{address}.after", _AFTER, value["after"])
+            self.values[place] = after
+            return Timeout(value["to"], place, after)
+        return None
+
+    def _check_reached(self, steps: Sequence[SequenceStep]) -> None:
+        """Collect an error for each step to which no transition leads."""
+        # From the raw tables: an invalid condition does not make its step unreachable.
+        targets: dict[str, set[str]] = {}
+        for name, table in self.table.items():
+            following = table.get("next") if isinstance(table, Mapping) else None
+            timeout = table.get("timeout") if isinstance(table, Mapping) else None
+            targets[name] = {key for key in following if key in self.table} if isinstance(following, Mapping) else set()
+            if isinstance(timeout, Mapping) and timeout.get("to") in self.table:
+                targets[name].add(timeout["to"])
+        reached = {self.form.start} | ({self.form.emergency} & {*self.table})
+        while added := {target for name in reached for target in targets[name]} - reached:
+            reached |= added
+        # A misspelt target is one error: the similar step counts as reached.
+        unknown = [problem for problem in self.errors.collected if problem.code == "sequence.unknown_step"]
+        near = {name for problem in unknown for name in problem.facts["suggestion"].names}
+        while added := {target for name in near for target in targets[name]} - near:
+            near |= added
+        for step in steps:
+            if step.name not in reached | near:
+                self.errors.add("sequence.unreachable", f"steps.{step.name}", start=self.form.start)
+
+    def _check_units(self, steps: Sequence[SequenceStep]) -> None:
+        """Collect an error for each output that two conditions read with different units."""
+        units: dict[str, str] = {}
+        for step in steps:
+            for transition in step.transitions:
+                for operand in transition.condition.operands():
+                    if isinstance(operand, Reading):
+                        first = units.setdefault(operand.address, operand.unit)
+                        if first != operand.unit:
+                            place = f"steps.{step.name}.next.{transition.target}"
+                            self.errors.add(
+                                "sequence.two_units", place, output=operand.address, unit=operand.unit, other=first
+                            )
+
+
+def nodes_of(node: Node) -> list[Node]:
+    """Return a tree of a condition and all conditions in it."""
+    terms: tuple[Node, ...] = (node.term,) if hasattr(node, "term") else getattr(node, "terms", ())
+    return [node, *(inner for term in terms for inner in nodes_of(term))]
