@@ -117,9 +117,9 @@ def main(size: float = 1.0) -> None:
     rounds = max(1, round(7 * size))
     times: dict[str, list[float]] = {}
     for _ in range(rounds):
-        for way, allowed in ways.items():
+        for way, rtol in ways.items():
             begin = time.process_time()
-            _, transitions = peer_run(way, allowed, samples)
+            _, transitions = peer_run(way, rtol, samples)
             times.setdefault(f"SciPy {way}", []).append(time.process_time() - begin)
         for case, allowed in cases.items():
             for _ in range(5):
