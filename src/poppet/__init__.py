@@ -47,9 +47,11 @@ if TYPE_CHECKING:
         ShuttleValve,
         Silencer,
         SpoolValve,
+        SuctionCup,
         Switch,
         Tube,
         TwoPressureValve,
+        VacuumEjector,
     )
     from poppet.timeseries.measurements import read_recording as read
     from poppet.timeseries.recording import Recording
@@ -113,10 +115,12 @@ __all__ = [
     "SimulationError",
     "Source",
     "SpoolValve",
+    "SuctionCup",
     "Switch",
     "Tube",
     "TwoPressureValve",
     "UnitError",
+    "VacuumEjector",
     "__version__",
     "iso6358",
     "library",

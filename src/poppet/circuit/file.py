@@ -143,7 +143,7 @@ class _Parts:
 
     def _value(self, key: str, value: object) -> object:
         # Paths are relative to the folder of the file, as for signals.
-        if key == "characteristic" and isinstance(value, str) and value.endswith(".toml"):
+        if key.endswith("characteristic") and isinstance(value, str) and value.endswith(".toml"):
             return str(self.folder / value)
         # The tables of members, such as the main stage of a valve.
         return (

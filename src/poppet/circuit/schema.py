@@ -15,7 +15,10 @@ from poppet.core.provenance import SOURCE_KINDS
 from poppet.parts import KINDS
 from poppet.parts.fields import OFF_ON, BodySpec, GroupSpec, MemberSpec, NumberSpec, OptionSpec, PortSpec, Spec, specs
 from poppet.parts.quantities import QUANTITIES
-from poppet.parts.rows import ForceRows, FrictionFactor, GainSchedule
+from poppet.parts.rows import ForceRows, FrictionFactor, GainSchedule, SuctionRows
+from poppet.parts.spool_curves import CURVE_FIELDS
+from poppet.parts.spool_edges import EDGE_TABLES
+from poppet.parts.spool_functions import command_properties
 
 DRAFT = "https://json-schema.org/draft/2020-12/schema"
 Schema = dict[str, Any]
@@ -155,7 +158,8 @@ def _field(name: str, spec: Spec, owner: type) -> Schema:
             members = specs(spec.part).items()
             fields = {local: _field(local, s, spec.part) for local, s in members if local not in spec.inherited}
             return closed(fields, (), spec.doc)
-    return _REFERENCES[name]() | {"description": spec.doc}
+    reference = _REFERENCES.get(f"{getattr(owner, 'kind', '')}.{name}") or _REFERENCES[name]
+    return reference() | {"description": spec.doc}
 
 
 def _number_schema(spec: NumberSpec, owner: type) -> Schema:
@@ -163,8 +167,8 @@ def _number_schema(spec: NumberSpec, owner: type) -> Schema:
 
     The field is a number in SI units within limits, a text with a unit, or a table with value and source.
     """
-    if spec.varies is not None and hasattr(owner, "quantity"):
-        # Another quantity has other units and limits.
+    if spec.varies is command_properties or (spec.varies is not None and hasattr(owner, "quantity")):
+        # Another quantity or another type of setpoint has other units and limits.
         spec = replace(spec, unit=f"{spec.unit} by default", low=-math.inf, high=math.inf, default=None, varies=None)
     # The limits are in SI and do not apply to text, which can have another unit.
     limits = {"minimum": spec.low, "maximum": spec.high, "exclusiveMinimum": spec.above, "exclusiveMaximum": spec.below}
@@ -186,6 +190,13 @@ def _gas_name() -> Schema:
     return {"type": "string", "examples": list(library.gas_names())}
 
 
+def _edge_table_schema() -> Schema:
+    """Return the schema of a table of a metering edge, or of its path."""
+    column: Schema = {"anyOf": [{"$ref": "#/$defs/value"}, _LIST]}
+    fields = dict.fromkeys(CURVE_FIELDS, column) | {"source": _TEXT, "note": _TEXT}
+    return {"anyOf": [_TEXT, closed(fields, ["sonic_conductance", "critical_ratio"])]}
+
+
 _REFERENCES: dict[str, Callable[[], Schema]] = {
     "data": lambda: {"enum": [name for name in library.sets() if name != "gases"]},
     "characteristic": lambda: {
@@ -198,6 +209,7 @@ _REFERENCES: dict[str, Callable[[], Schema]] = {
             },
         ]
     },
+    **dict.fromkeys(("spool_valve.characteristic", *EDGE_TABLES), _edge_table_schema),
     # The first column of a schedule has the name of the controlled quantity.
     "schedule": lambda: closed(
         dict.fromkeys((*QUANTITIES, *GainSchedule.column_specs("pressure", "opening")), _LIST),
@@ -211,6 +223,7 @@ _REFERENCES: dict[str, Callable[[], Schema]] = {
     "position_factor": lambda: closed(
         dict.fromkeys(FrictionFactor.column_specs(), _LIST), FrictionFactor.column_specs()
     ),
+    "suction_curve": lambda: closed(dict.fromkeys(SuctionRows.column_specs(), _LIST), SuctionRows.column_specs()),
     "name": _gas_name,
     "profile": lambda: {"type": "object", "additionalProperties": {"$ref": "#/$defs/value"}},
     "stop_when": lambda: {"anyOf": [_TEXT, {"type": "array", "items": _TEXT}]},

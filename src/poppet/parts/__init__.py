@@ -30,6 +30,7 @@ if TYPE_CHECKING:
     from poppet.parts.supply import Compressor, PressureRegulator
     from poppet.parts.switch import Switch
     from poppet.parts.tube import Tube
+    from poppet.parts.vacuum import SuctionCup, VacuumEjector
     from poppet.parts.valves import CheckValve, DirectionalValve, Filter, ReliefValve, Silencer
 
 
@@ -59,6 +60,8 @@ KINDS: Registry[type[Part]] = Registry(
         "filter": "poppet.parts.valves:Filter",
         "pressure_regulator": "poppet.parts.supply:PressureRegulator",
         "compressor": "poppet.parts.supply:Compressor",
+        "vacuum_ejector": "poppet.parts.vacuum:VacuumEjector",
+        "suction_cup": "poppet.parts.vacuum:SuctionCup",
         "mass": "poppet.parts.bodies:Mass",
         "joint": "poppet.parts.bodies:Joint",
         "guide": "poppet.parts.bodies:Guide",
@@ -88,7 +91,7 @@ __all__ = [
     "Guide", "InverseMuscle", "Joint", "JointFriction", "JointStop", "MainStage", "Mass", "Muscle", "Orifice", "Part",
     "Passage", "PilotStage", "PilotedCheckValve", "PressureController", "PressureRegulator", "ProportionalValve",
     "QuickExhaustValve", "ReliefValve", "Reservoir", "Sequence", "ShuttleValve", "Silencer", "Solenoid", "SpoolValve",
-    "Spring", "Stop", "Store", "Switch", "Tube", "TwoPressureValve",
+    "Spring", "Stop", "Store", "SuctionCup", "Switch", "Tube", "TwoPressureValve", "VacuumEjector",
 ]  # fmt: skip
 
 

@@ -40,8 +40,10 @@ from poppet.parts import (
     ShuttleValve,
     Silencer,
     SpoolValve,
+    SuctionCup,
     Tube,
     TwoPressureValve,
+    VacuumEjector,
 )
 from poppet.parts.captions import CaptionNumbers
 from poppet.parts.fields import NumberLike, number, port
@@ -70,6 +72,8 @@ def circuit_with_every_kind() -> Circuit:
             "compressor": Compressor(
                 "rail", free_air_delivery="200 l/min ANR", start_pressure="5 bar", stop_pressure="6 bar"
             ),
+            "ejector": VacuumEjector(supply="load", vacuum="hose.1", exhaust="room", air_consumption="60 l/min ANR"),
+            "cup": SuctionCup(port="hose.2", volume="5 cm^3", diameter="40 mm"),
             "reducer": PressureRegulator(supply="rail", outlet="load", exhaust="room", setpoint="4 bar", **SIZE),
             "leak": Orifice(from_="load", to="room", nominal_flow="10 l/min ANR"),
             "throttle": Orifice(from_="load", to="end", characteristic="varga2012", stroke="0.5 mm"),
