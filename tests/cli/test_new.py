@@ -10,7 +10,7 @@ from poppet.cli.circuit_files import TEMPLATES
 
 NAMES = (
     "bleed-regulator", "datasheet-valve", "emptying", "muscle-joint", "pressure-control", "pressure-regulator",
-    "two-tanks", "valve-fill",
+    "two-tanks", "vacuum", "valve-fill",
 )  # fmt: skip
 
 

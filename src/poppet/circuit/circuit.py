@@ -137,6 +137,9 @@ class BaseCircuit(HtmlMixin):
             check_starts(errors, self.parts, self.signals)
             signals = {a: signal for a, signal in self.signals.items() if a.partition(".")[0] not in checked}
             check_signals(errors, signals, self.inputs, self.parameters)
+        # Parts name outputs, whose names and units only the model contains.
+        if self._declared and (like is None or like.structure != self.structure):
+            _ = self._symbolic_model
 
     def _all_connections(self, like: BaseCircuit | None) -> Mapping[str, str]:
         """Return the connections of the user, and the connections that parts declare.
@@ -413,13 +416,16 @@ class BaseCircuit(HtmlMixin):
 
         The model is compiled when it is first needed. Circuits that differ only in values share one kernel.
         """
-        from poppet.circuit.trace import trace
         from poppet.engine.kernel import KERNELS, compile_kernel
 
         # Circuits that differ only in values have the same structure and share the kernel.
-        return KERNELS.get(
-            self.structure, lambda: compile_kernel(trace(self.parts, tuple(self.parameters), self.connections))
-        )
+        return KERNELS.get(self.structure, lambda: compile_kernel(self._symbolic_model))
+
+    @cached_property
+    def _symbolic_model(self) -> Model:
+        from poppet.circuit.trace import trace
+
+        return trace(self.parts, tuple(self.parameters), self.connections)
 
     @property
     def model(self) -> Model:
@@ -442,7 +448,7 @@ class BaseCircuit(HtmlMixin):
             initial={output: number for part in placed for output, number in part.initial.items()},
             inner=frozenset(self.connections).union(*(part.inner for part in placed)),
             sources={address: number for part in placed for address, number in part.numbers.items()},
-            bodies={name: part.body for name, part in self._wiring.items() if part.body},
+            bodies={name: body for name, part in self._wiring.items() if (body := part.acts_on(name)) is not None},
         )
 
     def result_notes(self, series: Series) -> Iterator[Note]:

@@ -95,7 +95,7 @@ def value_notes(numbers: Mapping[str, Number]) -> Iterator[Note]:
             continue
         if number.source.kind not in ("given", "measured"):  # not from this file or program
             continue
-        if ".characteristic." in address:  # coefficients have the unit of C, but other ranges
+        if "characteristic." in address:  # coefficients have the unit of C, but other ranges
             continue
         if number.display() != number.text:  # the text has no unit
             yield Note("doubt.bare_number", address, value=number.value, unit=number.unit, meant=intended_unit)

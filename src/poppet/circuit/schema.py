@@ -13,9 +13,14 @@ from poppet.circuit.file import ABOVE
 from poppet.circuit.options import Ambient, GasChoice, Run
 from poppet.core.provenance import SOURCE_KINDS
 from poppet.parts import KINDS
+from poppet.parts.conditions import MAX_LENGTH
 from poppet.parts.fields import OFF_ON, BodySpec, GroupSpec, MemberSpec, NumberSpec, OptionSpec, PortSpec, Spec, specs
 from poppet.parts.quantities import QUANTITIES
-from poppet.parts.rows import ForceRows, FrictionFactor, GainSchedule
+from poppet.parts.rows import ForceRows, FrictionFactor, GainSchedule, SuctionRows
+from poppet.parts.spool_curves import CURVE_FIELDS
+from poppet.parts.spool_edges import EDGE_TABLES
+from poppet.parts.spool_functions import command_properties
+from poppet.parts.steps import MAX_STEPS, NAME, STEP_NAME
 
 DRAFT = "https://json-schema.org/draft/2020-12/schema"
 Schema = dict[str, Any]
@@ -155,7 +160,8 @@ def _field(name: str, spec: Spec, owner: type) -> Schema:
             members = specs(spec.part).items()
             fields = {local: _field(local, s, spec.part) for local, s in members if local not in spec.inherited}
             return closed(fields, (), spec.doc)
-    return _REFERENCES[name]() | {"description": spec.doc}
+    reference = _REFERENCES.get(f"{getattr(owner, 'kind', '')}.{name}") or _REFERENCES[name]
+    return reference() | {"description": spec.doc}
 
 
 def _number_schema(spec: NumberSpec, owner: type) -> Schema:
@@ -163,8 +169,8 @@ def _number_schema(spec: NumberSpec, owner: type) -> Schema:
 
     The field is a number in SI units within limits, a text with a unit, or a table with value and source.
     """
-    if spec.varies is not None and hasattr(owner, "quantity"):
-        # Another quantity has other units and limits.
+    if spec.varies is command_properties or (spec.varies is not None and hasattr(owner, "quantity")):
+        # Another quantity or another type of setpoint has other units and limits.
         spec = replace(spec, unit=f"{spec.unit} by default", low=-math.inf, high=math.inf, default=None, varies=None)
     # The limits are in SI and do not apply to text, which can have another unit.
     limits = {"minimum": spec.low, "maximum": spec.high, "exclusiveMinimum": spec.above, "exclusiveMaximum": spec.below}
@@ -186,6 +192,30 @@ def _gas_name() -> Schema:
     return {"type": "string", "examples": list(library.gas_names())}
 
 
+def _names(pattern: str) -> Schema:
+    return {"type": "array", "items": {"type": "string", "pattern": f"^{pattern}$"}, "uniqueItems": True}
+
+
+def _step() -> Schema:
+    """Return the JSON schema of one step of a sequence."""
+    value = {"$ref": "#/$defs/value"}
+    condition = {"type": "string", "maxLength": MAX_LENGTH, "examples": ["slide.position > 98 mm and elapsed > 0.1 s"]}
+    fields = {
+        "on": _names(NAME.pattern) | {"description": "outputs that are 1 during the step"},
+        "set": {"type": "object", "additionalProperties": value, "description": "outputs with other values, -1 to 1"},
+        "next": {"type": "object", "additionalProperties": condition, "description": "next step to its condition"},
+        "timeout": closed({"after": value, "to": _TEXT}, ["after", "to"], "next step after a time in this step"),
+    }
+    return closed(fields, (), "step of a sequence")
+
+
+def _edge_table_schema() -> Schema:
+    """Return the schema of a table of a metering edge, or of its path."""
+    column: Schema = {"anyOf": [{"$ref": "#/$defs/value"}, _LIST]}
+    fields = dict.fromkeys(CURVE_FIELDS, column) | {"source": _TEXT, "note": _TEXT}
+    return {"anyOf": [_TEXT, closed(fields, ["sonic_conductance", "critical_ratio"])]}
+
+
 _REFERENCES: dict[str, Callable[[], Schema]] = {
     "data": lambda: {"enum": [name for name in library.sets() if name != "gases"]},
     "characteristic": lambda: {
@@ -198,6 +228,7 @@ _REFERENCES: dict[str, Callable[[], Schema]] = {
             },
         ]
     },
+    **dict.fromkeys(("spool_valve.characteristic", *EDGE_TABLES), _edge_table_schema),
     # The first column of a schedule has the name of the controlled quantity.
     "schedule": lambda: closed(
         dict.fromkeys((*QUANTITIES, *GainSchedule.column_specs("pressure", "opening")), _LIST),
@@ -211,8 +242,21 @@ _REFERENCES: dict[str, Callable[[], Schema]] = {
     "position_factor": lambda: closed(
         dict.fromkeys(FrictionFactor.column_specs(), _LIST), FrictionFactor.column_specs()
     ),
+    "suction_curve": lambda: closed(dict.fromkeys(SuctionRows.column_specs(), _LIST), SuctionRows.column_specs()),
     "name": _gas_name,
     "profile": lambda: {"type": "object", "additionalProperties": {"$ref": "#/$defs/value"}},
     "stop_when": lambda: {"anyOf": [_TEXT, {"type": "array", "items": _TEXT}]},
+    "measurement": lambda: _TEXT,
+    "outputs": lambda: _names(NAME.pattern),
+    "inputs": lambda: _names(NAME.pattern),
+    "start": lambda: _TEXT,
+    "emergency": lambda: _TEXT,
+    "steps": lambda: {
+        "type": "object",
+        "minProperties": 1,
+        "maxProperties": MAX_STEPS,
+        "propertyNames": {"pattern": f"^{STEP_NAME.pattern}$"},
+        "additionalProperties": _step(),
+    },
 }
 """Schemas of the fields that contain the name of an object."""

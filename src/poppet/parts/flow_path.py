@@ -45,16 +45,23 @@ def read_characteristic(argument: Any, address: str) -> Characteristic:
     if isinstance(argument, Mapping):
         return characteristic_from_mapping(argument, name=address)
     if isinstance(argument, str) and argument.endswith(".toml"):
-        from poppet.core.toml_file import TomlFile
-
-        try:
-            table = TomlFile.read(Path(argument)).content
-        except InputError as error:
-            raise InputError("parts.unreadable_file", address, path=argument, why=error.reason) from None
-        return characteristic_from_mapping(table, name=argument)
+        return characteristic_from_mapping(read_table_file(argument, address), name=argument)
     if isinstance(argument, str):
         return library.characteristic(argument)
     raise InputError("parts.not_a_characteristic", address, value=argument, known=library.characteristics())
+
+
+def read_table_file(path: str, address: str) -> Mapping[str, Any]:
+    """Return the content of a TOML file with the table of a field.
+
+    `address` is the address of the field in errors.
+    """
+    from poppet.core.toml_file import TomlFile
+
+    try:
+        return TomlFile.read(Path(path)).content
+    except InputError as error:
+        raise InputError("parts.unreadable_file", address, path=path, why=error.reason) from None
 
 
 def _assumed_ratio(size: str) -> Number:
@@ -100,12 +107,16 @@ class FlowPath(Passage):
         if self.critical_ratio is not None and specified[0] in ("effective_area", "characteristic"):
             raise InputError("parts.idle_critical_ratio", "critical_ratio", size=specified[0])
         if self.characteristic is not None:
-            object.__setattr__(self, "characteristic", read_characteristic(self.characteristic, "characteristic"))
+            object.__setattr__(self, "characteristic", self.read_curve("characteristic"))
             if not self.has_stroke:
                 raise InputError("parts.no_stroke_to_follow", "characteristic", kind=self.kind)
         # The ratio of an effective area depends on the gas.
         elif self.critical_ratio is None and self.effective_area is None:
             object.__setattr__(self, "critical_ratio", _assumed_ratio(specified[0]))
+
+    def read_curve(self, field: str) -> Characteristic:
+        """Return the flow characteristic that a field of the flow path specifies."""
+        return read_characteristic(getattr(self, field), field)
 
     @property
     def _size(self) -> str:

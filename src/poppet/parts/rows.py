@@ -265,3 +265,52 @@ def _interpolate(point: Any, points: Sequence[Any], columns: Mapping[str, Sequen
         name: column[0] + sum(a * (high - low) for a, (low, high) in zip(fractions, pairwise(column), strict=True))
         for name, column in columns.items()
     }
+
+
+_SUCTION_COLUMNS = {
+    "pressure": NumberSpec("Pa", "pressure at the vacuum port", kind="pressure", low=0.0),
+    "suction_flow": NumberSpec("m^3/s ANR", "suction flow", kind="volume_flow_anr", low=0.0),
+}
+
+
+@dataclass(frozen=True)
+class SuctionRows(NumberTable):
+    """Suction curve of an ejector: suction flow for each pressure at the vacuum port.
+
+    Values between the rows are interpolated linearly. The first row is the lowest pressure, at which the flow is 0.
+
+    Parameters
+    ----------
+    columns : mapping
+        Mapping from the name of each column to its numbers, one for each pressure.
+
+    Examples
+    --------
+    >>> rows = {"pressure": ["-0.8 bar g", "0 bar g"], "suction_flow": [0, "30 l/min ANR"]}
+    >>> curve = SuctionRows.read(rows)
+    >>> depths, flows = curve.points(curve.parameters(1e5), 1e5)
+    >>> [round(depth) for depth in depths], [round(flow * 60e3) for flow in flows]
+    ([0, 80000], [30, 0])
+    """
+
+    field: ClassVar[str] = "suction_curve"
+
+    @classmethod
+    def column_specs(cls, *form: str) -> Mapping[str, NumberSpec]:
+        return _SUCTION_COLUMNS
+
+    @classmethod
+    def read(cls, table: Any, *form: str) -> Self:
+        result = super().read(table, *form)
+        last = result.columns["suction_flow"][0]
+        if is_certain(last.value != 0.0):
+            raise InputError("vacuum.open_curve", "suction_curve.suction_flow_1", shown=last.display())
+        return result
+
+    def points(self, values: Mapping[str, Any], ambient_pressure: Any) -> tuple[list[Any], list[Any]]:
+        """Return the vacuum [Pa] and the suction flow [m^3/s ANR] of all rows, in the order of increasing vacuum.
+
+        `values` contains the values of all numbers of the table, under the names that `numbers` returns.
+        """
+        depths = [ambient_pressure - pressure for pressure in self.column("pressure", values)]
+        return depths[::-1], self.column("suction_flow", values)[::-1]

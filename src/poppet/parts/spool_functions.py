@@ -112,6 +112,14 @@ def possible_defaults(name: str, spec: NumberSpec) -> frozenset[Number | None]:
 # --- Positions ---
 
 
+def position_of(command: Any, setpoint_type: str) -> Any:
+    """Return the position of a proportional spool for a constant command in the unit of `setpoint_type`."""
+    if setpoint_type not in SETPOINTS:
+        return command
+    _, low, high = SETPOINTS[setpoint_type]
+    return (command - 0.5 * (low + high)) / (0.5 * (high - low))
+
+
 def edge_opening(function: SpoolFunction, edge: str, position: Any, overlap: Any) -> Any:
     """Return the opening of a metering edge between 0 and 1.
 

@@ -10,32 +10,23 @@ from typing import Any, ClassVar
 from poppet.core.errors import ErrorCollector, OutOfRangeError
 from poppet.core.provenance import Number
 from poppet.core.symbolic import clip, is_certain, is_symbolic, maximum, where
+from poppet.laws.curves import Characteristic
 from poppet.parts import symbols
 from poppet.parts.captions import CaptionNumbers
-from poppet.parts.fields import (
-    NumberLike,
-    NumberSpec,
-    OptionSpec,
-    declared,
-    number,
-    option,
-    port,
-    specs,
-)
-from poppet.parts.flow_path import FlowPath, named_flow
+from poppet.parts.fields import NumberLike, NumberSpec, OptionSpec, declared, number, option, port, specs
+from poppet.parts.flow_path import named_flow
 from poppet.parts.part import AMBIENT, Flow, GasState, Input, PassageFlows, Quantities, Scope, State, Surroundings
+from poppet.parts.spool_curves import read_edge_curve
+from poppet.parts.spool_edges import EDGES, MeteringEdges
 from poppet.parts.spool_functions import (
     FIELDS,
-    FUNCTIONS,
     PILOTS,
     PROPORTIONAL,
     SETPOINTS,
-    SpoolFunction,
     command_properties,
-    edge_opening,
-    function_of,
     pilot_properties,
     pilot_signal,
+    position_of,
     possible_defaults,
     resting_position,
     switched_speed,
@@ -50,18 +41,10 @@ LOOSER = 30.0
 
 A sampled command accelerates the spool at each instant. With the tolerance of the gas, the spool would cause three of
 four steps."""
-EDGES = {
-    "supply_a": ("supply", "a", 1.0),
-    "supply_b": ("supply", "b", -1.0),
-    "exhaust_a": ("a", "exhaust_a", -1.0),
-    "exhaust_b": ("b", "exhaust_b", 1.0),
-}
-"""Mapping from each metering edge to the ports that it connects and the side of the centre on which it opens."""
-_INHERITS = {"supply_b": "supply_a", "exhaust_a": "supply_a", "exhaust_b": "exhaust_a"}
 
 
 @dataclass(frozen=True)
-class SpoolValve(FlowPath):
+class SpoolValve(MeteringEdges):
     r"""Directional valve with five ports whose spool opens four metering edges.
 
     .. math:: C = C_l + (C_e - C_l) \operatorname{clip}\left(\frac{\pm s - o}{1 - o}, 0, 1\right)
@@ -96,6 +79,10 @@ class SpoolValve(FlowPath):
     to its exhaust has the flow capacity of the edge from port a to its exhaust. An edge that is open at the centre has
     its flow capacity also there. The initial position of the spool is that of the commands.
 
+    The fields `characteristic`, `supply_b_characteristic`, `exhaust_a_characteristic` and `exhaust_b_characteristic`
+    contain tables of C and b versus s in place of the equation. By default, an edge has the mirrored table of the edge
+    whose flow capacity it would have.
+
     References
     ----------
     ISO 5599-1 and ISO 11727 for numbers of ports; Beater, Pneumatic Drives, Springer 2007, for spool valves.
@@ -121,7 +108,6 @@ class SpoolValve(FlowPath):
     exhaust_b: str | None = port("gas node at port 3", optional=True)
     pilot_a: str | None = port("gas node at pilot port 14; its pressure moves the spool to a", optional=True)
     pilot_b: str | None = port("gas node at pilot port 12; its pressure moves the spool to b", optional=True)
-    function: str = option(*FUNCTIONS, doc="function; positions and inputs")
     setpoint_type: str = option("command", *SETPOINTS, doc="type of setpoint; position, or voltage or current for it")
     command: NumberLike = number(
         "1", 0.0, doc="command", low=-1.0, high=1.0, note="centre by default", varies=command_properties
@@ -158,25 +144,6 @@ class SpoolValve(FlowPath):
         "Pa", "0.5 bar", doc="hysteresis of the pilots; pressure below the switching pressure at which they release",
         kind="pressure_difference", above=0.0, note="a small valve", varies=pilot_properties,
     )  # fmt: skip
-    overlap: NumberLike = number(
-        "1", 0.0, doc="overlap o of the supply edges", low=-1.0, below=1.0, note="none", varies=used_field("overlap")
-    )
-    exhaust_overlap: NumberLike = number("1", optional=True, doc="overlap o of the exhaust edges", low=-1.0, below=1.0)
-    supply_b_conductance: NumberLike = number("m^3/(s Pa)", optional=True, doc="conductance C from 1 to 2", low=0.0)
-    supply_b_ratio: NumberLike = number("1", optional=True, doc="critical ratio b from 1 to 2", low=0.0, below=1.0)
-    exhaust_a_conductance: NumberLike = number("m^3/(s Pa)", optional=True, doc="conductance C from 4 to 5", low=0.0)
-    exhaust_a_ratio: NumberLike = number("1", optional=True, doc="critical ratio b from 4 to 5", low=0.0, below=1.0)
-    exhaust_b_conductance: NumberLike = number("m^3/(s Pa)", optional=True, doc="conductance C from 2 to 3", low=0.0)
-    exhaust_b_ratio: NumberLike = number("1", optional=True, doc="critical ratio b from 2 to 3", low=0.0, below=1.0)
-    centre_conductance: NumberLike = number(
-        "m^3/(s Pa)", optional=True, doc="conductance C of the open edges at the centre", low=0.0
-    )
-    centre_ratio: NumberLike = number(
-        "1", optional=True, doc="critical ratio b of the open edges at the centre", low=0.0, below=1.0
-    )
-    leak_conductance: NumberLike = number(
-        "m^3/(s Pa)", 0.0, doc="conductance C of a closed edge", low=0.0, note="tight"
-    )
     initial_position: NumberLike = number("1", optional=True, doc="initial position of the spool", low=-1.0, high=1.0)
 
     def __post_init__(self) -> None:
@@ -199,9 +166,8 @@ class SpoolValve(FlowPath):
                 if getattr(self, name) is not None and self.pilot_a is None and self.pilot_b is None:
                     errors.add("spool.no_pilot", name)
 
-    @property
-    def _function(self) -> SpoolFunction:
-        return function_of(self)
+    def read_curve(self, field: str) -> Characteristic:
+        return read_edge_curve(getattr(self, field), field, self.setpoint_type)
 
     @property
     def _is_switched(self) -> bool:
@@ -212,11 +178,10 @@ class SpoolValve(FlowPath):
         return super().ports() | dict.fromkeys(exhausts, AMBIENT)
 
     def structure(self) -> Hashable:
-        optional = ("hysteresis", "closing_time", "centre_conductance", "centre_ratio")
-        return super().structure(), tuple(name for name in optional if getattr(self, name) is not None)
+        return super().structure(), self.hysteresis is None, self.closing_time is None
 
     def symbol_for(self, is_driven: bool) -> symbols.Symbol | str:
-        function = self._function
+        function = self.positions
         if not self._is_switched:
             return self.symbol
         pilots = (self.pilot_a is not None, self.pilot_b is not None)
@@ -241,18 +206,12 @@ class SpoolValve(FlowPath):
 
     def parameters(self, ambient: Surroundings) -> dict[str, float]:
         values = super().parameters(ambient)
-        sizes = {"supply_a_conductance": values["sonic_conductance"], "supply_a_ratio": values["critical_ratio"]}
-        for edge, default in _INHERITS.items():
-            for size in ("conductance", "ratio"):
-                sizes[f"{edge}_{size}"] = values.setdefault(f"{edge}_{size}", sizes[f"{default}_{size}"])
-        if "overlap" in values:
-            values.setdefault("exhaust_overlap", values["overlap"])
         if self._is_switched:
             values.setdefault("closing_time", values["switching_time"])
-            values.setdefault("initial_position", resting_position(self._function, *self._signals(values)))
+            values.setdefault("initial_position", resting_position(self.positions, *self._signals(values)))
         else:
             values.setdefault("switching_time", MIN_SWITCHING_TIME)
-            values.setdefault("initial_position", self._position(values["command"]))
+            values.setdefault("initial_position", position_of(values["command"], self.setpoint_type))
         if "pilot_pressure" in values:
             release = values["pilot_pressure"] - values["pilot_hysteresis"]
             if is_certain(release <= ambient.pressure):
@@ -262,15 +221,17 @@ class SpoolValve(FlowPath):
         return values
 
     def states(self) -> tuple[State, ...]:
-        position = State("position", "1", 1.0, LOOSER, 1.0)
-        velocity = State("velocity", "1/s", 100.0, LOOSER, 1.0)
+        # With a dead band of the error, a large step could end beyond the band without a visible error.
+        tolerance = LOOSER if self.hysteresis is None else 1.0
+        position = State("position", "1", 1.0, tolerance, 1.0)
+        velocity = State("velocity", "1/s", 100.0, tolerance, 1.0)
         return (position,) if self.dynamics == "first_order" else (position, velocity)
 
     def inputs(self) -> tuple[Input, ...]:
         unit, low, high = SETPOINTS.get(self.setpoint_type, ("1", -1.0, 1.0))
         if self._is_switched:
             low, high = 0.0, 1.0
-        names = self._function.commands
+        names = self.positions.commands
         return tuple(Input(name, unit, name, low=low, high=high, delay="delay", is_command=True) for name in names)
 
     def start(self, scope: Scope) -> dict[str, Any]:
@@ -278,51 +239,19 @@ class SpoolValve(FlowPath):
         return {state.name: values[state.name] for state in self.states()}
 
     def flows(self, scope: Scope, gas: Mapping[str, GasState]) -> PassageFlows:
-        position = scope.states["position"]
-        flows, outputs = list[Flow](), Quantities(position=(position, "1"))
-        for edge, (first, second, side) in EDGES.items():
-            size = self._edge_size(scope, edge, side * position)
-            flow, edge_outputs = named_flow(scope, gas, edge, (first, second), size)
+        flows, outputs = list[Flow](), Quantities(position=(scope.states["position"], "1"))
+        for edge, (first, second, _) in EDGES.items():
+            flow, edge_outputs = named_flow(scope, gas, edge, (first, second), self.edge_size(scope, edge))
             flows.append(flow)
             outputs.update(edge_outputs)
         rates = self._switched_rates(scope, gas) if self._is_switched else self._proportional_rates(scope)
         return PassageFlows(tuple(flows), outputs, rates)
 
-    # Flow capacity -----------------------------------------------------------------------------------------------
-
-    def _edge_size(self, scope: Scope, edge: str, position: Any) -> tuple[Any, Any]:
-        """Return sonic conductance [m^3/(s Pa)] and critical pressure ratio [1] of a metering edge.
-
-        `position` is the position of the spool in the direction in which the edge opens.
-        """
-        is_first, kind = edge == "supply_a", edge.partition("_")[0]
-        conductance, ratio = (
-            self.size_at(scope, None) if is_first else (scope[f"{edge}_conductance"], scope[f"{edge}_ratio"])
-        )
-        if kind == self._function.open_at_centre:
-            shift = clip(position, 0.0, 1.0)
-            if self.centre_conductance is not None:
-                conductance = scope["centre_conductance"] + (conductance - scope["centre_conductance"]) * shift
-            if self.centre_ratio is not None:
-                ratio = scope["centre_ratio"] + (ratio - scope["centre_ratio"]) * shift
-        lap = "overlap" if kind == "supply" else "exhaust_overlap"
-        overlap = scope[lap] if self.function in FIELDS[lap] else 0.0
-        opening = edge_opening(self._function, kind, position, overlap)
-        leak = scope["leak_conductance"]
-        return leak + (conductance - leak) * opening, ratio
-
     # Motion of the spool -----------------------------------------------------------------------------------------
-
-    def _position(self, command: Any) -> Any:
-        """Return the position of a proportional spool for a constant command."""
-        if self.setpoint_type not in SETPOINTS:
-            return command
-        _, low, high = SETPOINTS[self.setpoint_type]
-        return (command - 0.5 * (low + high)) / (0.5 * (high - low))
 
     def _proportional_rates(self, scope: Scope) -> dict[str, Any]:
         position, speed = scope.states["position"], 1.0 / scope["switching_time"]
-        error, max_speed, min_speed = self._position(scope.inputs["command"]) - position, speed, -speed
+        error, max_speed, min_speed = position_of(scope.inputs["command"], self.setpoint_type) - position, speed, -speed
         if self.hysteresis is not None:
             # The position has the unit of half the stroke: this fraction is half the width of its loop.
             error = error - clip(error, -scope["hysteresis"], scope["hysteresis"])
@@ -343,9 +272,9 @@ class SpoolValve(FlowPath):
                 pressures = scope["pilot_pressure"], scope["pilot_hysteresis"]
                 signals[k] = maximum(signals[k], pilot_signal(gas[pilot].pressure, *pressures))
         times = scope["switching_time"], scope["closing_time"]
-        return {"position": switched_speed(self._function, scope.states["position"], signals[0], signals[1], *times)}
+        return {"position": switched_speed(self.positions, scope.states["position"], signals[0], signals[1], *times)}
 
     def _signals(self, commands: Mapping[str, Any]) -> tuple[Any, Any]:
         """Return the signals towards a and b of a switched valve for its commands by name."""
-        first, *second = (commands[name] for name in self._function.commands)
+        first, *second = (commands[name] for name in self.positions.commands)
         return first, (second or [0.0])[0]

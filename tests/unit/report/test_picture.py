@@ -26,6 +26,7 @@ from poppet.parts import (
     Filter,
     FlowControlValve,
     FlowSource,
+    Gripper,
     Joint,
     MainStage,
     Muscle,
@@ -37,11 +38,14 @@ from poppet.parts import (
     QuickExhaustValve,
     ReliefValve,
     Reservoir,
+    RotaryActuator,
     ShuttleValve,
     Silencer,
     SpoolValve,
+    SuctionCup,
     Tube,
     TwoPressureValve,
+    VacuumEjector,
 )
 from poppet.parts.captions import CaptionNumbers
 from poppet.parts.fields import NumberLike, number, port
@@ -70,6 +74,8 @@ def circuit_with_every_kind() -> Circuit:
             "compressor": Compressor(
                 "rail", free_air_delivery="200 l/min ANR", start_pressure="5 bar", stop_pressure="6 bar"
             ),
+            "ejector": VacuumEjector(supply="load", vacuum="hose.1", exhaust="room", air_consumption="60 l/min ANR"),
+            "cup": SuctionCup(port="hose.2", volume="5 cm^3", diameter="40 mm"),
             "reducer": PressureRegulator(supply="rail", outlet="load", exhaust="room", setpoint="4 bar", **SIZE),
             "leak": Orifice(from_="load", to="room", nominal_flow="10 l/min ANR"),
             "throttle": Orifice(from_="load", to="end", characteristic="varga2012", stroke="0.5 mm"),
@@ -95,6 +101,23 @@ def circuit_with_every_kind() -> Circuit:
                 offset="50 mm",
             ),
             "inlet": Orifice(from_="rail", to="gripper.cap", **SIZE),
+            "hand": Gripper(
+                bore="20 mm",
+                jaw_stroke="5 mm",
+                transmission=2.0,
+                jaws={"mass": "0.2 kg"},
+                cap={"dead_volume": "1 cm^3"},
+                rod={"dead_volume": "1 cm^3"},
+            ),
+            "close": Orifice(from_="rail", to="hand.cap", **SIZE),
+            "turner": RotaryActuator(
+                displacement="20 cm^3/rad",
+                swivel_angle="180 deg",
+                shaft={"inertia": "0.05 kg m^2"},
+                forward={"dead_volume": "10 cm^3"},
+                backward={"dead_volume": "10 cm^3"},
+            ),
+            "turn": Orifice(from_="rail", to="turner.forward", **SIZE),
             "flexor": Muscle(body="arm", data="dmsp_20_300"),
             "nozzle": Orifice(from_="rail", to="flexor", **SIZE),
             "arm": Joint(inertia=0.02, pulley_radius="25 mm", friction={"kind": "lugre", "coulomb_torque": "0.5 N m"}),

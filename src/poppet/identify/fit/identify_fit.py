@@ -170,7 +170,7 @@ def _conditions(plan: FitPlan, optimum: Optimum) -> dict[str, Any]:
         "fixed": {
             address: f"{number.display()} ({number.source.kind})"
             for address, number in first.instance.sources.items()
-            if address not in free and ".characteristic." not in address
+            if address not in free and "characteristic." not in address
         },
         "evaluations": optimum.evaluations,
         "noise": {fitted.name: float(sigma) for fitted, sigma in sigmas},
