@@ -13,7 +13,43 @@ from poppet.core.errors import InputError
 from poppet.report.step_diagram import MOST_COLUMNS, draw_step_diagram, step_run
 from poppet.timeseries.recording import Recording
 
-EXAMPLE = Path(__file__).parents[3] / "examples" / "two_cylinders.toml"
+TWO_TANKS = Path(__file__).parents[3] / "examples" / "two_tanks.toml"
+DRIVE = """
+[parts.valve{name}]
+kind = "spool_valve"
+supply = "supply"
+a = "cylinder{name}.cap"
+b = "cylinder{name}.rod"
+sonic_conductance = 1e-8
+critical_ratio = 0.3
+[parts.cylinder{name}]
+kind = "cylinder"
+bore = "25 mm"
+stroke_length = "{stroke} mm"
+body = "slide{name}"
+cap = {{dead_volume = "5 cm^3"}}
+rod = {{dead_volume = "5 cm^3"}}
+[parts.slide{name}]
+kind = "mass"
+mass = "2 kg"
+"""
+PLC = """
+[parts.supply]
+kind = "reservoir"
+pressure = "7 bar"
+[parts.plc]
+kind = "sequence"
+outputs = ["a", "b"]
+start = "A+"
+steps."A+" = { set = {a = 1, b = -1}, next = { "B+" = "slideA.position > 98 mm" } }
+steps."B+" = { set = {a = 1, b = 1}, next = { "B-" = "slideB.position > 48 mm" } }
+steps."B-" = { set = {a = 1, b = -1}, next = { "A-" = "slideB.position < 2 mm" } }
+steps."A-" = { set = {a = -1, b = -1}, next = { "A+" = "slideA.position < 2 mm" } }
+[connections]
+"valveA.command" = "plc.a"
+"valveB.command" = "plc.b"
+"""
+TEXT = PLC + DRIVE.format(name="A", stroke=100) + DRIVE.format(name="B", stroke=50)
 SERIES = ("plc.step", "plc.a", "plc.b", "cylinderA.piston_position", "cylinderB.piston_position")
 # Number of the step, outputs, and both positions [m] at its start.
 STARTS = ((1, 1, -1, 0.0, 0.0), (2, 1, 1, 0.1, 0.0), (3, 1, -1, 0.1, 0.05), (4, -1, -1, 0.1, 0.0))
@@ -21,7 +57,7 @@ STARTS = ((1, 1, -1, 0.0, 0.0), (2, 1, 1, 0.1, 0.0), (3, 1, -1, 0.1, 0.05), (4, 
 
 @pytest.fixture(scope="module")
 def circuit() -> poppet.Circuit:
-    return poppet.load(EXAMPLE)
+    return poppet.loads(TEXT)
 
 
 def recording(*starts: Any) -> Recording:
@@ -76,14 +112,14 @@ def test_names_of_many_steps_are_upright_and_their_number_is_limited(circuit: po
 
 
 def test_a_switch_leads_to_the_body_that_it_measures() -> None:
-    text = EXAMPLE.read_text(encoding="utf-8").replace("slideB.position > 48 mm", "reed.state")
+    text = TEXT.replace("slideB.position > 48 mm", "reed.state")
     text = text.replace("slideB.position < 2 mm", "elapsed > 1 s")
     text += '[parts.reed]\nkind = "switch"\nmeasurement = "slideB.position"\non_above = "48 mm"\noff_below = "47 mm"\n'
     assert list(step_run(poppet.loads(text), recording(*STARTS)).displacements) == ["cylinderA", "cylinderB"]
 
 
 def test_a_body_without_cylinder_uses_its_stops_or_its_range(circuit: poppet.Circuit) -> None:
-    text = EXAMPLE.read_text(encoding="utf-8")
+    text = TEXT
     text = text.replace("slideB.position > 48 mm", "table.position > 20 mm").replace(
         "slideB.position < 2 mm", "elapsed > 1 s"
     )
@@ -98,7 +134,7 @@ def test_a_body_without_cylinder_uses_its_stops_or_its_range(circuit: poppet.Cir
 
 def test_rejected_input(circuit: poppet.Circuit) -> None:
     with pytest.raises(InputError) as error:
-        draw_step_diagram(poppet.load(EXAMPLE.with_name("two_tanks.toml")), recording(*STARTS))
+        draw_step_diagram(poppet.load(TWO_TANKS), recording(*STARTS))
     assert error.value.code == "drawing.no_sequence"
     with pytest.raises(InputError) as error:
         draw_step_diagram(circuit, recording(*STARTS), sequence="plb")

@@ -12,7 +12,7 @@ import pytest
 import poppet
 
 sys.path.insert(0, str(Path(__file__).parent))
-from independent_machines import STATES, circuit_text, condition_text, draw_machine, simulate_machine
+from independent_sequences import STATES, circuit_text, condition_text, draw_machine, simulate_machine
 
 DURATION = 2.0
 
