@@ -70,10 +70,12 @@ class BaseCircuit(HtmlMixin):
 
     Parameters
     ----------
-    parts, signals, run, ambient, gas, title, connections, origin, like : optional
+    parts, signals, run, ambient, gas, title, connections, origin : optional
         The subclass `poppet.Circuit`, which adds the methods of other packages, describes these arguments.
     is_excerpt : bool, optional
         True if the parts belong to a larger circuit. Inputs that absent parts drive are then free.
+    like : Circuit, optional
+        Similar circuit. Parts that are the same objects in both circuits are not checked again.
 
     Raises
     ------
@@ -140,7 +142,7 @@ class BaseCircuit(HtmlMixin):
             _ = self._symbolic_model
 
     def _all_connections(self, like: BaseCircuit | None) -> Mapping[str, str]:
-        """Return the connections of the user and those that parts declare.
+        """Return the connections of the user, and the connections that parts declare.
 
         The result is the object of the circuit `like` if the connections are unchanged.
         """
@@ -572,13 +574,12 @@ class BaseCircuit(HtmlMixin):
         SimulationError
             If the circuit has no steady state or none was found.
 
-        Notes
-        -----
-        A transient of increasing length, up to 30 years of model time, approaches the steady state. Newton's method
-        with the exact Jacobian then refines it. Conserved quantities (the gas in a closed network) keep their initial
-        values. In the dead zone of a valve, all states are steady: the result is the one that the transient reaches.
-        If the transient does not end, because a valve hunts, the search continues with slower gas dynamics. Slower gas
-        does not change the steady state, but the mechanics can follow it. A note reports this method.
+        Notes ----- A transient of increasing length, up to 30 years of model time, approaches the steady state.
+        Newton's method with the exact Jacobian then refines it. Conserved quantities (the gas in a closed network) keep
+        their initial values. In the dead zone of a valve, all states are steady. The result is then the state that the
+        transient reaches. If the transient does not end, because a valve hunts, the search continues with slower gas
+        dynamics. Slower gas does not change the steady state, but the mechanics can follow it. A note reports this
+        method.
 
         If the circuit is sampled, states and discrete states are both steady: no sample instant changes them, except
         for clocks and their counters.

@@ -195,7 +195,7 @@ def part_connections(parts: Mapping[str, Part]) -> dict[str, PartConnection]:
 def merge_connections(
     connections: Mapping[str, str], declared: Mapping[str, PartConnection], parts: Collection[str], *, is_excerpt: bool
 ) -> dict[str, str]:
-    """Return the connections of a circuit together with those that its parts declare.
+    """Return the connections of a circuit, together with the connections that its parts declare.
 
     `declared` is the result of `part_connections`. In an excerpt of a circuit, declared connections from absent parts
     are omitted.
@@ -243,7 +243,7 @@ def check_connections(
 ) -> None:  # fmt: skip
     """Collect errors of connections.
 
-    An error is an unknown input or output, or an input with both a connection and a signal. `declared` contains the
+    The errors are unknown inputs or outputs, and inputs with both a connection and a signal. `declared` contains the
     connections that the parts declare.
     """
     for target, source in connections.items():
@@ -277,7 +277,7 @@ def check_signals(
 ) -> None:
     """Collect errors of signals.
 
-    An error is an unknown input, or a signal value outside the limits of the input.
+    The errors are unknown inputs, and signal values outside the limits of an input.
     """
     for address, signal in signals.items():
         if address not in inputs or inputs[address].slope_of:
