@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import ctypes
 import os
+import re
 import shutil
 import subprocess
 from pathlib import Path
@@ -118,7 +119,7 @@ def members(program: ControllerProgram, group: str) -> list[str]:
     result = []
     for item in items:
         part, _, local = item.address.partition(".")
-        local = local.replace(".", "_")
+        local = "step_v" if local == "step" else re.sub(r"\W+", "_", local)
         alone = local if part == program.parts[0] else f"{part}_{local}"
         result.append(alone if len(program.parts) == 1 else f"{part}.{local}")
     return result

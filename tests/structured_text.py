@@ -31,6 +31,7 @@ _FUNCTIONS: dict[str, Callable[..., Any]] = {
     "ATAN": math.atan,
     "EXPT": math.pow,
     "LREAL_TO_LINT": round,
+    "LREAL_TO_INT": round,
     "LINT_TO_LREAL": float,
 }
 Run = Callable[[dict[str, Any]], Any]
@@ -186,6 +187,11 @@ class TextParser:
     def _statement(self) -> Run:
         if self.word == "IF":
             return self._choice()
+        if self.word == "CASE":
+            return self._case()
+        if self.word == ";":
+            self.take()
+            return lambda values: None
         if self.word == "WHILE":
             self.take()
             condition = self.expression()
@@ -233,6 +239,36 @@ class TextParser:
             body = next((own for condition, own in cases if condition(values)), otherwise)
             if body is not None:
                 body(values)
+
+        return run
+
+    def _case(self) -> Run:
+        """Read a CASE statement whose labels are single integers."""
+        self.expect("CASE")
+        selector = self.expression()
+        self.expect("OF")
+        bodies: dict[int, Run] = {}
+        while self.word != "END_CASE":
+            label = int(self.take())
+            self.expect(":")
+            if label in bodies:
+                raise SyntaxError(f"case {label} is written twice")
+            start = self.place
+            statements: list[Run] = []
+            # A number begins the next case.
+            while not (self.word.isdigit() or self.word == "END_CASE"):
+                statements.append(self._statement())
+            if self.place == start:
+                raise SyntaxError(f"case {label} has no statement")
+            bodies[label] = _in_order(statements)
+        self.expect("END_CASE", ";")
+
+        def run(values: dict[str, Any]) -> None:
+            number = selector(values)
+            if type(number) is not int:
+                raise TypeError(f"the selector {number!r} is no INT")
+            # Every step is a case: a number without one is an error of the printer.
+            bodies[number](values)
 
         return run
 
@@ -291,6 +327,14 @@ class TextParser:
         if word.upper() not in self.known:
             raise SyntaxError(f"{word} is not declared")
         return self.known[word.upper()]
+
+
+def _in_order(statements: list[Run]) -> Run:
+    def run(values: dict[str, Any]) -> None:
+        for statement in statements:
+            statement(values)
+
+    return run
 
 
 def _flag(value: Any) -> bool:

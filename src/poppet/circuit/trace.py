@@ -10,7 +10,7 @@ from collections import defaultdict
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from graphlib import CycleError, TopologicalSorter
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from poppet.circuit.wiring import part_connections
 from poppet.core.errors import ErrorCollector, InputError, NameSuggestion
@@ -31,6 +31,7 @@ from poppet.parts.part import (
     Passage,
     PassageFlows,
     Scope,
+    Selection,
     Store,
     Surroundings,
 )
@@ -60,15 +61,44 @@ def trace(
 
 def trace_program(
     parts: Mapping[str, Part], parameters: tuple[str, ...], connections: Mapping[str, str]
-) -> tuple[Model, dict[str, tuple[Any, str]]]:
-    """Return the model of sampled controllers, and the labels of their intermediate values.
+) -> TracedProgram:
+    """Return the model of sampled controllers, with the names and selections in its equations.
 
-    The model has relative time: the state of a timer is the time until it is due. A label maps the address of a value
-    at a sample instant to its expression and meaning (`Scope.label`).
+    The model has relative time: the state of a timer is the time until it is due.
     """
     tracer = _Tracer(parts, connections, parameters, has_relative_time=True)
-    model = tracer.model()
-    return model, tracer.labels
+    return TracedProgram(tracer.model(), tracer.labels, tuple(tracer.selections))
+
+
+def _values_of(selection: Selection) -> list[Any]:
+    """Return the selector and the results of all cases, case by case."""
+    results = (case.values.get(name, 0.0) for case in selection.cases for name in selection.symbols)
+    return [selection.selector, *results]
+
+
+class TracedSelection(NamedTuple):
+    """Selection (`Scope.select`) in the equations of a program.
+
+    Row k of `values`, shape (n_cases, n_results), contains the results of case k. Expressions can contain the symbols
+    of previous selections.
+    """
+
+    owner: str  # name of the part
+    selection: Selection
+    selector: Any
+    values: Any
+
+
+class TracedProgram(NamedTuple):
+    """Model of sampled controllers.
+
+    A label maps the address of a value at a sample instant to its expression and meaning (`Scope.label`). The
+    expressions contain the symbols of the selections.
+    """
+
+    model: Model
+    labels: dict[str, tuple[Any, str]]
+    selections: tuple[TracedSelection, ...]
 
 
 class _Tracer:
@@ -80,6 +110,7 @@ class _Tracer:
 
         self.has_relative_time = has_relative_time
         self.labels: dict[str, tuple[Any, str]] = {}
+        self.selections: list[TracedSelection] = []
 
         self.ca, self.circuit_parts, self.names = ca, parts, parameters
         self.parts, self.connections, self.shown = expand_compounds(parts, connections)
@@ -126,7 +157,7 @@ class _Tracer:
 
         inputs = select({**self.input, **self.joined})
         states, memory = ({}, {}) if at_start else (select(self.symbols), select(self.memory))
-        body_name, motion = self.parts[name].body_name(), None
+        body_name, motion = self._body(name), None
         if body_name is not None:
             body, body_scope = self.parts[body_name], self.scope(body_name, at_start=at_start)
             assert isinstance(body, Body)
@@ -136,14 +167,13 @@ class _Tracer:
         return Scope(numbers, states, inputs, self.surroundings, memory, time, motion, self.has_relative_time)
 
     def _ports(self, name: str) -> dict[str, str]:
-        """Return a mapping from the ports of a part to addresses of gas nodes.
+        """Return a mapping from the ports of a part to addresses of gas nodes."""
+        return {port: _absolute(store, name) for port, store in self.parts[name].ports().items()}
 
-        Inside a compound part, a port whose value begins with a dot, such as `.tank`, names a gas node of the same
-        compound part.
-        """
-        compound = name.rpartition(".")[0]
-        ports = self.parts[name].ports().items()
-        return {port: f"{compound}{store}" if store.startswith(".") else store for port, store in ports}
+    def _body(self, name: str) -> str | None:
+        """Return the address of the body on which a part acts, or None if it acts on no body."""
+        body_name = self.parts[name].body_name()
+        return None if body_name is None else _absolute(body_name, name)
 
     def model(self) -> Model:
         ca = self.ca
@@ -252,7 +282,7 @@ class _Tracer:
                 forces[name] = part.actuator_force(scopes[name], states)
         for name, part in self.parts.items():
             if isinstance(part, Body):
-                acting = [force for actuator, force in forces.items() if self.parts[actuator].body_name() == name]
+                acting = [force for actuator, force in forces.items() if self._body(actuator) == name]
                 total = sum(force.force for force in acting)
                 dynamics[name] = part.dynamics(scopes[name], total, sum(force.friction for force in acting))
         return dynamics, forces
@@ -317,7 +347,7 @@ class _Tracer:
                 unit, input_unit = all_outputs[source][1], all_outputs[target][1]
                 if target in self.declared:
                     # The unit of the input follows from a written unit, which can have another name (J, N m).
-                    if not same_dimension(unit, input_unit):
+                    if input_unit and not same_dimension(unit, input_unit):
                         facts = {"source": self._shown(source), "unit": unit, "given": input_unit}
                         errors.add("wiring.condition_unit", self._place(target), **facts)
                 elif unit != input_unit:
@@ -399,12 +429,22 @@ class _Tracer:
             new = self.parts[name].update(timer.name, scopes[name])
             assert timer.name in new, f"{name}.{timer.name} does not set itself"
             labels = scopes[name].labels if self.has_relative_time else {}
-            values = self._substitute(ca.vertcat(*new.values(), *(value for value, _ in labels.values())), connected)
+            selections = scopes[name].selections if self.has_relative_time else []
+            named = [value for value, _ in labels.values()]
+            selected = [value for selection in selections for value in _values_of(selection)]
+            values = self._substitute(ca.vertcat(*new.values(), *named, *selected), connected)
             if not timer.is_simultaneous:
                 values = ca.substitute([values], [self.z], [now])[0]
             for i, (label, (_, meaning)) in enumerate(labels.items(), len(new)):
                 self.labels[f"{name}.{label}"] = values[i], meaning
+            i = len(new) + len(labels)
+            for selection in selections:
+                n_cases, n_results = len(selection.cases), len(selection.symbols)
+                table = ca.reshape(values[i + 1 : i + 1 + n_cases * n_results], n_results, n_cases).T
+                self.selections.append(TracedSelection(name, selection, values[i], table))
+                i += 1 + n_cases * n_results
             labels.clear()
+            selections.clear()
             elements = [now[i] for i in range(now.shape[0])]
             for i, local in enumerate(new):
                 j = index[f"{name}.{local}"]
@@ -453,3 +493,12 @@ class _Tracer:
                 shown = [f"{name}.{local}" for local in part.outside()]  # type: ignore[attr-defined]
                 result |= {address: all_outputs[address_of[address]] for address in shown}
         return result
+
+
+def _absolute(address: str, part: str) -> str:
+    """Return the address of a gas node or body from its address in a field of a part.
+
+    Inside a compound part, an address that begins with a dot, such as `.tank`, names a member of the same compound
+    part.
+    """
+    return f"{part.rpartition('.')[0]}{address}" if address.startswith(".") else address

@@ -38,11 +38,19 @@ class PartWiring(NamedTuple):
     ports: Mapping[str, str]  # port to the address of the gas node
     stores: tuple[str, ...]  # local names of its gas nodes; the empty name is the part itself
     body: str | None = None  # body that it moves
+    inner_bodies: tuple[str, ...] = ()  # local names of its bodies
 
     @classmethod
     def of(cls, part: Part) -> PartWiring:
         """Return the wiring of a valid part."""
-        return cls(type(part), part.ports(), part.stores(), part.body_name())
+        return cls(type(part), part.ports(), part.stores(), part.body_name(), part.inner_bodies())
+
+    def acts_on(self, name: str) -> str | None:
+        """Return the address of the body on which the part acts, or None if it acts on no body.
+
+        `name` is the name of the part. A part with an inner body acts on this body.
+        """
+        return self.body or next((f"{name}.{body}" for body in self.inner_bodies), None)
 
     @classmethod
     def of_table(cls, kind: type[Part], table: Mapping[str, Any]) -> PartWiring:
@@ -187,7 +195,7 @@ def part_connections(parts: Mapping[str, Part]) -> dict[str, PartConnection]:
 def merge_connections(
     connections: Mapping[str, str], declared: Mapping[str, PartConnection], parts: Collection[str], *, is_excerpt: bool
 ) -> dict[str, str]:
-    """Return the connections of a circuit together with those that its parts declare.
+    """Return the connections of a circuit, together with the connections that its parts declare.
 
     `declared` is the result of `part_connections`. In an excerpt of a circuit, declared connections from absent parts
     are omitted.
@@ -218,12 +226,14 @@ def find_drives(wiring: Wiring, connections: Mapping[str, str], inputs: Mapping[
         if part.body is not None:
             successors[name].add(part.body)
     drives: dict[str, list[str]] = {name: [] for name, part in wiring.items() if issubclass(part.kind, Body)}
+    drives |= {f"{name}.{body}": [] for name, part in wiring.items() for body in part.inner_bodies}
     for address in inputs:
         reached = {address.partition(".")[0]}
         while added := {after for name in reached for after in successors[name]} - reached:
             reached |= added
-        for body in reached & drives.keys():
-            drives[body].append(address)
+        for body in drives:
+            if body.partition(".")[0] in reached:
+                drives[body].append(address)
     return drives
 
 
@@ -233,7 +243,7 @@ def check_connections(
 ) -> None:  # fmt: skip
     """Collect errors of connections.
 
-    An error is an unknown input or output, or an input with both a connection and a signal. `declared` contains the
+    The errors are unknown inputs or outputs, and inputs with both a connection and a signal. `declared` contains the
     connections that the parts declare.
     """
     for target, source in connections.items():
@@ -267,7 +277,7 @@ def check_signals(
 ) -> None:
     """Collect errors of signals.
 
-    An error is an unknown input, or a signal value outside the limits of the input.
+    The errors are unknown inputs, and signal values outside the limits of an input.
     """
     for address, signal in signals.items():
         if address not in inputs or inputs[address].slope_of:

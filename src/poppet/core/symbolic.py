@@ -24,6 +24,11 @@ def is_symbolic(*values: Any) -> bool:
     return False
 
 
+def new_symbol(name: str) -> Any:
+    """Return a new CasADi symbol."""
+    return _casadi().SX.sym(name)
+
+
 class SymbolicValueError(TypeError):
     """Error raised if a symbol is used in place of a float, for example in a check of its value."""
 
@@ -116,6 +121,7 @@ sin = _elementary("sin", math.sin)
 cos = _elementary("cos", math.cos)
 tanh = _elementary("tanh", math.tanh)
 floor = _elementary("floor", math.floor)
+fabs = _elementary("fabs", math.fabs)
 
 
 def smoothstep(value: Any, low: Any, high: Any) -> Any:

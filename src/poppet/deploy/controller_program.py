@@ -16,7 +16,7 @@ import numpy as np
 import numpy.typing as npt
 
 from poppet.circuit.circuit import BaseCircuit
-from poppet.circuit.trace import trace_program
+from poppet.circuit.trace import TracedProgram, trace_program
 from poppet.core.errors import InputError
 from poppet.deploy.export_model import ExportInput, ExportModel, ExportParameter, ExportQuantity
 from poppet.engine.model_evaluation import Array, ArrayFunction
@@ -27,7 +27,6 @@ from poppet.parts.part import NEVER, Controller
 if TYPE_CHECKING:
     import casadi
 
-    from poppet.engine.model import Model
 
 SIGNATURES = {
     "accept": "u p z -> z labels",
@@ -40,10 +39,17 @@ SIGNATURES = {
 outputs y, status flags; `fired` is 1 for each expired timer, and `labels` are intermediate values with a name.
 
 A call consists of `accept`; `start` if it is the first; `advance`; `update` if a timer has expired; and `outputs`."""
+SELECTING_UPDATE = "z fired chosen -> {selections} z labels"
+"""Arguments and results of `update` with selections, for a printer.
+
+`chosen` contains the results of all selections. The result of a selection contains its selector, then the results of
+each case."""
 STATUS = ("input_held", "safe", "saturated", "late", "parameter_held")
 """Status flags, in the order of the bits of a status: bit k is flag k."""
 LARGEST_INPUT = 1e15
 """Largest magnitude of a valid input. It also rejects values that are not finite; its square is finite as a float."""
+COUNTED = {"faulty_samples": 0.5, "elapsed_samples": -0.5}
+"""Names of discrete states that count samples, with the value above which they have begun to count."""
 FLAGS = ("is_started", "has_input_fault", "has_parameter_fault", "is_late")
 """Last elements of the state z, which belong to the program itself."""
 
@@ -67,6 +73,15 @@ class ProgramState(NamedTuple):
     unit: str
     is_flag: bool  # 0 or 1, a Boolean in exported programs
     value: float = 0.0  # before the first call; `start` sets the memory
+
+
+class ProgramSelection(NamedTuple):
+    """Selection of a program, which a printer writes as a CASE or switch statement."""
+
+    names: tuple[str, ...]  # addresses of the results
+    flags: tuple[bool, ...]  # True for results that are 0 or 1
+    cases: tuple[str, ...]  # titles of the cases 1, 2, ...
+    titles: Mapping[int, str]  # comments by the value of a result
 
 
 class ProgramRun(NamedTuple):
@@ -105,7 +120,13 @@ class ControllerProgram:
     sensed : dict
         Address of a measured input to the output of a run with its value, and the offset that the sensor adds.
     functions : dict
-        CasADi functions with the `SIGNATURES`, for a printer.
+        CasADi functions with the `SIGNATURES`.
+    output_flags : frozenset of str
+        Addresses of the outputs that are 0 or 1.
+    selections : tuple of ProgramSelection
+        Selections in `update`, in the order of execution.
+    selecting_update : casadi.Function, optional
+        The function `update` with the arguments `SELECTING_UPDATE`, if there are selections.
 
     Notes
     -----
@@ -129,6 +150,18 @@ class ControllerProgram:
     cycle: float
     sensed: Mapping[str, tuple[str, float]]
     functions: Mapping[str, casadi.Function]
+    output_flags: frozenset[str] = frozenset()
+    selections: tuple[ProgramSelection, ...] = ()
+    selecting_update: casadi.Function | None = None
+
+    def printed(self, name: str) -> tuple[casadi.Function, str]:
+        """Return the function `name` in the form for a printer, and its signature.
+
+        Results of selections are named `selection`.
+        """
+        if name != "update" or self.selecting_update is None:
+            return self.functions[name], SIGNATURES[name]
+        return self.selecting_update, SELECTING_UPDATE.format(selections=" ".join("selection" for _ in self.selections))
 
     def run(
         self,
@@ -172,7 +205,10 @@ class ControllerProgram:
 
 
 class _Equations(NamedTuple):
-    """Expressions of the controllers, for inputs u, parameters p, memory and expired timers."""
+    """Expressions of the controllers, for inputs u, parameters p, memory and expired timers.
+
+    Updates and labels contain the symbols of the selections, which `selections` maps to the values of all cases.
+    """
 
     start: Any  # memory at the start
     update: Any  # memory after a sample instant
@@ -182,6 +218,8 @@ class _Equations(NamedTuple):
     p: Any  # symbols of the parameters with an effect
     memory: Any
     fired: Any
+    selections: Sequence[Any] = ()  # of each selection: selector, then the results of each case
+    symbols: Sequence[Any] = ()  # of each selection: symbols of its results
 
 
 class _Interface(NamedTuple):
@@ -218,12 +256,13 @@ def trace_controller_program(
     ControllerProgram
     """
 
-    model, labels = trace_program(controllers.parts, tuple(controllers.parameters), controllers.connections)
+    traced = trace_program(controllers.parts, tuple(controllers.parameters), controllers.connections)
+    model, labels = traced.model, traced.labels
     if continuous := sorted({state.name for state in model.states} - set(sensors)):
         raise InputError("deploy.controller.continuous", continuous[0])
     recorded = {f"{name}.{item.name}" for name, part in controllers.parts.items() for item in part.inputs()}
     outputs = [k for k, (name, _) in enumerate(model.outputs) if name not in recorded and name not in sensors]
-    equations, used_u, used_p = _trace_equations(model, labels, export_model, sensors, outputs)
+    equations, used_u, used_p = _trace_equations(traced, export_model, sensors, outputs)
     inputs = tuple(export_model.inputs[k] for k in used_u)
     parameters = tuple(export_model.parameters[k] for k in used_p)
     elementary, _, shown = expand_compounds(controllers.parts, controllers.connections)
@@ -237,8 +276,17 @@ def trace_controller_program(
     limits = [
         (_number_or_nan(item.low), _number_or_nan(item.high)) for item in (declared[one.address] for one in inputs)
     ]
+    part_flags = {
+        shown.get(address, address)
+        for name, part in elementary.items()
+        if isinstance(part, Controller)
+        for address in (f"{name}.{local}" for local in part.flags())
+    }
     states = (
-        *(ProgramState("memory", name, unit, name.rpartition(".")[2].startswith("is_")) for name, unit in model.memory),
+        *(
+            ProgramState("memory", name, unit, name in part_flags or name.rpartition(".")[2].startswith("is_"))
+            for name, unit in model.memory
+        ),
         *(ProgramState("in", item.address, item.unit, item.address in flags, item.value) for item in inputs),
         *(ProgramState("param", parameter.address, parameter.unit, False, parameter.value) for parameter in parameters),
         *(ProgramState("flag", name, "1", True) for name in FLAGS),
@@ -255,19 +303,31 @@ def trace_controller_program(
         for low, high in part.ascending_parameters()
     ]
     interface = _Interface(inputs, flags, limits, parameters, ascending)
-    functions = _program_functions(equations, interface, states, model.n_timers, cycle)
+    functions, selecting_update = _program_functions(equations, interface, states, model.n_timers, cycle)
+    selections = tuple(
+        ProgramSelection(
+            tuple(
+                shown.get(address, address) for address in (f"{item.owner}.{name}" for name in item.selection.symbols)
+            ),
+            tuple(name in item.selection.flags for name in item.selection.symbols),
+            tuple(case.title for case in item.selection.cases),
+            item.selection.titles,
+        )
+        for item in traced.selections
+    )
+    program_outputs = tuple(export_model.outputs[k] for k in outputs)
     values = {parameter.address: parameter.value for parameter in export_model.parameters}
     return ControllerProgram(
         export_model.name, circuit.title, tuple(controllers.parts), inputs, flags, parameters, states, model.n_timers,
-        tuple(export_model.outputs[k] for k in outputs),
+        program_outputs,
         _LABELS | {"update": {shown.get(address, address): meaning for address, (_, meaning) in labels.items()}}, cycle,
         {target: (state, values[f"{group}offset"]) for state, (target, group) in sensors.items()}, functions,
+        frozenset(output.address for output in program_outputs) & part_flags, selections, selecting_update,
     )  # fmt: skip
 
 
 def _trace_equations(
-    model: Model,
-    labels: Mapping[str, tuple[Any, str]],
+    traced: TracedProgram,
     export_model: ExportModel,
     sensors: Mapping[str, tuple[str, str]],
     output_indices: Sequence[int],
@@ -278,6 +338,7 @@ def _trace_equations(
     """
     import casadi as ca
 
+    model = traced.model
     outputs, indices = ca.densify(model.expressions["outputs"]), {name: k for k, (name, _) in enumerate(model.outputs)}
     p, memory, u = ca.SX.sym("p", len(export_model.parameters)), ca.SX.sym("z", len(model.memory)), model.symbols["u"]
     groups = tuple(group for _, group in sensors.values())
@@ -285,16 +346,19 @@ def _trace_equations(
         0.0 if parameter.address.startswith(groups) else p[k] if parameter.is_free else parameter.value
         for k, parameter in enumerate(export_model.parameters)
     ]
-    label_values = ca.vertcat(*(value for value, _ in labels.values()))
+    label_values = ca.vertcat(*(value for value, _ in traced.labels.values()))
+    selections = [ca.vertcat(item.selector, ca.vec(item.values.T)) for item in traced.selections]
     results = [model.expressions["memory_start"], model.expressions["update"], outputs[output_indices], label_values]
+    results += selections
     # The states first, because their replacements contain inputs and parameters.
     measured = ca.vertcat(*(outputs[indices[sensors[state.name][0]]] for state in model.states))
     results = ca.substitute([ca.densify(result) for result in results], [model.symbols["x"]], [measured])
     results = ca.substitute(results, [model.symbols["p"]], [ca.vertcat(*values, memory)])
     used_u, used_p = (sorted({*ca.jacobian_sparsity(ca.vertcat(*results), symbol).get_col()}) for symbol in (u, p))
-    start, update, output_values, label_values = results
+    start, update, output_values, label_values, *selections = results
     symbols = u[used_u], p[used_p], memory, model.symbols["fired"]
-    return _Equations(start, update, output_values, label_values, *symbols), used_u, used_p
+    chosen = [ca.vertcat(*item.selection.symbols.values()) for item in traced.selections]
+    return _Equations(start, update, output_values, label_values, *symbols, selections, chosen), used_u, used_p
 
 
 def _first_functions(equations: _Equations, n_timers: int) -> tuple[casadi.Function, casadi.Function]:
@@ -317,8 +381,8 @@ def _number_or_nan(limit: str | float) -> float:
 
 def _program_functions(
     equations: _Equations, interface: _Interface, states: Sequence[ProgramState], n_timers: int, cycle: float
-) -> dict[str, casadi.Function]:
-    """Return the functions of a program with the `SIGNATURES`."""
+) -> tuple[dict[str, casadi.Function], casadi.Function | None]:
+    """Return the functions of a program with the `SIGNATURES`, and `update` with selections, if there are any."""
     import casadi as ca
 
     inputs, parameters = interface.inputs, interface.parameters
@@ -333,7 +397,7 @@ def _program_functions(
           for k, item in enumerate(inputs))
     )  # fmt: skip
     old, new = [equations.u, equations.p], [effective_u, held_p]
-    start, update, outputs, labels = ca.substitute([*equations[:4]], old, new)
+    start, update, outputs, labels, *selections = ca.substitute([*equations[:4], *equations.selections], old, new)
 
     accepted_p = _accepts_parameters(p, interface)
     accepted_u, are_valid = _accept_inputs(u, held_u, interface)
@@ -356,9 +420,8 @@ def _program_functions(
     fired, late = equations.fired, is_late
     if n_timers == 1:
         # `update` is called only if a timer has expired.
-        n_labels = labels.shape[0]
-        both = ca.substitute(ca.vertcat(update, labels), fired, ca.SX(1.0))
-        update, labels, fired = both[: both.shape[0] - n_labels], both[both.shape[0] - n_labels :], ca.SX(1.0)
+        update, labels, *selections = ca.substitute([update, labels, *selections], [fired], [ca.SX(1.0)])
+        fired = ca.SX(1.0)
     new_memory = [update[k] for k in range(update.shape[0])]
     for k in range(n_timers):
         period = update[k] - memory[k]
@@ -367,11 +430,13 @@ def _program_functions(
         is_dropped = ca.logic_and(has_fired, update[k] <= -period)
         new_memory[k] = _choose(is_dropped, period, update[k])
         late = ca.logic_or(late, ca.logic_and(has_fired, update[k] <= -0.5 * period))
-        # Dropped samples count for the fault time. The period of a timer that has not expired is 0.
+        # Dropped samples count for the fault time and the time in a step, unless it begins or is halted at this
+        # instant. The period of a timer that has not expired is 0.
         divisor = ca.fmax(period, MIN_SAMPLE_TIME)
         for j, state in enumerate(states[: memory.shape[0]]):
-            if state.address.endswith(".faulty_samples") and ca.depends_on(equations.update[j], equations.fired[k]):
-                continues = ca.logic_and(memory[j] > 0.5, update[j] > 0.5)
+            begun = COUNTED.get(state.address.rpartition(".")[2])
+            if begun is not None and ca.depends_on(equations.update[j], equations.fired[k]):
+                continues = ca.logic_and(memory[j] > begun, update[j] > memory[j])
                 n_dropped = _choose(ca.logic_and(is_dropped, continues), 1.0 - update[k] / divisor, 0.0)
                 new_memory[j] = new_memory[j] + n_dropped
     after = ca.vertcat(*new_memory, held_u, held_p, flag[:3], late)
@@ -384,19 +449,39 @@ def _program_functions(
         return result
 
     status = ca.vertcat(has_input_fault, any_of("is_safe"), any_of("is_saturated"), is_late, has_parameter_fault)
+    symbols = equations.symbols
+    values = [_chosen(selection, symbol.shape[0]) for selection, symbol in zip(selections, symbols, strict=True)]
+    complete, complete_labels = [after, labels]
+    # In the reverse order, because the values of a selection can contain the symbols of previous ones.
+    for symbol, value in zip(reversed(symbols), reversed(values), strict=True):
+        complete, complete_labels = ca.substitute([complete, complete_labels], [symbol], [value])
     arguments = {"dt": dt, "u": u, "p": p, "z": z, "fired": equations.fired}
     results = {
         "accept": [accept, ca.vertcat(accepted_p, are_valid)],
         "start": [ca.vertcat(start, held_u, held_p, flag)],
         "advance": [advance, due, elapsed],
-        "update": [after, labels],
+        "update": [complete, complete_labels],
         "outputs": [outputs, status],
     }
     functions = {}
     for name, signature in SIGNATURES.items():
         sources = [arguments[argument] for argument in signature.partition(" -> ")[0].split()]
         functions[name] = ca.Function(name, sources, ca.cse([ca.densify(ca.SX(result)) for result in results[name]]))
-    return functions
+    if not selections:
+        return functions, None
+    printed = ca.cse([ca.densify(ca.SX(result)) for result in (*selections, after, labels)])
+    return functions, ca.Function("update", [z, equations.fired, ca.vertcat(*symbols)], printed)
+
+
+def _chosen(selection: Any, n_results: int) -> Any:
+    """Return the results of a selection as nested choices; `selection` contains the selector and all cases."""
+    import casadi as ca
+
+    table = ca.reshape(selection[1:], n_results, -1)
+    result = table[:, -1]
+    for k in reversed(range(table.shape[1] - 1)):
+        result = ca.if_else(selection[0] < k + 1.5, table[:, k], result)
+    return result
 
 
 def _limited_timers(equations: _Equations, n_timers: int, held_p: Any) -> Any:

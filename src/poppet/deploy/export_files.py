@@ -48,9 +48,11 @@ def identifier(text: str) -> str:
 
     Examples
     --------
-    >>> identifier("valve.pilot_pressure"), identifier("2/2 Ventil für Öl"), identifier("do")
-    ('valve_pilot_pressure', 'm2_2_Ventil_f_r_l', 'do_v')
+    >>> identifier("valve.pilot_pressure"), identifier("2/2 Ventil für Öl"), identifier("do"), identifier("steps.A+")
+    ('valve_pilot_pressure', 'm2_2_Ventil_f_r_l', 'do_v', 'steps_A_plus')
     """
+    # Movements of cylinders are A+ and A-.
+    text = re.sub(r"\+(?=[.\s]|$)", " plus", re.sub(r"-(?=[.\s]|$)", " minus", text))
     name = re.sub(r"[^A-Za-z0-9]+", "_", text).strip("_")[:60].strip("_") or "model"
     name = f"m{name}" if name[0].isdigit() else name
     return f"{name}_v" if name.lower() in _RESERVED else name

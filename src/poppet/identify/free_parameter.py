@@ -15,6 +15,7 @@ from poppet.core.tables import Field, read_fields
 from poppet.core.units import Kind
 from poppet.parts.fields import NumberSpec, flatten
 from poppet.parts.rows import NumberTable
+from poppet.parts.steps import SequenceProgram
 
 Role = Literal["number", "start", "lag", "input_lag", "delay", "offset", "dead_time"]
 FIELDS = ("start", "min", "max", "prior")
@@ -107,7 +108,7 @@ def number_specs(circuit: BaseCircuit) -> dict[str, NumberSpec]:
     declared = {f"{name}.{key}": spec for name, part in circuit.parts.items() for key, spec, _ in flatten(part)}
     for name, part in circuit.parts.items():
         for table in vars(part).values():
-            if isinstance(table, NumberTable):
+            if isinstance(table, NumberTable | SequenceProgram):
                 declared |= {f"{name}.{table.field}.{key}": spec for key, spec in table.number_specs().items()}
         for key, number in part.numbers().items():
             # Tabulated values of C and b have limits; coefficients of polynomials have none.

@@ -166,7 +166,7 @@ class JointFriction:
 
 
 @dataclass(frozen=True)
-class _MovingBody(Body):
+class MovingBody(Body):
     """Base class of bodies that have one position or angle as coordinate, friction and end stops."""
 
     unit: ClassVar[str]  # of the position
@@ -174,6 +174,7 @@ class _MovingBody(Body):
     effort_unit: ClassVar[str]
     inertia_name: ClassVar[str]
     presliding: ClassVar[float]
+    max_depth: ClassVar[float]  # largest initial penetration of a stop
 
     resume: ClassVar[dict[str, str]] = {"position": "initial_position", "velocity": "initial_velocity"}
 
@@ -185,6 +186,14 @@ class _MovingBody(Body):
 
     def list_internal_outputs(self) -> tuple[str, ...]:
         return "acceleration", f"actuator_{self.effort}", f"stop_{self.effort}", f"breakaway_{self.effort}"
+
+    def list_outputs(self) -> tuple[str, ...]:
+        """Return the names of the outputs for motion and forces, with the load."""
+        load, actuator, friction, stop, breakaway = (
+            f"{name}_{self.effort}" for name in ("load", "actuator", "friction", "stop", "breakaway")
+        )
+        names = load, "position", "velocity", "acceleration", actuator, friction, stop
+        return (*names, "friction_state", breakaway) if self._law in BRISTLE_LAWS else names
 
     @property
     def _law(self) -> str:
@@ -220,7 +229,8 @@ class _MovingBody(Body):
             texts = self.lower_stop.position.display(), self.upper_stop.position.display()
             raise InputError("parts.stops_exchanged", "lower_stop.position", shown=texts[0], upper=texts[1])
         start = float(self.initial_position)
-        if (low is not None and start < low) or (high is not None and start > high):
+        # A stop that carries a load is compressed.
+        if (low is not None and start < low - self.max_depth) or (high is not None and start > high + self.max_depth):
             raise InputError("bodies.beyond_stop", "initial_position", value=start, low=low, high=high, unit=self.unit)
 
     def _levels(self) -> list[tuple[Any, Any]]:
@@ -497,7 +507,7 @@ def _extrapolate_motion(previous: Sequence[tuple[float, float]], last: float, ga
 
 
 @dataclass(frozen=True)
-class Mass(_MovingBody):
+class Mass(MovingBody):
     r"""Body that moves on a line.
 
     .. math:: m \ddot x = \sum F - F_\mathrm{friction} + F_\mathrm{stop} - m g \sin\alpha - F_\mathrm{load}
@@ -530,6 +540,7 @@ class Mass(_MovingBody):
     effort_unit: ClassVar[str] = "N"
     inertia_name: ClassVar[str] = "mass"
     presliding: ClassVar[float] = PRESLIDING
+    max_depth: ClassVar[float] = 2e-3
 
     mass: NumberLike = number("kg", doc="moving mass m; includes the piston", above=0.0)
     inclination: NumberLike = number("rad", 0.0, doc="inclination alpha", note="level by default")
@@ -555,7 +566,7 @@ class Mass(_MovingBody):
 
 
 @dataclass(frozen=True)
-class Joint(_MovingBody):
+class Joint(MovingBody):
     r"""Rotating body that actuators move by a pulley.
 
     The travel of the actuators is the pulley radius times the angle.
@@ -576,6 +587,7 @@ class Joint(_MovingBody):
     effort_unit: ClassVar[str] = "N m"
     inertia_name: ClassVar[str] = "inertia"
     presliding: ClassVar[float] = PRESLIDING_ANGLE
+    max_depth: ClassVar[float] = 0.05
 
     inertia: NumberLike = number("kg m^2", doc="moment of inertia J", above=0.0)
     pulley_radius: NumberLike = number("m", doc="pulley radius r", above=0.0)

@@ -22,7 +22,7 @@ from typing import Any, NamedTuple
 
 from poppet.core.errors import InputError, NameSuggestion
 from poppet.core.provenance import Number, Source
-from poppet.core.symbolic import maximum, minimum, where
+from poppet.core.symbolic import fabs, maximum, minimum, where
 from poppet.core.units import Kind, quantity, same_dimension
 from poppet.parts.quantities import QUANTITIES
 
@@ -31,6 +31,7 @@ MAX_LENGTH = 1000
 MAX_DEPTH = 20
 """Maximum depth of nested brackets and negations in a condition."""
 RELATIONS = ("<=", ">=", "==", "!=", "<", ">")
+_OPPOSITES = {"<": ">=", "<=": ">", ">": "<=", ">=": "<", "==": "!=", "!=": "=="}
 WORDS = ("and", "or", "not", "elapsed", "cycles", "count")
 """Words with a meaning in conditions; an input of a sequence cannot have one of these names."""
 STEP = "step"
@@ -156,6 +157,10 @@ class Condition:
         """Return the numbers of the condition that are parameters, in the order of the text."""
         return [operand for operand in self.operands() if isinstance(operand, Literal) and operand.place]
 
+    def relations(self) -> Iterator[Relation]:
+        """Yield all comparisons in the order of the text."""
+        yield from _relations(self.tree)
+
     def with_text(self, numbers: Mapping[str, Number]) -> str:
         """Return the text with other numbers; `numbers` maps the names of parameters to numbers."""
         text = self.text
@@ -173,7 +178,7 @@ class Condition:
 
         `value` returns the value of an operand in SI units.
         """
-        return _evaluate(self.tree, value)
+        return _evaluate(self.tree, value, False)
 
 
 def written(number: Number) -> str:
@@ -200,23 +205,49 @@ def _operands(node: Node | Operand) -> Iterator[Operand]:
             yield node
 
 
-def _evaluate(node: Node, value: Callable[[Operand], Any]) -> Any:
+def _relations(node: Node) -> Iterator[Relation]:
     match node:
         case Relation():
-            return _compare(node, value)
+            yield node
         case Not():
-            return 1.0 - _evaluate(node.term, value)
-        case AllOf():
-            result = _evaluate(node.terms[0], value)
+            yield from _relations(node.term)
+        case AllOf() | AnyOf():
+            for term in node.terms:
+                yield from _relations(term)
+
+
+def never_true(relation: Relation) -> str:
+    """Return the name of an input of which a comparison is false for both 0 and 1; otherwise the text is empty."""
+    sides = relation.left, relation.right
+    flag = next((side for side in sides if isinstance(side, Flag)), None)
+    if flag is None or not any(isinstance(side, Literal) for side in sides):
+        return ""
+
+    def value_at(state: float) -> Callable[[Operand], Any]:
+        return lambda operand: float(operand.number.value) if isinstance(operand, Literal) else state
+
+    return "" if any(_compare(relation, value_at(state)) > 0.5 for state in (0.0, 1.0)) else flag.name
+
+
+def _evaluate(node: Node, value: Callable[[Operand], Any], is_negated: bool) -> Any:
+    """Return 1 if a condition is true, otherwise 0; or the opposite if `is_negated` is True.
+
+    A negation changes the relations, and it exchanges `and` and `or`: one compiler of structured text cannot negate an
+    `AND` of comparisons.
+    """
+    match node:
+        case Relation():
+            relation = _OPPOSITES[node.relation] if is_negated else node.relation
+            return _compare(replace(node, relation=relation), value)
+        case Not():
+            return _evaluate(node.term, value, not is_negated)
+        case AllOf() | AnyOf():
+            join = minimum if isinstance(node, AllOf) is not is_negated else maximum
+            result = _evaluate(node.terms[0], value, is_negated)
             for term in node.terms[1:]:
-                result = minimum(result, _evaluate(term, value))
+                result = join(result, _evaluate(term, value, is_negated))
             return result
-        case AnyOf():
-            result = _evaluate(node.terms[0], value)
-            for term in node.terms[1:]:
-                result = maximum(result, _evaluate(term, value))
-            return result
-    return where(value(node) > 0.5, 1.0, 0.0)
+    return where(value(node) > 0.5, *((0.0, 1.0) if is_negated else (1.0, 0.0)))
 
 
 def _compare(node: Relation, value: Callable[[Operand], Any]) -> Any:
@@ -225,9 +256,8 @@ def _compare(node: Relation, value: Callable[[Operand], Any]) -> Any:
         right = right + value(node.offset)
     if relation in ("==", "!="):
         # Both are integers: flags, steps or counters.
-        difference = left - right
-        is_equal = where(difference * difference < 0.25, 1.0, 0.0)
-        return is_equal if relation == "==" else 1.0 - is_equal
+        difference = fabs(left - right)
+        return where(difference < 0.5 if relation == "==" else difference >= 0.5, 1.0, 0.0)
     # The step time is a multiple of the sample time, with rounding errors.
     margin = 0.0
     if isinstance(node.left, Internal) and node.left.name == "elapsed":

@@ -19,13 +19,13 @@ from abc import ABC, abstractmethod
 from collections.abc import Callable, Hashable, Iterable, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field
-from typing import Any, ClassVar
+from typing import Any, ClassVar, NamedTuple
 
 from poppet import library
 from poppet.core.codes import Note
 from poppet.core.errors import InputError
 from poppet.core.provenance import Number
-from poppet.core.symbolic import SymbolicValueError, is_symbolic
+from poppet.core.symbolic import SymbolicValueError, is_symbolic, new_symbol, where
 from poppet.laws.iso6358 import REGIMES
 from poppet.parts.captions import CaptionNumbers
 from poppet.parts.fields import (
@@ -253,6 +253,38 @@ class Surroundings:
         return conductance / self.conductance_factor, (ratio - self.ratio_shift) / (1.0 - self.ratio_shift)
 
 
+class Case(NamedTuple):
+    """Values of results for one value of a selector, for example for one step of a sequence."""
+
+    title: str  # comment in exported code
+    values: Mapping[str, Any]  # results that are not 0
+
+
+@dataclass(frozen=True)
+class Selection:
+    """Results that a selector determines, which exported code computes in a CASE or switch statement.
+
+    Parameters
+    ----------
+    selector : float or symbol
+        Number of the case; the first case has the number 1.
+    cases : tuple of Case
+        Cases in the order of their numbers.
+    symbols : dict
+        Mapping from the name of each result to the symbol that stands for it in other expressions.
+    flags : frozenset of str
+        Names of the results that are 0 or 1.
+    titles : dict
+        Mapping from a value of a result to a comment, for example from the number of a step to its name.
+    """
+
+    selector: Any
+    cases: tuple[Case, ...]
+    symbols: Mapping[str, Any]
+    flags: frozenset[str] = frozenset()
+    titles: Mapping[int, str] = field(default_factory=dict)
+
+
 @dataclass(frozen=True)
 class Scope:
     """Values that the equations of one part use, as floats or symbols in SI units.
@@ -270,6 +302,7 @@ class Scope:
     motion: BodyMotion | None = None  # of the body of the part
     has_relative_time: bool = False  # timers contain the time that remains until their instants
     labels: dict[str, tuple[Any, str]] = field(default_factory=dict)  # see `label`
+    selections: list[Selection] = field(default_factory=list)  # see `select`
 
     @property
     def body(self) -> BodyMotion:
@@ -287,11 +320,67 @@ class Scope:
         """
         self.labels[name] = value, meaning
 
+    def select(
+        self,
+        selector: Any,
+        cases: Sequence[Case],
+        *,
+        flags: Iterable[str] = (),
+        titles: Mapping[int, str] | None = None,
+    ) -> dict[str, Any]:
+        """Return the results of the case with the number `selector`.
+
+        Exported code computes them in a CASE or switch statement; a simulation in nested choices.
+
+        Parameters
+        ----------
+        selector : float or symbol
+            Number of the case, an integer from 1 to the number of cases.
+        cases : sequence of Case
+            Cases in the order of their numbers.
+        flags : iterable of str, optional
+            Names of the results that are 0 or 1.
+        titles : mapping, optional
+            Comments in exported code by the value of a result.
+
+        Returns
+        -------
+        dict
+            Mapping from the name of each result to its value. A result is 0 if its case has no value.
+
+        Examples
+        --------
+        >>> cases = [Case("extend", {"a": 1.0}), Case("retract", {"b": 1.0})]
+        >>> Scope({}, {}, {}, None).select(2.0, cases)
+        {'a': 0.0, 'b': 1.0}
+        """
+        names = tuple(dict.fromkeys(name for case in cases for name in case.values))
+        results = {name: _value_of_case(selector, cases, name) for name in names}
+        # Initial values, for which there is no memory, are not selections of a program.
+        if not (self.has_relative_time and self.memory and is_symbolic(selector)):
+            return results
+        symbols = {name: new_symbol(name) for name, value in results.items() if is_symbolic(value)}
+        if symbols:
+            chosen = frozenset(name for name in flags if name in symbols)
+            self.selections.append(Selection(selector, tuple(cases), symbols, chosen, titles or {}))
+        return results | symbols
+
     def __getitem__(self, name: str) -> Any:
         return self.numbers[name]
 
     def __contains__(self, name: str) -> bool:
         return name in self.numbers
+
+
+def _value_of_case(selector: Any, cases: Sequence[Case], name: str) -> Any:
+    """Return one result of the case with the number `selector`."""
+    result = cases[-1].values.get(name, 0.0)
+    for number in range(len(cases) - 1, 0, -1):
+        value = cases[number - 1].values.get(name, 0.0)
+        # Equal values of successive cases need no choice.
+        are_equal = value is result or (not is_symbolic(value, result) and value == result)
+        result = result if are_equal else where(selector < number + 0.5, value, result)
+    return result
 
 
 # --- Parts ---
@@ -420,6 +509,10 @@ class Part(ABC):
         """Return the name of the body on which the part acts, or None if it acts on no body."""
         return next((getattr(self, attribute) for _, attribute, _ in declared(type(self), BodySpec)), None)
 
+    def inner_bodies(self) -> tuple[str, ...]:
+        """Return the names of the bodies within the part."""
+        return ()
+
     def list_internal_outputs(self) -> tuple[str, ...]:
         """Return the names of the outputs that plots omit by default."""
         return self.internal_outputs
@@ -467,6 +560,14 @@ class Part(ABC):
         """Return the outputs of the circuit that drive inputs of the part, by input.
 
         Fields of the part name these outputs. The circuit adds these connections to its own.
+        """
+        return {}
+
+    @classmethod
+    def stated_connections(cls, table: Mapping[str, Any]) -> dict[str, tuple[PartConnection, str]]:
+        """Return the connections that the table of an invalid part declares, each with the unit of its input.
+
+        Invalid fields are omitted. The outputs can thus be checked together with the other errors of a circuit file.
         """
         return {}
 
@@ -596,6 +697,13 @@ class Controller(Part):
         """Return pairs of parameters of which the first must be below the second.
 
         Exported programs check them, because their parameters can change at run time.
+        """
+        return ()
+
+    def flags(self) -> tuple[str, ...]:
+        """Return the names of the outputs and discrete states that are 0 or 1.
+
+        Exported programs declare them as Booleans.
         """
         return ()
 

@@ -2,19 +2,20 @@
 
 from __future__ import annotations
 
-from collections.abc import Hashable
-from dataclasses import dataclass
+from collections.abc import Hashable, Mapping
+from dataclasses import dataclass, replace
 from typing import Any, ClassVar
 
 from poppet.core.codes import Note
 from poppet.core.errors import ErrorCollector
 from poppet.core.provenance import Number
-from poppet.core.symbolic import clip, maximum, where
+from poppet.core.symbolic import clip, floor, maximum, where
 from poppet.parts.captions import CaptionNumbers
-from poppet.parts.conditions import KIND_OF_UNIT, Flag, Internal, Literal, Operand, Reading
+from poppet.parts.conditions import KIND_OF_UNIT, Flag, Internal, Literal, Operand, Reading, never_true
 from poppet.parts.electronics import MIN_SAMPLE_TIME
 from poppet.parts.fields import NumberLike, number, reference
 from poppet.parts.part import (
+    Case,
     Controller,
     ControlOutputs,
     DiscreteState,
@@ -27,7 +28,7 @@ from poppet.parts.part import (
     advance_clock,
 )
 from poppet.parts.safe_state import FAULT_INPUT, FAULT_MEMORY, NEVER_VALID, fault_state
-from poppet.parts.steps import Form, SequenceProgram, SequenceStep, read_names
+from poppet.parts.steps import Form, SequenceProgram, SequenceStep, read_names, stated_conditions
 
 _ROUNDING = 1e-6
 """Tolerance of the time of a timeout, relative; it permits single precision."""
@@ -137,7 +138,14 @@ class Sequence(Controller):
             step.name for step in self.program.steps
             if not step.transitions and step.timeout is None and step.name != self.emergency
         ]  # fmt: skip
-        return tuple(Note("sequence.no_exit", f"steps.{name}", name=name) for name in dead_ends)
+        never = [
+            Note("sequence.never_true", f"steps.{step.name}.next.{transition.target}", input=name)
+            for step in self.program.steps
+            for transition in step.transitions
+            for relation in transition.condition.relations()
+            if (name := never_true(relation))
+        ]
+        return *(Note("sequence.no_exit", f"steps.{name}", name=name) for name in dead_ends), *never
 
     def caption(self, numbers: CaptionNumbers) -> list[str]:
         return [f"sequence of {len(self.program.steps)} steps", f"sampled every {numbers.text(self.sample_time)}"]
@@ -164,17 +172,30 @@ class Sequence(Controller):
             for name, (reading, place) in self.program.readings().items()
         }
 
+    @classmethod
+    def stated_connections(cls, table: Mapping[str, Any]) -> dict[str, tuple[PartConnection, str]]:
+        readings = (
+            (PartConnection(operand.address, place), operand.unit)
+            for place, condition in stated_conditions(table)
+            for operand in condition.operands()
+            if isinstance(operand, Reading)
+        )
+        return {f"reading_{k}": reading for k, reading in enumerate(readings)}
+
     def inputs(self) -> tuple[Input, ...]:
         def flag(name: str, **properties: Any) -> Input:
             return Input(name, "1", 0.0, low=0.0, high=1.0, is_flag=True, **properties)
 
-        emergency = (flag("emergency"),) if self.program.form.emergency else ()
+        emergency = (flag("emergency", at_rest=0.0),) if self.program.form.emergency else ()
         readings = (
             Input(name, reading.unit, 0.0, kind=KIND_OF_UNIT.get(reading.unit, "plain"))
             for name, (reading, _) in self.program.readings().items()
         )
         declared = (flag(name, is_command=True) for name in self.program.form.inputs)
-        return flag("halt", at_rest=1.0), flag("reset"), *emergency, *declared, *readings, FAULT_INPUT
+        return (
+            flag("halt", at_rest=1.0), flag("reset"), *emergency, *declared, *readings,
+            replace(FAULT_INPUT, at_rest=0.0),
+        )  # fmt: skip
 
     def memory(self) -> tuple[DiscreteState, ...]:
         counters = (f"count_{self.program.number(name)}" for name in self.program.counted())
@@ -184,6 +205,11 @@ class Sequence(Controller):
 
     def timers(self) -> tuple[Timer, ...]:
         return (Timer("sample", rank=-1, is_simultaneous=True),)
+
+    def flags(self) -> tuple[str, ...]:
+        steps = self.program.steps
+        has_values = {name for step in steps for name, value in step.values.items() if isinstance(value, str)}
+        return tuple(name for name in self.program.form.outputs if name not in has_values)
 
     def output_ranges(self) -> dict[str, tuple[str | float, str | float]]:
         steps = self.program.steps
@@ -195,8 +221,10 @@ class Sequence(Controller):
         return ranges | flags | {"step": (1.0, float(len(steps))), "elapsed": (0.0, float("inf"))}
 
     def start(self, scope: Scope) -> dict[str, Any]:
-        step, steps = scope["initial_step"], self.program
-        counts = {f"count_{steps.number(name)}": where(_is(step, steps.number(name)), 1.0, 0.0)
+        steps = self.program
+        # A parameter can change at run time: the number of a step is always one of those that exist.
+        step = clip(floor(scope["initial_step"] + 0.5), 1.0, float(len(steps.steps)))
+        counts = {f"count_{steps.number(name)}": where(step == steps.number(name), 1.0, 0.0)
                   for name in steps.counted()}  # fmt: skip
         return {
             **self._output_values(scope, step), **counts, "step": step,
@@ -213,11 +241,11 @@ class Sequence(Controller):
         period = scope["sample_time"]
         since_sample = clip(period - (memory["sample"] - scope.time), 0.0, period)
         since_sample = where(memory["is_held"] > 0.5, 0.0, since_sample)
-        elapsed = memory["elapsed_samples"] * period + since_sample
+        elapsed = maximum(memory["elapsed_samples"] * period + since_sample, 0.0)
         outputs |= {"step": (memory["step"], "1"), "elapsed": (elapsed, "s"), "cycles": (memory["cycles"], "1")}
         # For conditions of other sequences: 1 during the step.
         hidden: Quantities = {
-            f"step:{step.name}": (where(_is(memory["step"], k), 1.0, 0.0), "1")
+            f"step:{step.name}": (where(memory["step"] == k, 1.0, 0.0), "1")
             for k, step in enumerate(self.program.steps, 1)
         }
         return ControlOutputs(outputs, hidden=hidden)
@@ -229,7 +257,6 @@ class Sequence(Controller):
         elapsed = samples * scope["sample_time"]
         scope.label("time_in_step", elapsed, "time in the step [s]")
         target = self._target(scope, step, elapsed)
-        scope.label("next_step", target, "number of the step to which a transition leads, 0 without a transition")
         first = float(steps.number(form.start))
         halts, resets = scope.inputs["halt"] > 0.5, scope.inputs["reset"] > 0.5
         # Number of the entered step; 0 without a transition.
@@ -237,26 +264,28 @@ class Sequence(Controller):
         is_held, restarts = where(halts, 1.0, 0.0), where(halts, 0.0, where(resets, 1.0, 0.0))
         if form.emergency:
             last = float(steps.number(form.emergency))
-            is_urgent = maximum(where(scope.inputs["emergency"] > 0.5, 1.0, 0.0), is_safe) > 0.5
-            entered = where(is_urgent, where(_is(step, last), 0.0, last), entered)
+            is_urgent = where(scope.inputs["emergency"] > 0.5, 1.0, is_safe) > 0.5
+            entered = where(is_urgent, where(step == last, 0.0, last), entered)
             is_held, restarts = where(is_urgent, 0.0, is_held), where(is_urgent, 0.0, restarts)
         else:
             entered, restarts = where(is_safe > 0.5, 0.0, entered), where(is_safe > 0.5, 0.0, restarts)
-            is_held = maximum(is_held, is_safe)
+            is_held = where(is_safe > 0.5, 1.0, is_held)
         scope.label("entered_step", entered, "number of the step that begins, 0 if the step continues")
         is_entered = entered > 0.5
         new_step = where(is_entered, entered, step)
+        scope.label("new_step", new_step, "number of the step after this sample")
         values = self._output_values(scope, new_step)
         if not form.emergency:
             values = {name: where(is_safe > 0.5, 0.0, value) for name, value in values.items()}
         result = {"step": new_step, "is_held": is_held, **values, **fault}
         continued = where(is_held > 0.5, memory["elapsed_samples"], samples)
         result["elapsed_samples"] = where(is_entered, 0.0, continued)
-        begins = where(_is(entered, first), 1.0, 0.0)
+        scope.label("is_restarted", restarts > 0.5, "true if the counters start again")
+        begins = where(entered == first, 1.0, 0.0)
         result["cycles"] = where(restarts > 0.5, 0.0, memory["cycles"] + begins)
         for name in steps.counted():
             k = float(steps.number(name))
-            count = memory[f"count_{k:.0f}"] + where(_is(entered, k), 1.0, 0.0)
+            count = memory[f"count_{k:.0f}"] + where(entered == k, 1.0, 0.0)
             result[f"count_{k:.0f}"] = where(restarts > 0.5, float(name == form.start), count)
         return result | advance_clock(scope, timer, scope["sample_time"])
 
@@ -293,7 +322,10 @@ class Sequence(Controller):
                 target = where(is_true, float(self.program.number(transition.target)), target)
             return target
 
-        return _select(step, [target_of(item) for item in self.program.steps])
+        steps = self.program.steps
+        cases = [Case(item.name, {"next_step": target_of(item)}) for item in steps]
+        titles = {number: item.name for number, item in enumerate(steps, 1)}
+        return scope.select(step, cases, titles=titles)["next_step"]
 
     def _output_values(self, scope: Scope, step: Any) -> dict[str, Any]:
         """Return the values of all outputs during the step with a given number."""
@@ -302,26 +334,9 @@ class Sequence(Controller):
             stated = item.values.get(name, 0.0)
             return scope[f"steps.{stated}"] if isinstance(stated, str) else stated
 
-        return {
-            name: _select(step, [value(item, name) for item in self.program.steps])
-            for name in self.program.form.outputs
-        }  # fmt: skip
-
-
-def _is(step: Any, number: float) -> Any:
-    """Return True if the number of a step equals `number`."""
-    return (step - number) * (step - number) < 0.25
-
-
-def _select(step: Any, values: list[Any]) -> Any:
-    """Return the value for the present step; `values` contains one value for each step, beginning with step 1."""
-    result = values[-1]
-    for k in range(len(values) - 1, 0, -1):
-        # Equal values of successive steps need no choice.
-        if values[k - 1] is not result and not _are_equal(values[k - 1], result):
-            result = where(step < k + 0.5, values[k - 1], result)
-    return result
-
-
-def _are_equal(first: Any, second: Any) -> bool:
-    return isinstance(first, float) and isinstance(second, float) and first == second
+        outputs = self.program.form.outputs
+        cases = [
+            Case(item.name, {f"new_{name}": value(item, name) for name in outputs}) for item in self.program.steps
+        ]  # fmt: skip
+        values = scope.select(step, cases, flags=[f"new_{name}" for name in self.flags()])
+        return {name: values[f"new_{name}"] for name in outputs}

@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
+import dataclasses
 import re
-from collections.abc import Hashable, Mapping, Sequence
-from dataclasses import dataclass, field, replace
-from typing import Any, NamedTuple
+from collections.abc import Hashable, Iterator, Mapping, Sequence
+from contextlib import suppress
+from dataclasses import dataclass, replace
+from typing import Any, ClassVar, NamedTuple
 
 from poppet.core.errors import ErrorCollector, InputError, NameSuggestion
 from poppet.core.provenance import Number
+from poppet.core.symbolic import is_symbolic
 from poppet.parts.conditions import (
     WORDS,
     Condition,
@@ -16,7 +19,6 @@ from poppet.parts.conditions import (
     Internal,
     Literal,
     Names,
-    Node,
     Operand,
     Reading,
     Relation,
@@ -107,7 +109,10 @@ class SequenceProgram:
     steps: tuple[SequenceStep, ...]
     form: Form
     values: Mapping[str, Number]
-    source: Mapping[str, Any] = field(repr=False)
+    source: Mapping[str, Any] = dataclasses.field(repr=False)
+
+    field: ClassVar[str] = "steps"
+    """Field of the part that contains the steps."""
 
     @classmethod
     def read(cls, table: Any, form: Form) -> SequenceProgram:
@@ -150,8 +155,28 @@ class SequenceProgram:
         """Return the numbers in the steps by name, for example `extend A.next.extend B`."""
         return dict(self.values)
 
+    def number_specs(self) -> dict[str, NumberSpec]:
+        """Return the declarations of the numbers in the steps by name."""
+        specs: dict[str, NumberSpec] = {}
+        for step in self.steps:
+            for output, value in step.values.items():
+                if isinstance(value, str):
+                    specs[value] = replace(_SET, doc=f"value of {output} in the step {step.name}")
+            for transition in step.transitions:
+                doc = f"number in the condition from {step.name} to {transition.target}"
+                for literal in transition.condition.literals():
+                    specs[literal.place] = NumberSpec(literal.number.unit, doc, kind=literal.kind)
+            if step.timeout is not None:
+                specs[step.timeout.place] = replace(_AFTER, doc=f"timeout of the step {step.name}")
+        return specs
+
     def with_numbers(self, changes: Mapping[str, Number]) -> SequenceProgram:
         """Return a copy in which some numbers are replaced."""
+        specs = self.number_specs()
+        for name, number in changes.items():
+            # A gauge value is in a condition, which has no limits.
+            if not is_symbolic(number.value) and number.reference != "gauge":
+                specs[name].check(name, number.value, number.display())
         return replace(self, values={**self.values, **changes})
 
     def operands(self) -> dict[Operand, str]:
@@ -376,7 +401,19 @@ class _Reader:
                             )
 
 
-def nodes_of(node: Node) -> list[Node]:
-    """Return a tree of a condition and all conditions in it."""
-    terms: tuple[Node, ...] = (node.term,) if hasattr(node, "term") else getattr(node, "terms", ())
-    return [node, *(inner for term in terms for inner in nodes_of(term))]
+def stated_conditions(table: Mapping[str, Any]) -> Iterator[tuple[str, Condition]]:
+    """Yield the valid conditions in the table of a sequence, each with its address in the part.
+
+    The table can have other errors.
+    """
+    steps, inputs = table.get("steps"), table.get("inputs")
+    if not isinstance(steps, Mapping):
+        return
+    listed = inputs if isinstance(inputs, Sequence) and not isinstance(inputs, str) else ()
+    names = Names([str(name) for name in (*listed, "emergency")], [str(name) for name in steps])
+    for name, step in steps.items():
+        transitions = step.get("next") if isinstance(step, Mapping) else None
+        for target, text in transitions.items() if isinstance(transitions, Mapping) else ():
+            place = f"steps.{name}.next.{target}"
+            with suppress(InputError):
+                yield place, parse_condition(text, names, place)

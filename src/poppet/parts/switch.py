@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Hashable
+from collections.abc import Hashable, Mapping
 from dataclasses import dataclass
 from typing import Any, ClassVar
 
@@ -134,6 +134,12 @@ class Switch(Controller):
     def connections(self) -> dict[str, PartConnection]:
         return {} if self.measurement is None else {"measurement": PartConnection(self.measurement, "measurement")}
 
+    @classmethod
+    def stated_connections(cls, table: Mapping[str, Any]) -> dict[str, tuple[PartConnection, str]]:
+        address = table.get("measurement")
+        # The unit of an invalid switch is not known.
+        return {"measurement": (PartConnection(address, "measurement"), "")} if isinstance(address, str) else {}
+
     def inputs(self) -> tuple[Input, ...]:
         return (Input("measurement", self.unit, "measurement", kind=KIND_OF_UNIT.get(self.unit, "plain")),)
 
@@ -143,11 +149,14 @@ class Switch(Controller):
     def timers(self) -> tuple[Timer, ...]:
         return (Timer("sample", rank=-1, is_simultaneous=True),)
 
+    def flags(self) -> tuple[str, ...]:
+        return ("state",)
+
     def output_ranges(self) -> dict[str, tuple[str | float, str | float]]:
         return {"state": (0.0, 1.0)}
 
     def start(self, scope: Scope) -> dict[str, Any]:
-        return {"state": scope["initial_state"], "sample": 0.0, "sample_count": 0.0}
+        return {"state": where(scope["initial_state"] > 0.5, 1.0, 0.0), "sample": 0.0, "sample_count": 0.0}
 
     def control(self, scope: Scope) -> ControlOutputs:
         return ControlOutputs({"state": (scope.memory["state"], "1")})

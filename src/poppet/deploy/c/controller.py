@@ -16,7 +16,7 @@ from poppet.deploy.export_files import c_string, comment_text, identifier, ident
 from poppet.engine.model_evaluation import Array
 from poppet.engine.printers.c import DOUBLE, SINGLE, Precision, statement_helpers, statement_language
 from poppet.engine.printers.instructions import instructions
-from poppet.engine.printers.statements import ResultVariable, Statements, Value
+from poppet.engine.printers.statements import CaseStatement, ResultVariable, Statements, Value
 
 if TYPE_CHECKING:
     from poppet.circuit.circuit import BaseCircuit
@@ -101,7 +101,7 @@ def _structs(program: ControllerProgram, kind: Precision) -> dict[str, list[Memb
     meanings = {q.address: q.meaning for q in program.parameters}
     groups: dict[str, list[tuple[str, str, bool]]] = {
         "in": [(q.address, q.unit, q.address in program.flags) for q in program.inputs],
-        "out": [(q.address, q.unit, False) for q in program.outputs],
+        "out": [(q.address, q.unit, q.address in program.output_flags) for q in program.outputs],
         "param": [(q.address, q.unit, False) for q in program.parameters],
         "memory": [(s.address, s.unit, s.is_flag) for s in program.states if s.group == "memory"],
     }
@@ -172,7 +172,8 @@ def _function_bodies(program: ControllerProgram, structs: dict[str, list[Member]
     unchanged = {new.text: old.text for new, old in zip(results["z"], arguments["z"], strict=True)}
     prefix = f"{program.parts[0]}." if len(program.parts) == 1 else ""
     bodies = {}
-    for name, signature in SIGNATURES.items():
+    for name in SIGNATURES:
+        function, signature = program.printed(name)
         inputs, outputs = (side.split() for side in signature.split("->"))
         used: set[str] = {*inputs, *outputs, "z", "next", "in", "param", "out", "r"}
 
@@ -189,19 +190,32 @@ def _function_bodies(program: ControllerProgram, structs: dict[str, list[Member]
             (identifier(address.removeprefix(prefix)), comment_text(meaning))
             for address, meaning in program.labels[name].items()
         ]
+        selections = [
+            CaseStatement(
+                [ResultVariable(new_name(address.removeprefix(prefix)), is_flag)
+                 for address, is_flag in zip(item.names, item.flags, strict=True)],
+                [comment_text(title) for title in item.cases],
+                {value: comment_text(title) for value, title in item.titles.items()},
+            )
+            for item in (program.selections if "selection" in outputs else ())
+        ]  # fmt: skip
+        arguments["chosen"] = [Value(r.name, r.is_flag) for selection in selections for r in selection.results]
         statements = Statements(
             statement_language(kind),
             [arguments[argument] for argument in inputs],
-            [[ResultVariable(value.text, value.is_flag) for value in results[r]] for r in outputs if r != "labels"],
+            [[ResultVariable(value.text, value.is_flag) for value in results[r]] for r in outputs if r in results],
             new_name,
             labels=labels,
             unchanged=unchanged,
+            selections=selections,
         )
-        statements.read(instructions(program.functions[name]))
+        statements.read(instructions(function))
         names = {"dt": "dt", "u": "in", "p": "param", "z": "z", "fired": "fired"}
         text = "\n".join(statements.lines)
         read = set(re.findall(r"[A-Za-z_]\w*", text))
-        ignored = [f"  (void){names[argument]};" for argument in inputs if names[argument] not in read]
+        ignored = [
+            f"  (void){names[argument]};" for argument in inputs if argument in names and names[argument] not in read
+        ]
         bodies[name] = "\n".join([*ignored, *statements.lines])
     return bodies
 

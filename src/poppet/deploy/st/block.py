@@ -14,7 +14,13 @@ from poppet.deploy.export_files import comment_text, identifier
 from poppet.deploy.targets import CircuitSource, Export
 from poppet.engine.printers.instructions import instructions
 from poppet.engine.printers.st import FUNCTIONS, STRUCTURED_TEXT, literal
-from poppet.engine.printers.statements import ResultVariable, Statements, UnsupportedOperationError, Value
+from poppet.engine.printers.statements import (
+    CaseStatement,
+    ResultVariable,
+    Statements,
+    UnsupportedOperationError,
+    Value,
+)
 from poppet.parts.part import NEVER
 from poppet.timeseries.signals import SampledSignal
 
@@ -172,29 +178,38 @@ def function_block(program: ControllerProgram) -> str:
         "p": [Value(name) for name in parameters],
         "z": [Value(name, state.is_flag) for name, state in zip(states, program.states, strict=True)],
         "fired": [Value(name, True) for name in fired],
-        "y": [Value(name) for name in outputs],
+        "y": [Value(name, q.address in program.output_flags) for name, q in zip(outputs, program.outputs, strict=True)],
         "status": [Value(name, True) for name in STATUS],
     }
     labels = {
         function: [(names.add(address.removeprefix(prefix)), comment_text(text)) for address, text in items.items()]
         for function, items in program.labels.items()
     }
+    selections = [
+        CaseStatement([ResultVariable(names.add(address.removeprefix(prefix)), is_flag)
+                   for address, is_flag in zip(item.names, item.flags, strict=True)],
+            [comment_text(title) for title in item.cases], {k: comment_text(title) for k, title in item.titles.items()})
+        for item in program.selections
+    ]  # fmt: skip
+    values["chosen"] = [Value(r.name, r.is_flag) for selection in selections for r in selection.results]
     label_names = {name for items in labels.values() for name, _ in items}
     printed: dict[str, Statements] = {}
-    for name, signature in SIGNATURES.items():
+    for name in SIGNATURES:
+        function, signature = program.printed(name)
         arguments, results = (side.split() for side in signature.split("->"))
         statements = Statements(
             STRUCTURED_TEXT,
             [values[argument] for argument in arguments],
-            [[ResultVariable(v.text, v.is_flag) for v in values[result]] for result in results if result != "labels"],
+            [[ResultVariable(v.text, v.is_flag) for v in values[result]] for result in results if result in values],
             # A labelled value has its name already.
             lambda text: text if text in label_names else names.add(text),
             labels=labels[name],
             constants={NEVER: "never"},
             is_in_place=True,
+            selections=selections if "selection" in results else (),
         )
         try:
-            statements.read(instructions(program.functions[name]))
+            statements.read(instructions(function))
         except UnsupportedOperationError as problem:
             raise InputError("deploy.no_structured_text", program.parts[0], what=str(problem)) from problem
         printed[name] = statements
@@ -265,7 +280,7 @@ def _declarations(
         "END_VAR",
         "VAR_OUTPUT",
         *(
-            _declaration(name, "LREAL", "", q.unit, q.address)
+            _declaration(name, STRUCTURED_TEXT.types[q.address in program.output_flags], "", q.unit, q.address)
             for name, q in zip(names["y"], program.outputs, strict=True)
         ),
         *(_declaration(name, "BOOL", "", "", meaning) for name, meaning in _STATUS_MEANINGS.items()),

@@ -13,7 +13,7 @@ from collections.abc import Collection, Mapping, Sequence
 from typing import Any, NamedTuple
 
 from poppet.engine.printers.instructions import SIGNATURES, Block, blocks, instructions
-from poppet.engine.printers.statements import Language
+from poppet.engine.printers.statements import BlockForms, Language
 from poppet.engine.rosenbrock import ARGUMENT, COUPLING, DENSE, GAMMA, INPUT_TIMES, STAGE_DRIFT, STAGE_TIME
 
 BLOCK_SIZE = 1500
@@ -126,7 +126,7 @@ def statement_helpers(text: str, precision: Precision) -> str:
 
 
 def used_prelude(text: str) -> str:
-    """Return the C text of those helper functions that a text calls.
+    """Return the C text of the helper functions that a given text calls.
 
     Compilers would warn about unused functions.
     """
@@ -149,6 +149,7 @@ def statement_language(precision: Precision) -> Language:
     return Language(
         operations=operations,
         comparisons={"lt": "{0} < {1}", "le": "{0} <= {1}", "eq": "{0} == {1}", "ne": "{0} != {1}"},
+        reversed={"lt": "{1} > {0}", "le": "{1} >= {0}"},
         logic={"and": "{0} && {1}", "or": "{0} || {1}", "not": "!{0}", "true": "true", "false": "false"},
         literal=precision.literal,
         choice="{0} ? {1} : {2}",
@@ -157,6 +158,19 @@ def statement_language(precision: Precision) -> Language:
         declaration="  const {type} {name} = {text};",
         assignment="  {name} = {text};",
         comment="  /* {text} */",
+        blocks=BlockForms(
+            indent="  ",
+            variable="{type} {name} = {text};",
+            switch="switch ((int){0}) {{",
+            case="case {0}: {1}",
+            end_case=("break;",),
+            end_switch=("  default:", "    break;", "}"),
+            if_true="if ({0}) {{",
+            else_if="}} else if ({0}) {{",
+            otherwise="} else {",
+            end_if="}",
+            has_last_else=True,
+        ),
         longest=60,
     )
 

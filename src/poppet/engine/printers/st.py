@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import math
 
-from poppet.engine.printers.statements import Language, UnsupportedOperationError
+from poppet.engine.printers.statements import BlockForms, Language, UnsupportedOperationError
 
 _OPERATIONS = {
     "add": "{0} + {1}", "sub": "{0} - {1}", "mul": "{0} * {1}", "div": "{0} / {1}", "neg": "-{0}", "sq": "{0} * {0}",
@@ -74,6 +74,7 @@ def literal(value: float) -> str:
 STRUCTURED_TEXT = Language(
     operations=_OPERATIONS,
     comparisons={"lt": "{0} < {1}", "le": "{0} <= {1}", "eq": "{0} = {1}", "ne": "{0} <> {1}"},
+    reversed={"lt": "{1} > {0}", "le": "{1} >= {0}"},
     logic={"and": "{0} AND {1}", "or": "{0} OR {1}", "not": "NOT {0}", "true": "TRUE", "false": "FALSE"},
     literal=literal,
     choice="SEL({0}, {2}, {1})",
@@ -82,4 +83,17 @@ STRUCTURED_TEXT = Language(
     declaration="{name} := {text};",
     assignment="{name} := {text};",
     comment="(* {text} *)",
+    blocks=BlockForms(
+        indent="",
+        variable="{name} := {text};",
+        switch="CASE LREAL_TO_INT({0}) OF",
+        case="{0}: {1}",
+        end_case=(),
+        end_switch=("END_CASE;",),
+        if_true="IF {0} THEN",
+        else_if="ELSIF {0} THEN",
+        otherwise="ELSE",
+        end_if="END_IF;",
+        has_last_else=False,
+    ),
 )

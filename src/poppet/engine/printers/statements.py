@@ -14,6 +14,8 @@ from typing import NamedTuple
 
 from poppet.engine.printers.instructions import Instruction
 
+_LONGEST_IN_CASE = 100
+"""Maximum length of an operand in a condition of a case, in characters."""
 _NAME = re.compile(r"[A-Za-z_][\w.\[\]]*(->[\w.]+)?")
 
 
@@ -21,11 +23,28 @@ class UnsupportedOperationError(ValueError):
     """Error of an operation or constant that a language does not support."""
 
 
+class BlockForms(NamedTuple):
+    """Lines of statements that contain other statements. `{0}` is a condition, a selector, a number or a comment."""
+
+    indent: str  # indentation of all statements
+    variable: str  # statement that introduces a variable: {name}, {type}, {text}
+    switch: str
+    case: str  # {0} number, {1} comment
+    end_case: Sequence[str]
+    end_switch: Sequence[str]
+    if_true: str
+    else_if: str
+    otherwise: str
+    end_if: str
+    has_last_else: bool  # True if a chain with `else_if` must end with `otherwise`
+
+
 class Language(NamedTuple):
     """Syntax of a language. Each form contains its arguments as `{0}` and `{1}`."""
 
     operations: Mapping[str, str]  # forms of operations with a number as result
     comparisons: Mapping[str, str]  # forms of comparisons of numbers
+    reversed: Mapping[str, str]  # forms of comparisons with the second argument on the left
     logic: Mapping[str, str]  # forms of operations on conditions
     literal: Callable[[float], str]  # text of a constant
     choice: str  # form of a choice: {0} condition, {1} value if it is true, {2} value if it is false
@@ -34,6 +53,7 @@ class Language(NamedTuple):
     declaration: str  # line of a new variable: {name}, {type}, {text}
     assignment: str  # line that assigns {text} to {name}
     comment: str  # line of a comment: {text}
+    blocks: BlockForms
     longest: int = 100  # maximum length of an expression inside another one, in characters
 
 
@@ -46,9 +66,12 @@ class Value(NamedTuple):
     text: str
     is_flag: bool = False
     is_atom: bool = True
-    # of a choice with zero: condition, True if the condition is negated, value
-    choice: tuple[str, bool, str] | None = None
+    # of a choice with zero: condition, True if the condition is negated, text of the value, value
+    choice: tuple[str, bool, str, Value] | None = None
     negated: str = ""  # argument of a `not`
+    alternatives: tuple[str, Value, Value] | None = None  # of a choice: condition, value if it is true or false
+    magnitude: Value | None = None  # condition that is 1 if the magnitude of the value is 1
+    rank: int = 0  # index of the last input in it; a comparison in a case has the operand of lower rank first
 
     @property
     def operand(self) -> str:
@@ -61,6 +84,14 @@ class ResultVariable(NamedTuple):
 
     name: str
     is_flag: bool = False
+
+
+class CaseStatement(NamedTuple):
+    """Results that depend on the number of a case; they are zero or false unless the case sets them."""
+
+    results: Sequence[ResultVariable]
+    cases: Sequence[str]  # comments of the cases 1, 2, ...
+    titles: Mapping[int, str]  # comments by the value of a result
 
 
 class Statements:
@@ -84,6 +115,9 @@ class Statements:
         True if results overwrite arguments; the values that read them are then computed first.
     unchanged : mapping, optional
         Expression of each result that has its value already and needs no assignment (default: its name).
+    selections : sequence of CaseStatement, optional
+        Selections, to which the first results of the function belong: the selector, then the results of each case. The
+        function has the chosen results as inputs.
     """
 
     def __init__(
@@ -97,8 +131,9 @@ class Statements:
         constants: Mapping[float, str] | None = None,
         is_in_place: bool = False,
         unchanged: Mapping[str, str] | None = None,
+        selections: Sequence[CaseStatement] = (),
     ) -> None:
-        self.unchanged = unchanged or {}
+        self.unchanged, self.selections = unchanged or {}, selections
         self.counts: Counter[str] = Counter()
         self.language, self.inputs, self.outputs, self.new_name = language, inputs, outputs, new_name
         self.labels, self.constants, self.is_in_place = labels, constants or {}, is_in_place
@@ -108,22 +143,41 @@ class Statements:
     def read(self, function: Sequence[Instruction]) -> None:
         """Add statements for the instructions of the function."""
         uses, names, owners, needed, ends = self._plan(function)
+        in_cases = self._instructions_in_cases(function, needed - {*names})
         slots: dict[int, Value] = {}
+        selected: list[Value] = []
         results: list[tuple[ResultVariable, Value]] = []
         comment = ""
         for k, instruction in enumerate(function):
             vector, element = instruction.place
             if instruction.operation == "output":
-                if vector < len(self.outputs):
-                    results.append((self.outputs[vector][element], slots[instruction.arguments[0]]))
+                value = slots[instruction.arguments[0]]
+                if vector < len(self.selections):
+                    selected.append(value)
+                    if len(selected) == 1 + len(self.selections[vector].results) * len(self.selections[vector].cases):
+                        self._add_selection(self.selections[vector], selected)
+                        selected = []
+                elif (result := self._result(vector, element)) is not None:
+                    results.append((result, value))
                 continue
             if k not in needed:
                 continue
-            value = self._value(instruction, [slots[slot] for slot in instruction.arguments])
+            arguments = [slots[slot] for slot in instruction.arguments]
+            condition = self._condition_of_case(instruction, arguments) if k in in_cases else None
+            value = condition or self._value(instruction, arguments)
+            rank = (
+                instruction.place[1]
+                if instruction.operation == "input"
+                else max((a.rank for a in arguments), default=0)
+            )
+            value = value._replace(rank=rank)
             # Names, constants and negations need no variable.
             is_simple = instruction.operation in ("const", "input", "assign", "not") or _NAME.fullmatch(value.text)
             is_long = len(value.text) > self.language.longest and not ends[k]
-            if not is_simple and (uses[k] != 1 or k in names or is_long):
+            # A condition of a case is part of its statement, even if several cases have it.
+            is_repeated = uses[k] != 1 and not (k in in_cases and (value.is_flag or value.alternatives is not None))
+            is_long = is_long and not (k in in_cases and (value.is_flag or len(value.text) <= _LONGEST_IN_CASE))
+            if not is_simple and (is_repeated or k in names or is_long):
                 owner = owners[k]
                 meaning = dict(self.labels).get(owner, "")
                 if meaning and meaning != comment:
@@ -132,6 +186,122 @@ class Statements:
                 value = self._variable(value, owner, is_label=k in names)
             slots[instruction.result] = value
         self._assign(results)
+
+    def _result(self, vector: int, element: int) -> ResultVariable | None:
+        """Return the variable of a result.
+
+        The output is None for a label, and for a result of a selection.
+        """
+        k = vector - len(self.selections)
+        return self.outputs[k][element] if 0 <= k < len(self.outputs) else None
+
+    def _variable_of(self, vector: int, element: int) -> ResultVariable | None:
+        """Return the variable of a result or of a result in a case.
+
+        The output is None for a label.
+        """
+        if vector < len(self.selections):
+            results = self.selections[vector].results
+            return results[(element - 1) % len(results)]
+        return self._result(vector, element)
+
+    def _instructions_in_cases(self, function: Sequence[Instruction], candidates: set[int]) -> set[int]:
+        """Return the indices of those candidates on which only cases of selections depend."""
+        consumers = self._consumers(function)
+        in_cases = {
+            k
+            for k, instruction in enumerate(function)
+            if instruction.operation == "output"
+            and instruction.place[0] < len(self.selections)
+            and instruction.place[1] > 0
+        }
+        for k in reversed(range(len(function))):
+            needing = [consumer for consumer in consumers[k] if consumer in candidates or consumer in in_cases
+                       or self._is_result(function[consumer])]  # fmt: skip
+            if k in candidates and needing and all(consumer in in_cases for consumer in needing):
+                in_cases.add(k)
+        return in_cases
+
+    def _is_result(self, instruction: Instruction) -> bool:
+        return instruction.operation == "output" and instruction.place[0] < len(self.selections) + len(self.outputs)
+
+    @staticmethod
+    def _consumers(function: Sequence[Instruction]) -> list[list[int]]:
+        """Return the indices of the instructions that read the value of each instruction."""
+        consumers, last = [list[int]() for _ in function], dict[int, int]()
+        for k, instruction in enumerate(function):
+            for slot in instruction.arguments:
+                consumers[last[slot]].append(k)
+            if instruction.operation != "output":
+                last[instruction.result] = k
+        return consumers
+
+    def _add_selection(self, selection: CaseStatement, values: Sequence[Value]) -> None:
+        """Add the statement of a selection.
+
+        `values` contains its selector, then the results of each case.
+        """
+        blocks, (selector, *others) = self.language.blocks, values
+        if not _NAME.fullmatch(selector.text):
+            selector = self._variable(selector, "case")
+        for result in selection.results:
+            self.variables.append((result.name, result.is_flag))
+            kind = self.language.types[result.is_flag]
+            self._add(blocks.variable.format(name=result.name, type=kind, text=self._default(result)))
+        self._add(blocks.switch.format(self._number(selector)))
+        count = len(selection.results)
+        for k, title in enumerate(selection.cases):
+            lines = [
+                line
+                for result, value in zip(selection.results, others[k * count : (k + 1) * count], strict=True)
+                for line in self._case_lines(result, value, selection.titles)
+            ]
+            self._add(blocks.case.format(k + 1, self.language.comment.format(text=title).strip()), 1)
+            if not (lines or blocks.end_case):  # some compilers reject a case without a statement
+                lines = [self._assignment(result, self._default(result)) for result in selection.results]
+            for line in (*lines, *blocks.end_case):
+                self._add(line, 2)
+        for line in blocks.end_switch:
+            self._add(line)
+
+    def _add(self, line: str, depth: int = 0) -> None:
+        self.lines.append(f"{self.language.blocks.indent}{'  ' * depth}{line}")
+
+    def _assignment(self, result: ResultVariable, text: str) -> str:
+        return self.language.assignment.format(name=result.name, text=text).strip()
+
+    def _default(self, result: ResultVariable) -> str:
+        return self.language.logic["false"] if result.is_flag else self.language.literal(0.0)
+
+    def _case_lines(self, result: ResultVariable, value: Value, titles: Mapping[int, str]) -> list[str]:
+        """Return the statements that assign a value to a result of a selection.
+
+        There are none if the result is zero.
+        """
+        blocks, default = self.language.blocks, self._default(result)
+        text = self._flag(value) if result.is_flag else self._number(value, is_operand=False)
+        if value.alternatives is None:
+            if text == default:
+                return []
+            line = self._assignment(result, text)
+            title = next((titles[k] for k in titles if text == self.language.literal(float(k))), "")
+            return [f"{line} {self.language.comment.format(text=title).strip()}" if title else line]
+        lines, form = list[str](), blocks.if_true
+        while value.alternatives is not None:
+            condition, yes, no = value.alternatives
+            chosen = self._case_lines(result, yes, titles)
+            if not chosen:
+                condition, chosen, no = self._negation(condition), self._case_lines(result, no, titles), yes
+            lines += [form.format(_bare(condition)), *(f"  {line}" for line in chosen)] if chosen else []
+            form, value = (blocks.else_if if lines else form), no
+        last = self._case_lines(result, value, titles)
+        if not last and blocks.has_last_else and any(line.startswith(blocks.else_if[:6]) for line in lines):
+            last = [self._assignment(result, default)]
+        lines += [blocks.otherwise, *(f"  {line}" for line in last)] if last else []
+        return [*lines, blocks.end_if] if lines else []
+
+    def _negation(self, condition: str) -> str:
+        return self.language.logic["not"].format(f"({_bare(condition)})")
 
     def _plan(
         self, function: Sequence[Instruction]
@@ -146,7 +316,7 @@ class Statements:
         last: dict[int, int] = {}
         for k, instruction in enumerate(function):
             vector, element = instruction.place
-            is_label = instruction.operation == "output" and vector >= len(self.outputs)
+            is_label = instruction.operation == "output" and vector >= len(self.selections) + len(self.outputs)
             for slot in instruction.arguments:
                 if is_label:
                     names.setdefault(last[slot], self.labels[element][0])
@@ -162,8 +332,8 @@ class Statements:
             instruction = function[k]
             vector, element = instruction.place
             if instruction.operation == "output":
-                if vector < len(self.outputs):
-                    owners[k] = re.split(r"\W+", self.outputs[vector][element].name)[-1]
+                if (result := self._variable_of(vector, element)) is not None:
+                    owners[k] = re.split(r"\W+", result.name)[-1]
                     needed.add(k)
                 continue
             needing = [consumer for consumer in consumers[k] if consumer in needed]
@@ -249,13 +419,17 @@ class Statements:
             condition, value = arguments
             flag = self._operand_flag(condition)
             chosen = self._number(value, is_operand="?" in language.choice)
-            choice = condition.negated or flag, bool(condition.negated), chosen
+            choice = condition.negated or flag, bool(condition.negated), chosen, value
+            zero = Value(language.literal(0.0))
+            halves = (zero, value) if condition.negated else (value, zero)
+            alternatives = choice[0], *halves
             if value.is_flag:
-                return Value(language.logic["and"].format(flag, value.operand), True, False, choice)
+                text = language.logic["and"].format(flag, value.operand)
+                return Value(text, True, False, choice, alternatives=alternatives)
             if value.text == language.literal(1.0):
-                return Value(flag, True, True, choice)
+                return Value(flag, True, True, choice, alternatives=alternatives)
             text = language.choice.format(flag, chosen, language.literal(0.0))
-            return Value(text, is_atom="?" not in language.choice, choice=choice)
+            return Value(text, is_atom="?" not in language.choice, choice=choice, alternatives=alternatives)
         if name == "add" and (merged := self._merge(*arguments)):
             return merged
         if name not in language.operations:
@@ -267,6 +441,40 @@ class Statements:
         is_call = re.fullmatch(r"\w+\(\{0\}(, \{1\})?\)", form) is not None
         return Value(form.format(*(self._number(a, is_operand=not is_call) for a in arguments)), is_atom=is_call)
 
+    def _condition_of_case(self, instruction: Instruction, arguments: Sequence[Value]) -> Value | None:
+        """Return the expression of a condition as a user writes it.
+
+        The measured value of a comparison is on the left, and minima and maxima of conditions become `and` and `or`.
+        The result is None for other instructions.
+        """
+        name, language = instruction.operation, self.language
+        if name in ("fmin", "fmax") and all(argument.is_flag for argument in arguments):
+            logic = language.logic["and" if name == "fmin" else "or"]
+            return Value(logic.format(*(self._operand_flag(argument) for argument in arguments)), True, False)
+        if name == "not" and arguments[0].negated:
+            return Value(arguments[0].negated, True)
+        # The comparisons |c| < 0.5 and |c - 1| < 0.5 of a condition c.
+        if name == "fabs" and (arguments[0].is_flag or arguments[0].magnitude is not None):
+            return arguments[0].magnitude or arguments[0]
+        if name == "sub" and arguments[0].is_flag and arguments[1].text == language.literal(1.0):
+            return self._value(instruction, list(arguments))._replace(magnitude=self._negative(arguments[0]))
+        if name in ("lt", "le") and arguments[0].is_flag and arguments[1].text == language.literal(0.5):
+            return self._negative(arguments[0])
+        thresholds = language.literal(0.0), language.literal(0.5)
+        if name in ("lt", "le") and not any(argument.is_flag for argument in arguments):
+            left, right = arguments
+            is_constant = left.text[:1].isdigit() or left.text.startswith("(-")
+            if (left.rank > right.rank or is_constant) and left.text not in thresholds:
+                return Value(language.reversed[name].format(*map(self._number, arguments)), True, False)
+        return None
+
+    def _negative(self, value: Value) -> Value:
+        """Return the negation of a condition."""
+        if value.negated:
+            return Value(value.negated, True)
+        operand = self._operand_flag(value)
+        return Value(self.language.logic["not"].format(operand), True, False, negated=operand)
+
     def _merge(self, a: Value, b: Value) -> Value | None:
         """Return the sum of two choices with opposite conditions as one choice.
 
@@ -274,13 +482,15 @@ class Statements:
         """
         if a.choice is None or b.choice is None or a.choice[0] != b.choice[0] or a.choice[1] == b.choice[1]:
             return None
-        if a.is_flag and b.is_flag:
-            return Value(self.language.logic["or"].format(a.operand, b.operand), True, False)
         yes, no = (b, a) if a.choice[1] else (a, b)
         assert yes.choice is not None
         assert no.choice is not None
+        alternatives = yes.choice[0], yes.choice[3], no.choice[3]
+        if a.is_flag and b.is_flag:
+            text = self.language.logic["or"].format(a.operand, b.operand)
+            return Value(text, True, False, alternatives=alternatives)
         text = self.language.choice.format(yes.choice[0], yes.choice[2], no.choice[2])
-        return Value(text, is_atom="?" not in self.language.choice)
+        return Value(text, is_atom="?" not in self.language.choice, alternatives=alternatives)
 
     def _variable(self, value: Value, name: str, *, is_label: bool = False) -> Value:
         """Assign an expression to a new variable, and return the variable.
@@ -293,3 +503,13 @@ class Statements:
         kind = self.language.types[value.is_flag]
         self.lines.append(self.language.declaration.format(name=name, text=value.text, type=kind))
         return Value(name, value.is_flag, negated=value.negated if re.fullmatch(r"\w+", value.negated) else "")
+
+
+def _bare(condition: str) -> str:
+    """Return a condition without parentheses around the whole."""
+    depth = 0
+    for k, character in enumerate(condition):
+        depth += {"(": 1, ")": -1}.get(character, 0)
+        if depth == 0 and k < len(condition) - 1:
+            return condition
+    return condition[1:-1] if condition.startswith("(") else condition

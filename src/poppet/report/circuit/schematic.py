@@ -191,8 +191,7 @@ class _Schematic:
             self._draw_box(name, box, positions[name])
         for edge in self.graph.edges:
             self._label_end(self.ends[edge, edge[0]], self.sides[edge], self._port_label(edge))
-            node = self.circuit.parts[edge[0]].ports().get(edge[1], "").partition(".")[2]
-            if node:  # one of several gas nodes of a part
+            if node := self._node_label(edge):
                 self._label_end(self.ends[edge, edge[2]], not self.sides[edge], node)
         if self.circuit.title:
             self._text(0.0, top + head, self.circuit.title, 11, ha="left", va="top", fontweight="bold")
@@ -220,9 +219,12 @@ class _Schematic:
         widths += [self.min_width] * (name in self.counts)
         ports = [edge for edge in self.graph.edges if name in (edge[0], edge[2])]
         max_ports = max(sum(self.sides[edge] is side for edge in ports) for side in (True, False)) if ports else 0
-        symbol_height = max(_SYMBOL, _PORT_STEP * max_ports) + 0.06 if name in self.graph.passages else 0.0
+        # A machine with gas nodes and no ports, such as a gripper, has a symbol too.
+        has_symbol = name in self.graph.passages or bool(part.symbol)
+        symbol_height = max(_SYMBOL, _PORT_STEP * max_ports) + 0.06 if has_symbol else 0.0
         if symbol_height:
-            label = max((text_width(self._port_label(edge), 6.5) for edge in ports), default=0.0)
+            texts = (self._port_label(edge) if edge[0] == name else self._node_label(edge) for edge in ports)
+            label = max((text_width(text, 6.5) for text in texts), default=0.0)
             widths.append(2.0 * label + (2.4 if isinstance(part.symbol_for(False), str) else 1.6) * _SYMBOL)
         body = symbol_height + _LINE * len(lines) + 0.17 + 2.0 * _PAD
         body = max(body, _PORT_STEP * len(ports))
@@ -355,7 +357,7 @@ class _Schematic:
         if not isinstance(symbol, str):
             ports = [edge for edge in self.graph.edges if edge[0] == name]
             # Positive flow enters at the right, or leaves a source at the left.
-            is_mirrored = self.sides[ports[0]] == (len(ports) == 1)
+            is_mirrored = bool(ports) and self.sides[ports[0]] == (len(ports) == 1)
             self._strokes(symbol, left, bottom, _SYMBOL, is_mirrored=is_mirrored)
             return
         label = symbol or part.kind.replace("_", " ")
@@ -380,6 +382,10 @@ class _Schematic:
     def _text(self, x: float, y: float, text: str, size: float, **options: Any) -> None:
         properties: dict[str, Any] = {"ha": "center", "va": "center", "color": INK, "zorder": 4} | options
         self.axes.text(x, y, text, fontsize=size, parse_math=False, **properties)
+
+    def _node_label(self, edge: Edge) -> str:
+        """Return the local name of the gas node at the end of a pipe, which is empty if it is the part itself."""
+        return self.circuit.parts[edge[0]].ports().get(edge[1], "").partition(".")[2]
 
     def _port_label(self, edge: Edge) -> str:
         part, port = self.circuit.parts[edge[0]], edge[1]
