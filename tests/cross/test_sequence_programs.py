@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+import tomllib
 from functools import cache
 from typing import Any
 
@@ -17,10 +19,15 @@ from controller_targets import (
     run_library,
     run_program,
 )
-from poppet import Circuit, Orifice, Reservoir, Sequence, Switch
+from poppet import Circuit, Cylinder, Mass, Orifice, Reservoir, Sequence, SpoolValve, Switch
+from poppet.deploy.c.controller import c_controller
 from poppet.deploy.controller import controller_program
 from poppet.deploy.controller_program import STATUS
+from poppet.deploy.st.block import block_of
 from poppet.signals import Steps
+from source_files import ROOT as PACKAGE
+
+ROOT = PACKAGE.parents[1]
 
 T, N = 5e-3, 400
 NAMES = ("extend A", "extend B", "press", "retract B", "retract A", "eject")
@@ -254,3 +261,27 @@ def test_coupled_sequences_and_switches_are_one_program(tmp_path):
         outputs, status = target(program, calls)
         assert np.allclose(outputs, expected, rtol=0.0, atol=1e-12)
         assert np.array_equal(status, bits)
+
+
+def test_pages_show_the_printed_statements():
+    """The pages on structured text and on C show statements of the sequence in the first page."""
+    pages = {name: (ROOT / "docs" / f"{name}.md").read_text(encoding="utf-8") for name in ("plc", "export_c")}
+    blocks = re.findall(r"^```(\w+)[^\n]*\n(.*?)^```$", "\n".join(pages.values()), re.MULTILINE | re.DOTALL)
+    (table,) = [
+        tomllib.loads(block)["parts"]["plc"] for kind, block in blocks if kind == "toml" and "sequence" in block
+    ]
+    assert table.pop("kind") == "sequence"
+    shown = [block for _, block in blocks if "next_step" in block or "new_a" in block]
+    parts: dict[str, Any] = {"supply": Reservoir(pressure="7 bar"), "plc": Sequence(**table)}
+    for letter in "AB":
+        ends = {"a": f"cylinder{letter}.cap", "b": f"cylinder{letter}.rod"}
+        parts[f"valve{letter}"] = SpoolValve(supply="supply", **ends, sonic_conductance=1e-8, critical_ratio=0.3)
+        parts[f"cylinder{letter}"] = Cylinder(
+            bore="25 mm", stroke_length="100 mm", body=f"slide{letter}", cap={"dead_volume": 1e-5},
+            rod={"dead_volume": 1e-5},
+        )  # fmt: skip
+        parts[f"slide{letter}"] = Mass(mass="1 kg")
+    circuit = Circuit(parts)
+    printed = block_of(circuit, ["plc"]) + c_controller(circuit, ["plc"])["plc.c"]
+    assert len(shown) == 3
+    assert all(block in printed for block in shown)

@@ -90,11 +90,11 @@ def test_commands_of_a_controller_are_those_of_the_closed_circuit(fmi: int, kind
 def test_steps_of_a_sequence_are_those_of_the_closed_circuit(fmi: int, kind: str) -> None:
     run, step = recorded("two_cylinders", 1.5, 5e-3), 5e-3
     outputs = ["plc.a", "plc.b", "plc.step", "plc.cycles"]
-    inputs = {f"plc.{name}_position": f"{name}.position" for name in ("slideA", "slideB")}
     with Host(part_of("two_cylinders", "plc", fmi, 1.5), kind, follows=False).begin() as host:
+        inputs = {v.name: v.name for v in host.description.modelVariables if v.causality == "input"}
         values = commands(host, run, step, inputs, outputs)
     expected = np.array([run[name][1::2] for name in outputs]).T
-    assert expected[-1, 3] >= 3.0
+    assert len(np.unique(expected[:, 2])) >= 4
     assert np.array_equal(values, expected)
 
 

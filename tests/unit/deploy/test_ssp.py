@@ -135,7 +135,7 @@ def test_a_sequence_is_a_component(tmp_path: Path) -> None:
     # At the end of a communication step, the plant is at this point, and the sequence has not sampled again.
     assert np.max(np.abs(values[:, 0] - run["slideA.position"][1 : count + 1])) < 1e-6
     assert np.array_equal(values[:, 1], run["plc.step"][:count])
-    assert len(set(values[:, 1])) == 4
+    assert len(set(values[:, 1])) >= 4
 
 
 @pytest.mark.parametrize(
