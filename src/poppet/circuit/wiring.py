@@ -255,7 +255,7 @@ def check_connections(
                 continue
             if source.partition(".")[0] not in parts:
                 near = NameSuggestion(source.partition(".")[0], parts)
-                errors.add("wiring.unknown_part", own.place, source=source, suggestion=near)
+                errors.add("wiring.unknown_output", own.place, source=source, suggestion=near)
                 continue
         if item is not None and (item.by_signal or item.slope_of):
             errors.add("wiring.signal_only", f"connections.{target}")

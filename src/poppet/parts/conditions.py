@@ -328,7 +328,11 @@ def parse_condition(text: Any, names: Names, place: str) -> Condition:
         raise InputError("condition.no_text", place, value=text)
     if len(text) > MAX_LENGTH:
         raise InputError("condition.too_long", place, length=len(text), most=MAX_LENGTH)
-    condition = Condition(text, _Parser(text, names, place).parse())
+    try:
+        condition = Condition(text, _Parser(text, names, place).parse())
+    except InputError as error:
+        # The text of the error contains the condition, but not its address.
+        raise error.at(place) from None
     return _with_places(condition, place)
 
 

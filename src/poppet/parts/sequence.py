@@ -114,17 +114,15 @@ class Sequence(Controller):
 
     def check(self) -> None:
         with ErrorCollector() as errors:
-            names: dict[str, tuple[str, ...]] = {"inputs": (), "outputs": ()}
-            for name, value in {"inputs": self.inputs_, "outputs": self.outputs}.items():
-                with errors.collecting():
-                    names[name] = read_names(value, name, names["inputs"])
-            form = Form(names["outputs"], names["inputs"], self.start_ or "", self.emergency or "")
+            inputs = read_names(errors, self.inputs_, "inputs")
+            outputs = read_names(errors, self.outputs, "outputs", inputs)
+            form = Form(outputs, inputs, self.start_ or "", self.emergency or "")
             with errors.collecting():
                 steps = SequenceProgram.read(self.steps, form)
                 number = self.initial_step
                 if number is not None and not 1 <= float(number) <= len(steps.steps):  # type: ignore[arg-type]
                     errors.add("sequence.no_initial_step", "initial_step", value=float(number), most=len(steps.steps))  # type: ignore[arg-type]
-        for name, result in {"inputs_": names["inputs"], "outputs": names["outputs"], "steps": steps}.items():
+        for name, result in {"inputs_": inputs, "outputs": outputs, "steps": steps}.items():
             object.__setattr__(self, name, result)
 
     @property

@@ -117,9 +117,8 @@ class Switch(Controller):
         values = super().parameters(ambient)
         on, off = self.limits
         if is_certain(values[on] <= values[off] if on == "on_above" else values[on] >= values[off]):
-            raise OutOfRangeError(
-                "switch.contradictory", on, value=values[on], off=off, limit=values[off], unit=self.unit
-            )  # fmt: skip
+            texts = [getattr(self, name).display() for name in (on, off)]
+            raise OutOfRangeError("switch.contradictory", on, shown=texts[0], off=off, limit=texts[1])
         # Without a connection it measures the ambient.
         defaults = {"Pa": ambient.pressure, "K": ambient.temperature}
         return values | {"measurement": defaults.get(self.unit, 0.0)}
