@@ -72,11 +72,13 @@ class Sequence(Controller):
         "step": "initial_step", "elapsed": "initial_elapsed", "cycles": "initial_cycles"
     }  # fmt: skip
 
-    outputs: Any = reference(doc="names of the outputs; list")
-    steps: Any = reference(doc="steps; mapping from name to a table with `on`, `set`, `next`, `timeout`")
-    start_: Any = reference(doc="first step")
-    inputs_: Any = reference(doc="names of the inputs, each 0 or 1; list")
-    emergency: Any = reference(doc="emergency step; adds the input `emergency`")
+    outputs: Any = reference(doc="names of the outputs", form="list of str")
+    steps: Any = reference(
+        doc="steps; mapping from name to a table with `on`, `set`, `next`, `timeout`", form="mapping"
+    )
+    start_: Any = reference(doc="first step", form="str")
+    inputs_: Any = reference(doc="names of the inputs, each 0 or 1", form="list of str")
+    emergency: Any = reference(doc="emergency step; adds the input `emergency`", form="str")
     sample_time: NumberLike = number("s", "5 ms", doc="sample time", low=MIN_SAMPLE_TIME)
     fault_time: NumberLike = number("s", "0.1 s", doc="time from an invalid input to the safe state", low=0.0)
     initial_step: NumberLike = number(

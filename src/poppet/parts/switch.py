@@ -82,7 +82,7 @@ class Switch(Controller):
     resume: ClassVar[dict[str, str]] = {"state": "initial_state"}
     internal_outputs: ClassVar[tuple[str, ...]] = ("measurement",)
 
-    measurement: Any = reference(doc="address of the measured output")
+    measurement: Any = reference(doc="address of the measured output", form="str")
     on_above: NumberLike = _limit("value above which the switch turns on")
     off_below: NumberLike = _limit("value below which the switch turns off")
     on_below: NumberLike = _limit("value below which the switch turns on")

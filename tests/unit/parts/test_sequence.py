@@ -151,6 +151,20 @@ def test_values_of_outputs():
     assert changed["plc.v"].tolist() == recording["plc.v"].tolist()
 
 
+def test_inputs_can_have_the_names_of_fields_and_steps():
+    steps = {
+        "idle": {"next": {"work": "start and not stop"}},
+        "work": {"on": ["a"], "next": {"stop": "stop"}},
+        "stop": {"next": {"idle": "not stop"}},
+    }
+    plc = Sequence(outputs=["a"], inputs=["start", "stop"], steps=steps, start="idle")
+    circuit = Circuit(plant(plc=plc), {"plc.start": pulse(0.011), "plc.stop": pulse(0.021)})
+    recording = rows(circuit, 0.03)
+    assert steps_of(recording) == [1, 1, 1, 2, 2, 3, 3]
+    assert recording["plc.start"].tolist() == [0, 0, 0, 1, 1, 1, 1]
+    assert steps_of(rows(circuit.with_values({"plc.start": "work"}), 0.03)) == [2, 2, 2, 2, 2, 3, 3]
+
+
 # --- Random sequences against an interpreter of their own ---
 
 
