@@ -68,6 +68,7 @@ class Sequence(Controller):
 
     kind: ClassVar[str] = "sequence"
     summary: ClassVar[str] = "sampled step sequence with conditions, timeouts and counters"
+    is_switching: ClassVar[bool] = True
     resume: ClassVar[dict[str, str]] = {
         "step": "initial_step", "elapsed": "initial_elapsed", "cycles": "initial_cycles"
     }  # fmt: skip

@@ -78,6 +78,7 @@ class Switch(Controller):
 
     kind: ClassVar[str] = "switch"
     summary: ClassVar[str] = "sampled switch with hysteresis: pressure switch, reed switch"
+    is_switching: ClassVar[bool] = True
     measured: ClassVar[tuple[str, ...]] = ("measurement",)
     resume: ClassVar[dict[str, str]] = {"state": "initial_state"}
     internal_outputs: ClassVar[tuple[str, ...]] = ("measurement",)
