@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any, TypeVar
 
 from poppet.core.errors import ErrorCollector, InputError, NameSuggestion
 from poppet.core.provenance import Number, Source
-from poppet.core.units import quantity
+from poppet.core.units import Kind, quantity
 from poppet.parts.fields import GroupSpec, MemberSpec, Spec, attribute, specs
 from poppet.parts.part import Part
 
@@ -125,10 +125,14 @@ def _change_nested(current: Any, spec: Spec, name: str, path: str, value: Any) -
             raise _unknown_field(name, path, numbers)
         if not isinstance(value, Number):
             unit, text = numbers[path].unit, value if isinstance(value, str) else ""
-            read = quantity(value, unit, name=f"{name}.{path}")
+            kind: Kind = current.number_specs()[path].kind if hasattr(current, "number_specs") else "plain"
+            read = quantity(value, unit, kind=kind, name=f"{name}.{path}")
             # The text is stored: the value is displayed in its original form.
             value = Number(read.value, unit, Source("given"), read.reference, text)
-        return current.with_numbers({path: value})
+        try:
+            return current.with_numbers({path: value})
+        except InputError as error:
+            raise error.at(f"{name}.{path}") from None
     valid = specs(spec.group) if isinstance(spec, GroupSpec) else {}
     head, _, rest = path.partition(".")
     if rest and hasattr(table := getattr(current, attribute(head), None), "with_numbers"):

@@ -6,8 +6,9 @@ It reports all errors of a file together, each with its line.
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import dataclass
 from pathlib import Path
-from typing import Any, TypeVar
+from typing import Any, ClassVar, TypeVar
 
 from poppet.circuit.circuit import BaseCircuit, Origin
 from poppet.circuit.options import Ambient, GasChoice, Run
@@ -20,6 +21,7 @@ from poppet.circuit.wiring import (
     check_signals,
     check_starts,
     check_wiring,
+    connect_tube_cells,
     merge_connections,
     part_connections,
     unknown_input,
@@ -28,7 +30,7 @@ from poppet.core.errors import ErrorCollector, InputError, NameSuggestion
 from poppet.core.toml_file import TomlFile
 from poppet.parts import KINDS, Part
 from poppet.parts.fields import from_table
-from poppet.parts.part import Input, Store, Surroundings
+from poppet.parts.part import Controller, ControlOutputs, Input, PartConnection, Scope, Store, Surroundings
 
 TOP_LEVEL = ("title", "parts", "signals", "connections", "ambient", "gas", "run")
 ABOVE = ("ensemble", "requirements")
@@ -99,9 +101,14 @@ def read_circuit(file: TomlFile, circuit_class: type[CircuitT]) -> CircuitT:
             declared = part_connections(parts.made)
             merged = merge_connections(connections, declared, parts.made, is_excerpt=False)
             check_connections(errors, merged, parts.made, parts.inputs, signals, declared)
+        else:
+            parts.check_stated_connections(tables["parts"], connections)
     # After the block above, which raises the collected errors.
-    origin = Origin(data, file.folder)
-    return circuit_class(parts.made, signals, run, ambient, gas, str(data.get("title", "")), connections, origin)
+    origin, title = Origin(data, file.folder), str(data.get("title", ""))
+    try:
+        return circuit_class(parts.made, signals, run, ambient, gas, title, connections, origin)
+    except InputError as error:  # of the model, which the circuit checks if parts name outputs
+        raise file.located(error) from None
 
 
 def _table(errors: ErrorCollector, name: str, value: Any) -> Mapping[str, Any]:
@@ -163,6 +170,55 @@ class _Parts:
                 else:
                     self.errors.extend([unknown_input(address, self.inputs)])
         return signals
+
+    def check_stated_connections(self, tables: Mapping[str, Any], connections: Mapping[str, str]) -> None:
+        """Collect errors in the outputs that parts name, if only controllers are invalid.
+
+        `connections` are those of the file.
+        """
+        invalid = {name: self.wiring[name].kind for name in tables if name not in self.made}
+        if not all(issubclass(kind, Controller) for kind in invalid.values()):
+            return
+        from poppet.circuit.trace import SURROUNDINGS, trace
+
+        readers: dict[str, Part] = {}
+        for name, kind in invalid.items():
+            # The outputs of invalid parts are not known.
+            stated = {
+                key: connection
+                for key, connection in kind.stated_connections(tables[name]).items()
+                if connection[0].source.partition(".")[0] not in invalid
+            }
+            if stated:
+                readers[name] = _InvalidReader(stated)
+        parts = {**connect_tube_cells(self.made), **readers}
+        declared = {
+            target: connection.source
+            for target, connection in part_connections(parts).items()
+            if connection.source.partition(".")[0] not in invalid
+        }
+        used = {t: s for t, s in connections.items() if not {t.partition(".")[0], s.partition(".")[0]} & {*invalid}}
+        # The model is incomplete: only errors in the names of outputs concern the file.
+        with self.errors.collecting():
+            trace(parts, (*self.numbers, *SURROUNDINGS), {**declared, **used})
+
+
+@dataclass(frozen=True)
+class _InvalidReader(Controller):
+    """Placeholder of an invalid part, with the inputs that its table connects to outputs."""
+
+    summary: ClassVar[str] = "placeholder"
+
+    stated: Mapping[str, tuple[PartConnection, str]]
+
+    def connections(self) -> dict[str, PartConnection]:
+        return {name: connection for name, (connection, _) in self.stated.items()}
+
+    def inputs(self) -> tuple[Input, ...]:
+        return tuple(Input(name, unit, 0.0) for name, (_, unit) in self.stated.items())
+
+    def control(self, scope: Scope) -> ControlOutputs:
+        return ControlOutputs({})
 
 
 def _kind(table: Any) -> type[Part]:

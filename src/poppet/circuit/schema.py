@@ -13,12 +13,14 @@ from poppet.circuit.file import ABOVE
 from poppet.circuit.options import Ambient, GasChoice, Run
 from poppet.core.provenance import SOURCE_KINDS
 from poppet.parts import KINDS
+from poppet.parts.conditions import MAX_LENGTH
 from poppet.parts.fields import OFF_ON, BodySpec, GroupSpec, MemberSpec, NumberSpec, OptionSpec, PortSpec, Spec, specs
 from poppet.parts.quantities import QUANTITIES
 from poppet.parts.rows import ForceRows, FrictionFactor, GainSchedule, SuctionRows
 from poppet.parts.spool_curves import CURVE_FIELDS
 from poppet.parts.spool_edges import EDGE_TABLES
 from poppet.parts.spool_functions import command_properties
+from poppet.parts.steps import MAX_STEPS, NAME, STEP_NAME
 
 DRAFT = "https://json-schema.org/draft/2020-12/schema"
 Schema = dict[str, Any]
@@ -190,6 +192,23 @@ def _gas_name() -> Schema:
     return {"type": "string", "examples": list(library.gas_names())}
 
 
+def _names(pattern: str) -> Schema:
+    return {"type": "array", "items": {"type": "string", "pattern": f"^{pattern}$"}, "uniqueItems": True}
+
+
+def _step() -> Schema:
+    """Return the JSON schema of one step of a sequence."""
+    value = {"$ref": "#/$defs/value"}
+    condition = {"type": "string", "maxLength": MAX_LENGTH, "examples": ["slide.position > 98 mm and elapsed > 0.1 s"]}
+    fields = {
+        "on": _names(NAME.pattern) | {"description": "outputs that are 1 during the step"},
+        "set": {"type": "object", "additionalProperties": value, "description": "outputs with other values, -1 to 1"},
+        "next": {"type": "object", "additionalProperties": condition, "description": "next step to its condition"},
+        "timeout": closed({"after": value, "to": _TEXT}, ["after", "to"], "next step after a time in this step"),
+    }
+    return closed(fields, (), "step of a sequence")
+
+
 def _edge_table_schema() -> Schema:
     """Return the schema of a table of a metering edge, or of its path."""
     column: Schema = {"anyOf": [{"$ref": "#/$defs/value"}, _LIST]}
@@ -227,5 +246,17 @@ _REFERENCES: dict[str, Callable[[], Schema]] = {
     "name": _gas_name,
     "profile": lambda: {"type": "object", "additionalProperties": {"$ref": "#/$defs/value"}},
     "stop_when": lambda: {"anyOf": [_TEXT, {"type": "array", "items": _TEXT}]},
+    "measurement": lambda: _TEXT,
+    "outputs": lambda: _names(NAME.pattern),
+    "inputs": lambda: _names(NAME.pattern),
+    "start": lambda: _TEXT,
+    "emergency": lambda: _TEXT,
+    "steps": lambda: {
+        "type": "object",
+        "minProperties": 1,
+        "maxProperties": MAX_STEPS,
+        "propertyNames": {"pattern": f"^{STEP_NAME.pattern}$"},
+        "additionalProperties": _step(),
+    },
 }
 """Schemas of the fields that contain the name of an object."""

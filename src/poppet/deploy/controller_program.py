@@ -48,6 +48,8 @@ STATUS = ("input_held", "safe", "saturated", "late", "parameter_held")
 """Status flags, in the order of the bits of a status: bit k is flag k."""
 LARGEST_INPUT = 1e15
 """Largest magnitude of a valid input. It also rejects values that are not finite; its square is finite as a float."""
+COUNTED = {"faulty_samples": 0.5, "elapsed_samples": -0.5}
+"""Names of discrete states that count samples, with the value above which they have begun to count."""
 FLAGS = ("is_started", "has_input_fault", "has_parameter_fault", "is_late")
 """Last elements of the state z, which belong to the program itself."""
 
@@ -428,11 +430,13 @@ def _program_functions(
         is_dropped = ca.logic_and(has_fired, update[k] <= -period)
         new_memory[k] = _choose(is_dropped, period, update[k])
         late = ca.logic_or(late, ca.logic_and(has_fired, update[k] <= -0.5 * period))
-        # Dropped samples count for the fault time. The period of a timer that has not expired is 0.
+        # Dropped samples count for the fault time and the time in a step, unless it begins or is halted at this
+        # instant. The period of a timer that has not expired is 0.
         divisor = ca.fmax(period, MIN_SAMPLE_TIME)
         for j, state in enumerate(states[: memory.shape[0]]):
-            if state.address.endswith(".faulty_samples") and ca.depends_on(equations.update[j], equations.fired[k]):
-                continues = ca.logic_and(memory[j] > 0.5, update[j] > 0.5)
+            begun = COUNTED.get(state.address.rpartition(".")[2])
+            if begun is not None and ca.depends_on(equations.update[j], equations.fired[k]):
+                continues = ca.logic_and(memory[j] > begun, update[j] > memory[j])
                 n_dropped = _choose(ca.logic_and(is_dropped, continues), 1.0 - update[k] / divisor, 0.0)
                 new_memory[j] = new_memory[j] + n_dropped
     after = ca.vertcat(*new_memory, held_u, held_p, flag[:3], late)

@@ -11,6 +11,7 @@ it: ``z+ = h(t, x, u, p)``.
 
 from __future__ import annotations
 
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 from itertools import count
@@ -107,6 +108,7 @@ class Model:
     n_timers: int = 0  # number of timers, the first elements of z
     # Name of each body with energy, and the indices of the integrals of the powers on it.
     bodies: tuple[tuple[str, tuple[int, ...]], ...] = ()
+    _counting: dict[tuple[float, ...], tuple[bool, ...]] = field(default_factory=dict, init=False, repr=False)
 
     @property
     def size(self) -> int:
@@ -131,17 +133,32 @@ class Model:
         columns = set(dependence.get_col())
         return tuple(len(self.parameters) + k in columns for k in range(z.shape[0]))
 
-    @cached_property
-    def counting(self) -> tuple[bool, ...]:
-        """Mask of the discrete states z that are clocks or counters, (n_memory,).
+    def counting(self, u: Sequence[float] = ()) -> tuple[bool, ...]:
+        """Return a mask of the discrete states z that do not depend on the circuit, (n_memory,).
 
-        The next value of such a state depends only on discrete states of this kind, parameters and time.
+        They are clocks, counters, and states that inputs hold, such as those of a halted sequence. The next value of
+        such a state depends only on discrete states of this kind, parameters and time. u contains the constant inputs;
+        without it, no state is held.
         """
         if not self.memory:
             return ()
+        # Only inputs with a value at rest decide whether a state is held.
+        resting = {k: u[k] for k, item in enumerate(self.inputs) if item.at_rest is not None and len(u)}
+        key = tuple(resting.values())
+        if key not in self._counting:
+            self._counting[key] = self._find_counting(resting)
+        return self._counting[key]
+
+    def _find_counting(self, resting: Mapping[int, float]) -> tuple[bool, ...]:
+        """Return the mask of `counting`; `resting` contains the constant values of inputs by index."""
         import casadi as ca
 
-        update, first = self.expressions["update"], len(self.parameters)
+        first, update = len(self.parameters), self.expressions["update"]
+        if resting:
+            values = ca.SX(self.symbols["u"])
+            for k, value in resting.items():
+                values[k] = value
+            update = ca.substitute([update], [self.symbols["u"]], [values])[0]
         dependencies: dict[int, set[int]] = {k: set() for k in range(len(self.memory))}
         for row, column in zip(*ca.jacobian_sparsity(update, self.symbols["p"]).get_triplet(), strict=True):
             dependencies[row] |= {column - first} if column >= first else set()

@@ -15,6 +15,7 @@ if TYPE_CHECKING:
     from poppet.parts.cylinder import Cylinder
     from poppet.parts.electronics import Electronics
     from poppet.parts.flow_path import Orifice
+    from poppet.parts.gripper import Gripper
     from poppet.parts.logic_valves import QuickExhaustValve, ShuttleValve, TwoPressureValve
     from poppet.parts.main_stage import Contact, Exhaust, Friction, MainStage, Spring, Stop
     from poppet.parts.muscle import Muscle
@@ -67,6 +68,7 @@ KINDS: Registry[type[Part]] = Registry(
         "joint": "poppet.parts.bodies:Joint",
         "guide": "poppet.parts.bodies:Guide",
         "cylinder": "poppet.parts.cylinder:Cylinder",
+        "gripper": "poppet.parts.gripper:Gripper",
         "rotary_actuator": "poppet.parts.rotary_actuator:RotaryActuator",
         "muscle": "poppet.parts.muscle:Muscle",
         "inverse_muscle": "poppet.parts.antagonist:InverseMuscle",
@@ -90,10 +92,10 @@ _PATHS = {
 __all__ = [
     "KINDS", "PID", "Antagonist", "BodyFriction", "BodyStop", "Chamber", "CheckValve", "Compressor", "Contact",
     "Cylinder", "DirectionalValve", "Electronics", "Exhaust", "Filter", "FlowControlValve", "FlowSource", "Friction",
-    "Guide", "InverseMuscle", "Joint", "JointFriction", "JointStop", "MainStage", "Mass", "Muscle", "Orifice", "Part",
-    "Passage", "PilotStage", "PilotedCheckValve", "PressureController", "PressureRegulator", "ProportionalValve",
-    "QuickExhaustValve", "ReliefValve", "Reservoir", "RotaryActuator", "Sequence", "ShuttleValve", "Silencer",
-    "Solenoid", "SpoolValve", "Spring", "Stop", "Store", "SuctionCup", "Switch", "Tube", "TwoPressureValve",
+    "Gripper", "Guide", "InverseMuscle", "Joint", "JointFriction", "JointStop", "MainStage", "Mass", "Muscle",
+    "Orifice", "Part", "Passage", "PilotStage", "PilotedCheckValve", "PressureController", "PressureRegulator",
+    "ProportionalValve", "QuickExhaustValve", "ReliefValve", "Reservoir", "RotaryActuator", "Sequence", "ShuttleValve",
+    "Silencer", "Solenoid", "SpoolValve", "Spring", "Stop", "Store", "SuctionCup", "Switch", "Tube", "TwoPressureValve",
     "VacuumEjector",
 ]  # fmt: skip
 

@@ -188,7 +188,7 @@ class MovingBody(Body):
         return "acceleration", f"actuator_{self.effort}", f"stop_{self.effort}", f"breakaway_{self.effort}"
 
     def list_outputs(self) -> tuple[str, ...]:
-        """Return the names of all outputs of the body, with its load."""
+        """Return the names of the outputs for motion and forces, with the load."""
         load, actuator, friction, stop, breakaway = (
             f"{name}_{self.effort}" for name in ("load", "actuator", "friction", "stop", "breakaway")
         )

@@ -63,10 +63,16 @@ class Compound(Part):
             with errors.collecting(name):
                 object.__setattr__(self, attribute(name), self._member(name, spec))
         # An invalid value that several members inherit is one error of the compound.
-        inherited = {f"{name}.{key}": key for name, spec in self._member_specs() for key in spec.inherited}
-        for problem in errors.collected:
-            if problem.address in inherited and problem.code != "fields.unknown":
-                problem.address, problem.place = inherited[problem.address], ""
+        inherited = [(f"{name}.{key}", key) for name, spec in self._member_specs() for key in spec.inherited]
+        for problem in [*errors.collected]:
+            address = problem.address or ""
+            key = next((key for whole, key in inherited if f"{address}.".startswith(f"{whole}.")), None)
+            if key is None or problem.code == "fields.unknown":
+                continue
+            problem.address, problem.place = address[address.index(key) :], ""
+            # The compound computes other inherited values from its fields, which are reported if they are missing.
+            if problem.code == "fields.missing" and key not in specs(type(self)):
+                errors.collected.remove(problem)
         problems = list({(problem.code, problem.address): problem for problem in errors.collected}.values())
         missing = [p for p in problems if p.code == "fields.missing" and "." in (p.address or "")]
         if getattr(self, "data", "") is None and len(missing) >= MIN_MISSING:

@@ -157,6 +157,10 @@ class Condition:
         """Return the numbers of the condition that are parameters, in the order of the text."""
         return [operand for operand in self.operands() if isinstance(operand, Literal) and operand.place]
 
+    def relations(self) -> Iterator[Relation]:
+        """Yield all comparisons in the order of the text."""
+        yield from _relations(self.tree)
+
     def with_text(self, numbers: Mapping[str, Number]) -> str:
         """Return the text with other numbers; `numbers` maps the names of parameters to numbers."""
         text = self.text
@@ -199,6 +203,30 @@ def _operands(node: Node | Operand) -> Iterator[Operand]:
                 yield from _operands(term)
         case _:
             yield node
+
+
+def _relations(node: Node) -> Iterator[Relation]:
+    match node:
+        case Relation():
+            yield node
+        case Not():
+            yield from _relations(node.term)
+        case AllOf() | AnyOf():
+            for term in node.terms:
+                yield from _relations(term)
+
+
+def never_true(relation: Relation) -> str:
+    """Return the name of an input of which a comparison is false for both 0 and 1; otherwise the text is empty."""
+    sides = relation.left, relation.right
+    flag = next((side for side in sides if isinstance(side, Flag)), None)
+    if flag is None or not any(isinstance(side, Literal) for side in sides):
+        return ""
+
+    def value_at(state: float) -> Callable[[Operand], Any]:
+        return lambda operand: float(operand.number.value) if isinstance(operand, Literal) else state
+
+    return "" if any(_compare(relation, value_at(state)) > 0.5 for state in (0.0, 1.0)) else flag.name
 
 
 def _evaluate(node: Node, value: Callable[[Operand], Any], is_negated: bool) -> Any:
@@ -300,7 +328,11 @@ def parse_condition(text: Any, names: Names, place: str) -> Condition:
         raise InputError("condition.no_text", place, value=text)
     if len(text) > MAX_LENGTH:
         raise InputError("condition.too_long", place, length=len(text), most=MAX_LENGTH)
-    condition = Condition(text, _Parser(text, names, place).parse())
+    try:
+        condition = Condition(text, _Parser(text, names, place).parse())
+    except InputError as error:
+        # The text of the error contains the condition, but not its address.
+        raise error.at(place) from None
     return _with_places(condition, place)
 
 

@@ -399,6 +399,8 @@ class Part(ABC):
     """Ports whose pressure acts on the part, but through which no gas flows."""
     resume: ClassVar[dict[str, str]] = {}
     """Mapping from each output from which a run can continue to the field of the initial value."""
+    is_switching: ClassVar[bool] = False
+    """True for controllers whose outputs jump from one value to another, such as a sequence."""
     internal_outputs: ClassVar[tuple[str, ...]] = ()
     """Outputs that plots omit unless they are requested by name or all outputs are."""
 
@@ -560,6 +562,14 @@ class Part(ABC):
         """Return the outputs of the circuit that drive inputs of the part, by input.
 
         Fields of the part name these outputs. The circuit adds these connections to its own.
+        """
+        return {}
+
+    @classmethod
+    def stated_connections(cls, table: Mapping[str, Any]) -> dict[str, tuple[PartConnection, str]]:
+        """Return the connections that the table of an invalid part declares, each with the unit of its input.
+
+        Invalid fields are omitted. The outputs can thus be checked together with the other errors of a circuit file.
         """
         return {}
 

@@ -223,9 +223,7 @@ class RotaryActuator(MovingCompound):
         match member:
             case "shaft":
                 contact = {"stiffness": self.end_stop.stiffness, "dissipation": self.end_stop.dissipation}
-                # The compound reports a missing swivel angle.
-                end = 1.0 if self.swivel_angle is None else self.swivel_angle
-                lower, upper = (contact | {"position": angle} for angle in (0.0, end))
+                lower, upper = (contact | {"position": angle} for angle in (0.0, self.swivel_angle))
                 return {"pulley_radius": LEVER, "lower_stop": lower, "upper_stop": upper}
             case "vane":
                 own = {name: getattr(self, name) for name in ("seal_friction", "leakage")}

@@ -2,16 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Hashable
-from dataclasses import dataclass
+from collections.abc import Hashable, Mapping
+from dataclasses import dataclass, replace
 from typing import Any, ClassVar
 
 from poppet.core.codes import Note
 from poppet.core.errors import ErrorCollector
 from poppet.core.provenance import Number
-from poppet.core.symbolic import clip, floor, where
+from poppet.core.symbolic import clip, floor, maximum, where
 from poppet.parts.captions import CaptionNumbers
-from poppet.parts.conditions import KIND_OF_UNIT, Flag, Internal, Literal, Operand, Reading
+from poppet.parts.conditions import KIND_OF_UNIT, Flag, Internal, Literal, Operand, Reading, never_true
 from poppet.parts.electronics import MIN_SAMPLE_TIME
 from poppet.parts.fields import NumberLike, number, reference
 from poppet.parts.part import (
@@ -28,7 +28,7 @@ from poppet.parts.part import (
     advance_clock,
 )
 from poppet.parts.safe_state import FAULT_INPUT, FAULT_MEMORY, NEVER_VALID, fault_state
-from poppet.parts.steps import Form, SequenceProgram, SequenceStep, read_names
+from poppet.parts.steps import Form, SequenceProgram, SequenceStep, read_names, stated_conditions
 
 _ROUNDING = 1e-6
 """Tolerance of the time of a timeout, relative; it permits single precision."""
@@ -68,15 +68,18 @@ class Sequence(Controller):
 
     kind: ClassVar[str] = "sequence"
     summary: ClassVar[str] = "sampled step sequence with conditions, timeouts and counters"
+    is_switching: ClassVar[bool] = True
     resume: ClassVar[dict[str, str]] = {
         "step": "initial_step", "elapsed": "initial_elapsed", "cycles": "initial_cycles"
     }  # fmt: skip
 
-    outputs: Any = reference(doc="names of the outputs; list")
-    steps: Any = reference(doc="steps; mapping from name to a table with `on`, `set`, `next`, `timeout`")
-    start_: Any = reference(doc="first step")
-    inputs_: Any = reference(doc="names of the inputs, each 0 or 1; list")
-    emergency: Any = reference(doc="emergency step; adds the input `emergency`")
+    outputs: Any = reference(doc="names of the outputs", form="list of str")
+    steps: Any = reference(
+        doc="steps; mapping from name to a table with `on`, `set`, `next`, `timeout`", form="mapping"
+    )
+    start_: Any = reference(doc="first step", form="str")
+    inputs_: Any = reference(doc="names of the inputs, each 0 or 1", form="list of str")
+    emergency: Any = reference(doc="emergency step; adds the input `emergency`", form="str")
     sample_time: NumberLike = number("s", "5 ms", doc="sample time", low=MIN_SAMPLE_TIME)
     fault_time: NumberLike = number("s", "0.1 s", doc="time from an invalid input to the safe state", low=0.0)
     initial_step: NumberLike = number(
@@ -114,17 +117,15 @@ class Sequence(Controller):
 
     def check(self) -> None:
         with ErrorCollector() as errors:
-            names: dict[str, tuple[str, ...]] = {"inputs": (), "outputs": ()}
-            for name, value in {"inputs": self.inputs_, "outputs": self.outputs}.items():
-                with errors.collecting():
-                    names[name] = read_names(value, name, names["inputs"])
-            form = Form(names["outputs"], names["inputs"], self.start_ or "", self.emergency or "")
+            inputs = read_names(errors, self.inputs_, "inputs")
+            outputs = read_names(errors, self.outputs, "outputs", inputs)
+            form = Form(outputs, inputs, self.start_ or "", self.emergency or "")
             with errors.collecting():
                 steps = SequenceProgram.read(self.steps, form)
                 number = self.initial_step
                 if number is not None and not 1 <= float(number) <= len(steps.steps):  # type: ignore[arg-type]
                     errors.add("sequence.no_initial_step", "initial_step", value=float(number), most=len(steps.steps))  # type: ignore[arg-type]
-        for name, result in {"inputs_": names["inputs"], "outputs": names["outputs"], "steps": steps}.items():
+        for name, result in {"inputs_": inputs, "outputs": outputs, "steps": steps}.items():
             object.__setattr__(self, name, result)
 
     @property
@@ -138,7 +139,14 @@ class Sequence(Controller):
             step.name for step in self.program.steps
             if not step.transitions and step.timeout is None and step.name != self.emergency
         ]  # fmt: skip
-        return tuple(Note("sequence.no_exit", f"steps.{name}", name=name) for name in dead_ends)
+        never = [
+            Note("sequence.never_true", f"steps.{step.name}.next.{transition.target}", input=name)
+            for step in self.program.steps
+            for transition in step.transitions
+            for relation in transition.condition.relations()
+            if (name := never_true(relation))
+        ]
+        return *(Note("sequence.no_exit", f"steps.{name}", name=name) for name in dead_ends), *never
 
     def caption(self, numbers: CaptionNumbers) -> list[str]:
         return [f"sequence of {len(self.program.steps)} steps", f"sampled every {numbers.text(self.sample_time)}"]
@@ -165,17 +173,30 @@ class Sequence(Controller):
             for name, (reading, place) in self.program.readings().items()
         }
 
+    @classmethod
+    def stated_connections(cls, table: Mapping[str, Any]) -> dict[str, tuple[PartConnection, str]]:
+        readings = (
+            (PartConnection(operand.address, place), operand.unit)
+            for place, condition in stated_conditions(table)
+            for operand in condition.operands()
+            if isinstance(operand, Reading)
+        )
+        return {f"reading_{k}": reading for k, reading in enumerate(readings)}
+
     def inputs(self) -> tuple[Input, ...]:
         def flag(name: str, **properties: Any) -> Input:
             return Input(name, "1", 0.0, low=0.0, high=1.0, is_flag=True, **properties)
 
-        emergency = (flag("emergency"),) if self.program.form.emergency else ()
+        emergency = (flag("emergency", at_rest=0.0),) if self.program.form.emergency else ()
         readings = (
             Input(name, reading.unit, 0.0, kind=KIND_OF_UNIT.get(reading.unit, "plain"))
             for name, (reading, _) in self.program.readings().items()
         )
         declared = (flag(name, is_command=True) for name in self.program.form.inputs)
-        return flag("halt", at_rest=1.0), flag("reset"), *emergency, *declared, *readings, FAULT_INPUT
+        return (
+            flag("halt", at_rest=1.0), flag("reset"), *emergency, *declared, *readings,
+            replace(FAULT_INPUT, at_rest=0.0),
+        )  # fmt: skip
 
     def memory(self) -> tuple[DiscreteState, ...]:
         counters = (f"count_{self.program.number(name)}" for name in self.program.counted())
@@ -221,7 +242,7 @@ class Sequence(Controller):
         period = scope["sample_time"]
         since_sample = clip(period - (memory["sample"] - scope.time), 0.0, period)
         since_sample = where(memory["is_held"] > 0.5, 0.0, since_sample)
-        elapsed = memory["elapsed_samples"] * period + since_sample
+        elapsed = maximum(memory["elapsed_samples"] * period + since_sample, 0.0)
         outputs |= {"step": (memory["step"], "1"), "elapsed": (elapsed, "s"), "cycles": (memory["cycles"], "1")}
         # For conditions of other sequences: 1 during the step.
         hidden: Quantities = {

@@ -4,12 +4,14 @@ from __future__ import annotations
 
 import dataclasses
 import re
-from collections.abc import Hashable, Mapping, Sequence
+from collections.abc import Collection, Hashable, Iterator, Mapping, Sequence
+from contextlib import suppress
 from dataclasses import dataclass, replace
 from typing import Any, ClassVar, NamedTuple
 
 from poppet.core.errors import ErrorCollector, InputError, NameSuggestion
 from poppet.core.provenance import Number
+from poppet.core.symbolic import is_symbolic
 from poppet.parts.conditions import (
     WORDS,
     Condition,
@@ -17,7 +19,6 @@ from poppet.parts.conditions import (
     Internal,
     Literal,
     Names,
-    Node,
     Operand,
     Reading,
     Relation,
@@ -171,6 +172,11 @@ class SequenceProgram:
 
     def with_numbers(self, changes: Mapping[str, Number]) -> SequenceProgram:
         """Return a copy in which some numbers are replaced."""
+        specs = self.number_specs()
+        for name, number in changes.items():
+            # A gauge value is in a condition, which has no limits.
+            if not is_symbolic(number.value) and number.reference != "gauge":
+                specs[name].check(name, number.value, number.display())
         return replace(self, values={**self.values, **changes})
 
     def operands(self) -> dict[Operand, str]:
@@ -229,21 +235,27 @@ def _shape(node: Any) -> Hashable:
     return type(node).__name__, tuple(map(_shape, terms))
 
 
-def read_names(value: Any, address: str, taken: Sequence[str] = ()) -> tuple[str, ...]:
-    """Read a list of names of outputs or inputs; the names in `taken` are not available."""
+def read_names(errors: ErrorCollector, value: Any, address: str, taken: Collection[str] = ()) -> tuple[str, ...]:
+    """Return the valid names in a list of outputs or inputs, and collect errors in the others.
+
+    The names in `taken` are not available.
+    """
     if value is None:
         return ()
     if isinstance(value, str) or not isinstance(value, Sequence):
-        raise InputError("sequence.no_list", address, value=value)
-    with ErrorCollector() as errors:
-        for k, name in enumerate(value):
-            if not isinstance(name, str) or not NAME.fullmatch(name):
-                errors.add("sequence.no_name", address, name=name)
-            elif name in value[:k] or name in taken:
-                errors.add("sequence.name_twice", address, name=name)
-            elif name in _RESERVED:
-                errors.add("sequence.reserved", address, name=name)
-    return tuple(value)
+        errors.add("sequence.no_list", address, value=value)
+        return ()
+    names: dict[str, None] = {}
+    for name in value:
+        if not isinstance(name, str) or not NAME.fullmatch(name):
+            errors.add("sequence.no_name", address, name=name)
+        elif name in names or name in taken:
+            errors.add("sequence.name_twice", address, name=name)
+        elif name in _RESERVED:
+            errors.add("sequence.reserved", address, name=name)
+        else:
+            names[name] = None
+    return tuple(names)
 
 
 class _Reader:
@@ -395,7 +407,19 @@ class _Reader:
                             )
 
 
-def nodes_of(node: Node) -> list[Node]:
-    """Return a tree of a condition and all conditions in it."""
-    terms: tuple[Node, ...] = (node.term,) if hasattr(node, "term") else getattr(node, "terms", ())
-    return [node, *(inner for term in terms for inner in nodes_of(term))]
+def stated_conditions(table: Mapping[str, Any]) -> Iterator[tuple[str, Condition]]:
+    """Yield the valid conditions in the table of a sequence, each with its address in the part.
+
+    The table can have other errors.
+    """
+    steps, inputs = table.get("steps"), table.get("inputs")
+    if not isinstance(steps, Mapping):
+        return
+    listed = inputs if isinstance(inputs, Sequence) and not isinstance(inputs, str) else ()
+    names = Names([str(name) for name in (*listed, "emergency")], [str(name) for name in steps])
+    for name, step in steps.items():
+        transitions = step.get("next") if isinstance(step, Mapping) else None
+        for target, text in transitions.items() if isinstance(transitions, Mapping) else ():
+            place = f"steps.{name}.next.{target}"
+            with suppress(InputError):
+                yield place, parse_condition(text, names, place)

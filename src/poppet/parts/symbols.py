@@ -248,6 +248,14 @@ SILENCER = (
     + outline((0.74, 0.34), (0.74, 0.66), (0.98, 0.5))
 )
 CYLINDER = rectangle(0.0, 0.3, 0.75, 0.4) + line((0.3, 0.3), (0.3, 0.7)) + line((0.3, 0.5), (1.05, 0.5))
+GRIPPER = (
+    rectangle(0.0, 0.3, 0.5, 0.4)
+    + line((0.2, 0.3), (0.2, 0.7))
+    + line((0.2, 0.5), (0.66, 0.5))
+    + line((0.66, 0.2), (0.66, 0.8))
+    + line((0.66, 0.8), (1.05, 0.8), (1.05, 0.62))
+    + line((0.66, 0.2), (1.05, 0.2), (1.05, 0.38))
+)
 # A half disc with the shaft and a double arrow along the arc of its motion.
 ROTARY_ACTUATOR = (
     arc(0.4, 0.5, 0.36, -90.0, 90.0)

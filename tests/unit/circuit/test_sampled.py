@@ -65,7 +65,7 @@ class TestClocks:
 
     def test_only_timers_and_counters_are_clocks(self):
         model = smooth().model
-        clocks = {name for (name, _), is_clock in zip(model.memory, model.counting, strict=True) if is_clock}
+        clocks = {name for (name, _), is_clock in zip(model.memory, model.counting(), strict=True) if is_clock}
         assert clocks == {f"valve.electronics.{name}" for name in ("outer", "inner", "outer_count", "inner_count")}
 
     def test_period_of_two_clocks_is_the_least_common_multiple(self):

@@ -6,7 +6,8 @@ import numpy as np
 import pytest
 
 import poppet
-from poppet import Circuit, InputError, Orifice, Reservoir, Sequence
+from poppet import Chamber, Circuit, InputError, Orifice, Reservoir, Sequence
+from poppet.deploy.controller import controller_program
 from poppet.signals import Steps
 
 T = 0.005
@@ -148,6 +149,20 @@ def test_values_of_outputs():
     changed = rows(circuit.with_values({"plc.steps.one.set.w": 0.25}), 0.02)
     assert changed["plc.w"].tolist() == [0.25, 0.25, 0, 0, 0]
     assert changed["plc.v"].tolist() == recording["plc.v"].tolist()
+
+
+def test_inputs_can_have_the_names_of_fields_and_steps():
+    steps = {
+        "idle": {"next": {"work": "start and not stop"}},
+        "work": {"on": ["a"], "next": {"stop": "stop"}},
+        "stop": {"next": {"idle": "not stop"}},
+    }
+    plc = Sequence(outputs=["a"], inputs=["start", "stop"], steps=steps, start="idle")
+    circuit = Circuit(plant(plc=plc), {"plc.start": pulse(0.011), "plc.stop": pulse(0.021)})
+    recording = rows(circuit, 0.03)
+    assert steps_of(recording) == [1, 1, 1, 2, 2, 3, 3]
+    assert recording["plc.start"].tolist() == [0, 0, 0, 1, 1, 1, 1]
+    assert steps_of(rows(circuit.with_values({"plc.start": "work"}), 0.03)) == [2, 2, 2, 2, 2, 3, 3]
 
 
 # --- Random sequences against an interpreter of their own ---
@@ -307,9 +322,81 @@ def test_thresholds_are_parameters():
     assert Circuit(plant(plc=Sequence(steps={**steps, "one": {"next": {"two": text}}}, start="one"))).parameters == (
         changed.parameters
     )
+    gauge = circuit.with_values({"plc.steps.one.next.two.1": "5.5 bar g"})
+    assert gauge.parameters["plc.steps.one.next.two.1"] == pytest.approx(6.5e5)
     with pytest.raises(InputError) as caught:
         circuit.with_values({"plc.steps.one.next.two.1": "3 mm"})
     assert caught.value.address == "plc.steps.one.next.two.1"
+
+
+@pytest.mark.parametrize(
+    ("address", "value"), [("plc.steps.one.set.a", -1.1), ("plc.steps.one.timeout.after", "-1 s"), ("plc.steps.x", 1)]
+)
+def test_invalid_changes_of_numbers(address, value):
+    steps = {"one": {"set": {"a": 0.5}, "timeout": {"after": "1 s", "to": "one"}}}
+    circuit = Circuit(plant(plc=Sequence(outputs=["a"], steps=steps, start="one")))
+    with pytest.raises(InputError) as caught:
+        circuit.with_values({address: value})
+    assert caught.value.address == address
+
+
+def test_sequence_holds_its_step_in_a_steady_state():
+    steps = {"one": {"on": ["a"], "next": {"two": "elapsed > 1 s"}}, "two": {"next": {"one": "tank.pressure > 2 bar"}}}
+    parts = plant(
+        plc=Sequence(outputs=["a"], steps=steps, start="one"),
+        tank=Chamber(volume="1 l", wall_conductance=1.0),
+        fill=Orifice(from_="supply", to="tank", sonic_conductance=1e-8, critical_ratio=0.3),
+    )
+    circuit = Circuit(parts, connections={"fill.opening": "plc.a"})
+    steady = circuit.steady_state()
+    assert (steady.y["plc.step"], steady.y["plc.a"], steady.y["plc.elapsed"]) == (1.0, 1.0, 0.0)
+    assert steady.y["tank.pressure"] == pytest.approx(5e5)
+    model = circuit.linearise()
+    assert model.states == ("tank.pressure", "tank.mass")
+    assert np.all(np.abs(model.eigenvalues()) < 1.0)
+    steady = circuit.with_values({"plc.initial_step": 2, "tank.initial_pressure": "3 bar"}).steady_state()
+    assert (steady.y["plc.step"], steady.y["plc.a"]) == (2.0, 0.0)
+    assert steady.y["tank.pressure"] == pytest.approx(3e5)
+
+
+# --- Exported program ---
+
+
+def test_exported_program_runs_the_same_steps():
+    rng = np.random.default_rng(1)
+    steps = {
+        "one": {
+            "on": ["a"],
+            "next": {"two": "supply.pressure > 5 bar and go"},
+            "timeout": {"after": "40 ms", "to": "two"},
+        },
+        "two": {"on": ["b"], "next": {"one": "supply.pressure < 4 bar", "three": "elapsed > 30 ms"}},
+        "three": {"set": {"a": -0.5}, "next": {"one": 'not go or count("two") == 3'}},
+    }
+    plc = Sequence(outputs=["a", "b"], steps=steps, start="one", inputs=["go"])
+    signals = {"plc.go": random_signal(rng, 0.6, 0, 1, is_flag=True)}
+    signals["supply.pressure"] = random_signal(rng, 0.6, 3e5, 7e5, is_flag=False)
+    circuit = Circuit(plant(plc=plc), signals)
+    recording = rows(circuit, 0.6)
+    program = controller_program(circuit, ["plc"])
+    assert program.cycle == pytest.approx(T)
+    names = [item.address for item in program.inputs]
+    assert "plc.supply_pressure" in names
+    columns = {item.address: np.zeros(recording.time.size) for item in program.inputs}
+    columns["plc.supply_pressure"] = recording["supply.pressure"]
+    columns["plc.go"] = recording["plc.go"]
+    results = program.run(np.array([columns[name] for name in names]).T)
+    for k, output in enumerate(program.outputs):
+        assert results.outputs[:, k] == pytest.approx(recording[output.address], abs=1e-12), output.address
+    assert len({*steps_of(recording)}) == 3
+
+
+def test_dropped_samples_count_for_the_time_in_a_step():
+    program = controller_program(Circuit(plant(plc=two_steps(steps={"one": {}}))), ["plc"])
+    elapsed = [output.address for output in program.outputs].index("plc.elapsed")
+    # The fourth call is 20 ms late: four samples are dropped.
+    results = program.run(np.zeros((6, len(program.inputs))), intervals=[0.0, T, T, T + 0.02, T, T])
+    assert results.outputs[:, elapsed] == pytest.approx([0.0, T, 2 * T, 3 * T + 0.02, 4 * T + 0.02, 5 * T + 0.02])
 
 
 def test_resumed_run_continues_the_step():
@@ -366,20 +453,42 @@ next = { "one" = "go" }
 def test_all_errors_are_reported_together():
     with pytest.raises(InputError) as caught:
         poppet.loads(INVALID)
-    found = {(problem.code, problem.address) for problem in caught.value.problems}
-    assert found >= {
+    found = [(problem.code, problem.address) for problem in caught.value.problems]
+    assert set(found) == {
         ("sequence.name_twice", "parts.plc.outputs"),
         ("sequence.reserved", "parts.plc.outputs"),
         ("sequence.unknown_output", "parts.plc.steps.one.on"),
         ("sequence.unknown_step", "parts.plc.steps.one.next.tow"),
         ("condition.unknown_name", "parts.plc.steps.two.next.three"),
+        ("wiring.unknown_output", "parts.plc.steps.two.next.one"),
         ("quantity.other_quantity", "parts.plc.steps.two.timeout.after"),
         ("sequence.unknown_step", "parts.plc.steps.two.timeout.to"),
         ("sequence.unreachable", "parts.plc.steps.island"),
         ("switch.contradictory", "parts.low.on_above"),
     }
+    # Both `a` and `b` occur twice.
+    assert len(found) == len(set(found)) + 1
     assert all(problem.line for problem in caught.value.problems)
     assert "two" in str(caught.value)
+
+
+def test_an_invalid_sequence_alone_is_one_error():
+    text = INVALID.replace('on_above = "3 bar"', 'on_above = "4.5 bar"')
+    plc = """
+[parts.plc]
+kind = "sequence"
+start = "one"
+steps.one.next = { two = "supply.pressure > 3 bar and low.state and line.pressure > 1 bar" }
+
+[connections]
+"vent.opening" = "plc.a"
+"""
+    with pytest.raises(InputError) as caught:
+        poppet.loads(text.partition("[parts.plc]")[0] + plc)
+    assert [(problem.code, problem.address) for problem in caught.value.problems] == [
+        ("sequence.unknown_step", "parts.plc.steps.one.next.two"),
+        ("wiring.unknown_output", "parts.plc.steps.one.next.two"),
+    ]
 
 
 @pytest.mark.parametrize(
@@ -423,16 +532,28 @@ def test_step_without_exit_is_a_note():
     assert [(note.code, note.address) for note in notes] == [("sequence.no_exit", "steps.two")]
 
 
+def test_comparison_that_is_never_true_is_a_note():
+    def notes_of(condition):
+        steps = {"one": {"next": {"one": condition}}}
+        return [(n.code, n.address) for n in Sequence(steps=steps, start="one", inputs=["go"]).notes()]
+
+    for condition in ("go > 1", "1 < go", "go == 2", "not go < 0 or go"):
+        assert notes_of(condition) == [("sequence.never_true", "steps.one.next.one")]
+    for condition in ("go", "go >= 1", "0 < go", "go != 1", "elapsed > 1 s"):
+        assert notes_of(condition) == []
+
+
 def test_conditions_on_unknown_outputs_and_parts():
     def circuit_of(condition):
         steps = {"one": {"next": {"one": condition}}}
         return Circuit(plant(plc=Sequence(steps=steps, start="one")))
 
     for condition, code in {
-        "suply.pressure > 1 bar": "wiring.unknown_part",
-        "supply.presure > 1 bar": "fields.not_an_option",
+        "suply.pressure > 1 bar": "wiring.unknown_output",
+        "supply.presure > 1 bar": "wiring.unknown_output",
+        'plc.step == "tow"': "wiring.unknown_step",
         "supply.pressure > 1 mm": "wiring.condition_unit",
     }.items():
         with pytest.raises(InputError) as caught:
-            _ = circuit_of(condition).model
+            circuit_of(condition)
         assert (caught.value.code, caught.value.address) == (code, "parts.plc.steps.one.next.one")

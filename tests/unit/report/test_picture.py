@@ -26,6 +26,7 @@ from poppet.parts import (
     Filter,
     FlowControlValve,
     FlowSource,
+    Gripper,
     Joint,
     MainStage,
     Muscle,
@@ -100,6 +101,15 @@ def circuit_with_every_kind() -> Circuit:
                 offset="50 mm",
             ),
             "inlet": Orifice(from_="rail", to="gripper.cap", **SIZE),
+            "hand": Gripper(
+                bore="20 mm",
+                jaw_stroke="5 mm",
+                transmission=2.0,
+                jaws={"mass": "0.2 kg"},
+                cap={"dead_volume": "1 cm^3"},
+                rod={"dead_volume": "1 cm^3"},
+            ),
+            "close": Orifice(from_="rail", to="hand.cap", **SIZE),
             "turner": RotaryActuator(
                 displacement="20 cm^3/rad",
                 swivel_angle="180 deg",

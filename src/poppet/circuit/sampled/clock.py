@@ -35,7 +35,7 @@ class Clock:
     sample_time: float  # period of the pattern of instants [s]
     times: Array  # (m,) instants since the beginning of a sample, the first is 0 [s]
     fired: Array  # (m, n_timers) 1 for each timer that acts at the instant
-    counts: NDArray[np.bool_]  # (n_memory,) timers and counters, which do not depend on the circuit
+    counts: NDArray[np.bool_]  # (n_memory,) timers, counters and held states, which do not depend on the circuit
     memory: Array  # (n_memory,) discrete state at `start`; only the clocks are valid
     start: float  # beginning of a sample after the first ticks [s]: a controller can treat its first sample differently
 
@@ -46,7 +46,7 @@ def find_clock(kernel: Kernel, x: Array, u: Array, p: Array) -> Clock:
     x, u and p are the initial state, the constant inputs and the parameter vector of `kernel`.
     """
     model = kernel.model
-    counts = np.array(model.counting, dtype=np.bool_)
+    counts = np.array(model.counting(u.tolist()), dtype=np.bool_)
     names = [name for name, _ in model.memory[: model.n_timers]]
     ticks, _ = _run_timers(kernel, x, u, p, counts)
     running = [k for k in range(model.n_timers) if ticks[k]]
