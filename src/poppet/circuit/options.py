@@ -42,7 +42,7 @@ ABOUT_CONDUCTANCES = ("options.conductances_from_air", "options.conductances_as_
 class _OptionSection:
     """Base class of the sections `ambient`, `gas` and `run` of a circuit file.
 
-    The fields of a section are declared in the same way as those of parts.
+    The fields of a section are declared in the same way as the fields of a part.
     """
 
     def numbers(self) -> dict[str, Number]:

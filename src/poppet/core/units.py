@@ -173,6 +173,27 @@ def is_known(unit: str) -> bool:
     return True
 
 
+def unmarked_unit(unit: str) -> Unit:
+    """Return a unit without its mark: `m^3/s ANR` becomes m^3/s, `bar g` becomes bar.
+
+    Parameters
+    ----------
+    unit : str
+        For example `m^3/s ANR`.
+
+    Returns
+    -------
+    Unit
+        Scale and dimension.
+
+    Examples
+    --------
+    >>> unmarked_unit("l/min ANR") == unmarked_unit("l/min")
+    True
+    """
+    return _unit_and_mark(unit)[0]
+
+
 def check_unit(unit: str) -> None:
     """Raise an error if a text is not a valid unit.
 

@@ -232,7 +232,7 @@ def size(
     results = evaluator.evaluate(first, progress, 0)
     results = _refine_peaks(evaluator, results, largest, progress)
     for round_index in range(ROUNDS):
-        holds = _holds(results, evaluator.share)
+        holds = _meets_requirements(results, evaluator.share)
         # The valid value at the end of the valid range, and the neighbouring failing value.
         k = int(np.flatnonzero(holds)[-1 if largest else 0]) if holds.any() else -1
         neighbour = k + 1 if largest else k - 1
@@ -352,7 +352,7 @@ def _search_range(
     return low, high
 
 
-def _holds(results: _Evaluations, share: float) -> NDArray[np.bool_]:
+def _meets_requirements(results: _Evaluations, share: float) -> NDArray[np.bool_]:
     return results.shares >= share - 1e-12
 
 
@@ -365,7 +365,7 @@ def _refine_peaks(
     rounds is limited. If values that meet the requirements are known, only maxima below the smallest of them are
     refined; if `largest` is True, only maxima above the largest.
     """
-    holds, worst = np.flatnonzero(_holds(results, evaluator.share)), results.worst
+    holds, worst = np.flatnonzero(_meets_requirements(results, evaluator.share)), results.worst
     left, right = np.append(-np.inf, worst[:-1]), np.append(worst[1:], -np.inf)
     is_peak = np.isfinite(worst) & (worst >= left) & (worst >= right) & (worst > np.minimum(left, right))
     if holds.size:
@@ -381,7 +381,7 @@ def _refine_peaks(
             refined = evaluator.evaluate(inner, progress, 0)
             previous, results = results.worst[k], results.joined(refined)
             best = int(np.argmax(refined.worst))
-            if _holds(refined, evaluator.share).any():
+            if _meets_requirements(refined, evaluator.share).any():
                 break
             if refined.worst[best] > previous:
                 value = float(refined.values[best])
@@ -395,7 +395,7 @@ def _make_sizing(
 ) -> Sizing:
     plan, share = evaluator.plan, evaluator.share
     free = plan.addresses[0]
-    holds = _holds(results, share)
+    holds = _meets_requirements(results, share)
     edges = np.flatnonzero(np.diff(holds.astype(int), prepend=0, append=0))
     pairs = zip(edges[::2], edges[1::2], strict=True)
     intervals = tuple((float(results.values[a]), float(results.values[b - 1])) for a, b in pairs)
@@ -432,7 +432,7 @@ def _make_sizing(
         if len(intervals) > 1:
             remarks.append(Note("size.several", free, count=len(intervals)))
         if standard.size:
-            fits = _holds(evaluator.evaluate(standard, None, 0), share)
+            fits = _meets_requirements(evaluator.evaluate(standard, None, 0), share)
             suitable = standard[fits & (standard <= value if largest else standard >= value)]
             if suitable.size:
                 standard_size = float(suitable[-1 if largest else 0])

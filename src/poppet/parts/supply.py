@@ -71,11 +71,11 @@ class PressureRegulator(FlowPath):
     delay: NumberLike = number("s", 0.0, doc="delay of a setpoint signal", low=0.0, note="none by default")
     droop: NumberLike = number(
         "Pa",
-        "0.3 bar",
+        "1 bar",
         doc="droop; pressure drop from no flow to the open valve",
         kind="pressure_difference",
         above=0.0,
-        note="a general-purpose regulator",
+        note="1 to 2 bar in catalogue curves of six regulators",
     )
     hysteresis: NumberLike = number(
         "Pa",

@@ -106,8 +106,8 @@ def add_frequency_results(evaluation: Evaluation, rows: Sequence[Row]) -> None:
     """Add Bode plots, bandwidths and distortion to the evaluation.
 
     `rows` are the table rows of all sines. Sines with the same amplitude, mean and volume form one Bode plot. Its rows
-    are sorted by frequency, with continuous phases, and with gains relative to the gain at the lowest frequency. Of
-    several rows with the same frequency, the one with the most periods is used. The bandwidths are read from the first
+    are sorted by frequency, with continuous phases, and with gains relative to the gain at the lowest frequency. If
+    several rows have the same frequency, the row with the most periods is used. The bandwidths are read from the first
     Bode plot.
     """
     series: dict[str, list[Row]] = {}
@@ -403,7 +403,8 @@ def first_fall(frequency: FloatArray, values: FloatArray, level: float) -> float
     """Return the frequency at which a curve first falls to a level.
 
     `values` are the values of the curve at the frequencies [Hz]. Between them, the curve is a monotone cubic of the
-    logarithm of the frequency. The result is NaN if the first value is at or below the level, or if no value is.
+    logarithm of the frequency. The result is NaN if the first value is already at or below the level, or if all values
+    are above the level.
 
     Examples
     --------

@@ -7,7 +7,7 @@ import re
 from collections.abc import Mapping, Sequence
 from xml.sax.saxutils import quoteattr
 
-from poppet.core.unit_table import read_unit
+from poppet.core.units import unmarked_unit
 from poppet.core.version import __version__
 from poppet.deploy.fmu.fmu_layout import FOLLOWS_REFERENCE, FmuLayout
 
@@ -24,6 +24,7 @@ DISPLAY_UNITS = {
     "m^3/(s Pa)": "l/(s bar)",
     "rad": "deg",
     "m^2": "mm^2",
+    "m^3/s ANR": "l/min ANR",
 }
 """Display unit by SI unit."""
 
@@ -188,7 +189,7 @@ def base_unit(name: str) -> dict[str, str]:
 
     FMI and SSP have integer exponents only; for any other unit, the result is empty.
     """
-    unit = read_unit(name)
+    unit = unmarked_unit(name)
     if any(exponent.denominator != 1 for exponent in unit.dimension):
         return {}
     base = {symbol: str(int(e)) for symbol, e in zip(BASE_UNITS, unit.dimension, strict=True) if e}
@@ -202,10 +203,10 @@ def _unit_elements(layout: FmuLayout) -> list[str]:
     """
     elements = []
     for name in sorted({v.unit for v in layout.variables} - {"", "1"}):
-        unit, base = read_unit(name), base_unit(name)
+        unit, base = unmarked_unit(name), base_unit(name)
         children = [element("BaseUnit", base, depth=3)] if base else []
         if name in DISPLAY_UNITS:
-            display = read_unit(DISPLAY_UNITS[name])
+            display = unmarked_unit(DISPLAY_UNITS[name])
             attributes = {"name": DISPLAY_UNITS[name]}
             attributes |= {} if display.scale == unit.scale else {"factor": repr(float(unit.scale / display.scale))}
             attributes |= {"offset": repr(-float(display.offset))} if display.offset else {}
