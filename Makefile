@@ -79,6 +79,7 @@ benchmark: $(VENV)/installed-dev
 	$(BIN)/python benchmarks/chain.py
 	$(BIN)/python benchmarks/lanes.py
 	$(BIN)/python benchmarks/loads.py
+	$(BIN)/python benchmarks/machine.py
 	$(BIN)/python benchmarks/joint.py
 	$(BIN)/python benchmarks/joint_bandwidth.py
 	$(BIN)/python benchmarks/joint_control.py

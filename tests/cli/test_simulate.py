@@ -383,3 +383,18 @@ def test_the_summary_of_a_load_begins_with_strokes_and_energy(poppet, tmp_path):
     assert f"{1e3 * figures.air_used:.4g} l ANR" in page
     written = poppet("simulate", str(example), "-o", "run.csv")
     assert "efficiency" in written.out
+
+
+def test_the_diagram_of_a_step_sequence_is_drawn(poppet, tmp_path):
+    example = Path(__file__).parents[2] / "examples" / "two_cylinders.toml"
+    answer = poppet("simulate", str(example), "--duration", "0.4 s", "--diagram", "steps.svg")
+    assert answer.code == 0
+    assert "steps.svg: drawn." in answer.out
+    assert (tmp_path / "steps.svg").read_text(encoding="utf-8").startswith("<?xml")
+
+
+def test_a_circuit_without_a_sequence_has_no_diagram(poppet, tmp_path):
+    (tmp_path / "drain.toml").write_text(DRAIN)
+    answer = poppet("simulate", "drain.toml", "--diagram", "steps.svg")
+    assert (answer.code, answer.codes) == (2, ["drawing.no_sequence"])
+    assert not (tmp_path / "steps.svg").exists()

@@ -74,15 +74,30 @@ _SPOOL = {
     "exhaust_a_mass_flow_rate": ("a", "exhaust_a"),
     "exhaust_b_mass_flow_rate": ("b", "exhaust_b"),
 }
+_TWO_INLETS = {"a_mass_flow_rate": ("a", "outlet"), "b_mass_flow_rate": ("b", "outlet")}
+_QUICK_EXHAUST = {"inlet_mass_flow_rate": ("inlet", "outlet"), "exhaust_mass_flow_rate": ("outlet", "exhaust")}
 PASSAGES = (
     PassageKind("orifice", _PATH, SIZE, {"opening": OPEN}),
     PassageKind("check_valve", _PATH, SIZE | {"cracking_pressure": CRACKING}, {}),
     PassageKind("relief_valve", _PATH, SIZE | {"set_pressure": uniform(2 * BAR, 6 * BAR)}, {}),
     PassageKind("silencer", _PATH, SIZE | {"clogging": OPEN}, {}),
+    PassageKind("filter", _PATH, SIZE, {"clogging": OPEN}),
     PassageKind("directional_valve", _THREE_WAY, SIZE, {"command": SWITCHED}),
     PassageKind(
         "spool_valve", _SPOOL, SIZE | {"leak_conductance": either(0.0, 1e-11)}, {"command": uniform(-1.0, 1.0)},
         options=({}, {"overlap": 0.1}, {"overlap": -0.1}, {"dynamics": "second_order"}),
+    ),
+    PassageKind("main_stage", _THREE_WAY, {"data": "varga2012"}, {"pilot_pressure": uniform(1 * BAR, 6 * BAR)}),
+    PassageKind("shuttle_valve", _TWO_INLETS, SIZE | SWITCHING, {}),
+    PassageKind("two_pressure_valve", _TWO_INLETS, SIZE | SWITCHING, {}),
+    PassageKind("quick_exhaust_valve", _QUICK_EXHAUST, SIZE | SWITCHING | {"exhaust_conductance": CONDUCTANCE}, {}),
+    PassageKind(
+        "flow_control_valve", _PATH, SIZE | {"cracking_pressure": CRACKING, "throttle_conductance": CONDUCTANCE},
+        {"opening": OPEN},
+    ),
+    PassageKind(
+        "piloted_check_valve", _PATH, SIZE | {"cracking_pressure": CRACKING, "pilot_ratio": uniform(1.0, 5.0)}, {},
+        pilots=("pilot",),
     ),
 )  # fmt: skip
 _CHAMBERS: tuple[Fields, ...] = (
@@ -123,71 +138,117 @@ def draw_fields(fields: Fields, numbers: np.random.Generator) -> Fields:
 
 
 def random_circuit(shape: np.random.Generator, numbers: np.random.Generator) -> RandomCircuit:
-    """Return a circuit of two to six gas volumes, and three to eight flow paths of random kinds between them."""
-    is_closed = bool(shape.random() < 0.3)
-    parts: dict[str, Any] = {}
-    stores: list[str] = []
-    for k in range(int(shape.integers(2, 5))):
-        options = {} if is_closed else dict(_CHAMBERS[shape.integers(len(_CHAMBERS))])
-        has_wall = options.get("thermal") == "energy" and "heat_transfer" not in options
-        parts[f"tank{k}"] = KINDS["chamber"](
-            volume=logarithmic(1e-5, 1e-2)(numbers), initial_pressure=logarithmic(0.5 * BAR, 9 * BAR)(numbers),
-            **({} if options.get("thermal") == "isothermal" else {"initial_temperature": uniform(270, 340)(numbers)}),
-            **({"wall_conductance": either(0.0, logarithmic(1e-2, 10.0))(numbers)} if has_wall else {}), **options,
-        )  # fmt: skip
-        stores.append(f"tank{k}")
-    signals: dict[str, Any] = {}
-    if shape.random() < 0.4:
-        _add_cylinder(parts, signals, numbers)
-        stores += ["cylinder.cap", "cylinder.rod"]
-    if not is_closed and shape.random() < 0.15:
-        _add_muscle(parts, signals, numbers)
-        stores.append("muscle")
-    if shape.random() < 0.25:
-        parts["hose"] = KINDS["tube"](
-            from_=stores[shape.integers(len(stores))], length=uniform(0.3, 3.0)(numbers), cells=2,
-            bore=uniform(3e-3, 8e-3)(numbers), initial_pressure=uniform(1 * BAR, 6 * BAR)(numbers),
-        )  # fmt: skip
-        stores += ["hose.1", "hose.2"]
-    nodes = list(stores)
-    if not is_closed:
-        parts["supply"] = KINDS["reservoir"](
-            pressure=uniform(3 * BAR, 9 * BAR)(numbers), temperature=uniform(280, 310)(numbers)
-        )
-        nodes += ["supply", "ambient"]
-    flows: list[tuple[str, str, str]] = []
-    if shape.random() < 0.15:
-        ends = dict(zip(("supply", "exhaust"), _pick(shape, nodes, 2), strict=True))
-        parts["pilot"] = KINDS["pilot_stage"](**ends, data="vppm_6l", wall_conductance=0.0)
-        flows += [("pilot.fill_mass_flow_rate", ends["supply"], "pilot")]
-        flows += [("pilot.vent_mass_flow_rate", "pilot", ends["exhaust"])]
-        signals |= {"pilot.fill_duty": OPEN, "pilot.vent_duty": OPEN}
-        stores.append("pilot")
-    kinds: set[str] = set()
+    """Return a circuit of two to six gas volumes, and flow paths of random kinds between them."""
+    builder = _Builder(shape, numbers)
+    builder.add_volumes()
     for k in range(int(shape.integers(3, 9))):
         item = PASSAGES[shape.integers(len(PASSAGES))]
-        if len(item.ports) > len(nodes) + 1:
-            continue
-        ends = dict(zip(item.ports, _pick(shape, nodes, len(item.ports)), strict=True))
-        option = item.options[shape.integers(len(item.options))]
-        name = f"{item.kind}{k}"
-        parts[name] = KINDS[item.kind](**ends, **draw_fields(item.fields | option, numbers))
-        flows += [(f"{name}.{output}", ends[a], ends[b]) for output, (a, b) in item.flows.items()]
-        kinds.add(item.kind)
-        signals |= {f"{name}.{address}": draw for address, draw in item.inputs.items()}
-    used = {node for flow in flows for node in flow[1:]}
-    for node in (node for node in nodes if node not in used and node != "ambient"):
-        other = next(iter(_pick(shape, [n for n in nodes if n != node], 1)))
-        parts[f"link_{node.replace('.', '_')}"] = KINDS["orifice"](from_=node, to=other, **draw_fields(SIZE, numbers))
-        flows.append((f"link_{node.replace('.', '_')}.mass_flow_rate", node, other))
-    volumes = [float(part.volume) for part in parts.values() if part.kind == "chamber"]
-    duration = float(np.median(volumes)) / (1e-9 * 1.185 * 287.0 * WARM) * logarithmic(0.03, 3.0)(numbers)
-    times = [0.0, 0.2 * duration, 0.5 * duration, 0.8 * duration]
-    drawn = {address: Steps(times, [draw(numbers) for _ in times]) for address, draw in signals.items()}
-    gas = GASES[sorted(GASES)[numbers.integers(len(GASES))]]
-    return RandomCircuit(
-        Circuit(parts, drawn, gas=gas), tuple(flows), tuple(stores), duration, is_closed, frozenset(kinds)
-    )
+        if len(item.ports) <= len(builder.nodes) + 1:
+            builder.add_passage(f"{item.kind}{k}", item)
+    builder.add_links()
+    return builder.circuit()
+
+
+class _Builder:
+    """Parts, signals and flows of a random circuit."""
+
+    def __init__(self, shape: np.random.Generator, numbers: np.random.Generator) -> None:
+        self.shape, self.numbers = shape, numbers
+        self.is_closed = bool(shape.random() < 0.3)
+        self.parts: dict[str, Any] = {}
+        self.stores: list[str] = []
+        self.signals: dict[str, Draw] = {}
+        self.flows: list[tuple[str, str, str]] = []
+        self.kinds: set[str] = set()
+
+    def add(self, name: str, kind: str, stores: tuple[str, ...] = (), **fields: Any) -> None:
+        self.parts[name] = KINDS[kind](**draw_fields(fields, self.numbers))
+        self.stores += stores
+
+    def is_drawn(self, probability: float) -> bool:
+        return bool(self.shape.random() < probability)
+
+    @property
+    def nodes(self) -> list[str]:
+        return [*self.stores, *([] if self.is_closed else ["supply", "ambient"])]
+
+    def add_volumes(self) -> None:
+        for k in range(int(self.shape.integers(2, 5))):
+            self._add_chamber(f"tank{k}")
+        if not self.is_closed:
+            self.add("supply", "reservoir", pressure=uniform(3 * BAR, 9 * BAR), temperature=uniform(280, 310))
+            if self.is_drawn(0.15):
+                self._add_muscle()
+        if self.is_drawn(0.4):
+            self._add_cylinder()
+        if self.is_drawn(0.25):
+            end = self.stores[self.shape.integers(len(self.stores))]
+            sizes = {"length": uniform(0.3, 3.0), "bore": uniform(3e-3, 8e-3)}
+            self.add("hose", "tube", ("hose.1", "hose.2"), from_=end, cells=2,
+                     initial_pressure=uniform(1 * BAR, 6 * BAR), **sizes)  # fmt: skip
+        if self.is_drawn(0.15):
+            ends = dict(zip(("supply", "exhaust"), _pick(self.shape, self.nodes, 2), strict=True))
+            self.add("pilot", "pilot_stage", ("pilot",), data="vppm_6l", wall_conductance=0.0, **ends)
+            self.flows += [("pilot.fill_mass_flow_rate", ends["supply"], "pilot")]
+            self.flows += [("pilot.vent_mass_flow_rate", "pilot", ends["exhaust"])]
+            self.signals |= {"pilot.fill_duty": OPEN, "pilot.vent_duty": OPEN}
+
+    def _add_chamber(self, name: str) -> None:
+        options = {} if self.is_closed else dict(_CHAMBERS[self.shape.integers(len(_CHAMBERS))])
+        if options.get("thermal") == "energy" and "heat_transfer" not in options:
+            options["wall_conductance"] = either(0.0, logarithmic(1e-2, 10.0))
+        if options.get("thermal") != "isothermal":
+            options["initial_temperature"] = uniform(270, 340)
+        pressure = logarithmic(0.5 * BAR, 9 * BAR)
+        self.add(name, "chamber", (name,), volume=logarithmic(1e-5, 1e-2), initial_pressure=pressure, **options)
+
+    def _add_cylinder(self) -> None:
+        bore, stroke = logarithmic(0.01, 0.05)(self.numbers), uniform(0.02, 0.2)(self.numbers)
+        area = 0.25 * math.pi * bore**2
+        friction = {"kind": "viscous", "viscous_coefficient": 3e5 * area}
+        self.add("slide", "mass", mass=6e3 * area, friction=friction, initial_position=0.5 * stroke)
+        side = {"dead_volume": 0.1 * area * stroke, "initial_pressure": uniform(1 * BAR, 6 * BAR)}
+        self.add(
+            "cylinder", "cylinder", ("cylinder.cap", "cylinder.rod"), body="slide", bore=bore, rod_diameter=0.4 * bore,
+            stroke_length=stroke, cap=side, rod=side, leakage={"sonic_conductance": either(0.0, 1e-11)},
+        )  # fmt: skip
+        self.signals["slide.load_force"] = uniform(-2e5 * area, 2e5 * area)
+
+    def _add_muscle(self) -> None:
+        stop = {"position": 0.0}
+        self.add("weight", "mass", mass=uniform(5.0, 40.0), inclination="90 deg", lower_stop=stop)
+        self.add("muscle", "muscle", ("muscle",), body="weight", data="dmsp_20_300", dead_volume=5e-6, damping=200.0)
+
+    def add_passage(self, name: str, item: PassageKind) -> None:
+        ends = dict(zip(item.ports, _pick(self.shape, self.nodes, len(item.ports)), strict=True))
+        option = item.options[self.shape.integers(len(item.options))]
+        self.add(name, item.kind, **ends, **item.fields, **option)
+        self.flows += [
+            (f"{name}.{output}", ends[first], ends[second]) for output, (first, second) in item.flows.items()
+        ]
+        self.kinds.add(item.kind)
+        self.signals |= {f"{name}.{address}": draw for address, draw in item.inputs.items()}
+
+    def add_links(self) -> None:
+        """Connect the gas nodes that no flow path uses."""
+        used = {node for flow in self.flows for node in flow[1:]}
+        link = next(item for item in PASSAGES if item.kind == "orifice")
+        for node in (node for node in self.nodes if node not in used and node != "ambient"):
+            other = next(_pick(self.shape, [name for name in self.nodes if name != node], 1))
+            name = f"link_{node.replace('.', '_')}"
+            self.add(name, "orifice", from_=node, to=other, **link.fields)
+            self.flows.append((f"{name}.mass_flow_rate", node, other))
+
+    def circuit(self) -> RandomCircuit:
+        volumes = [float(part.volume) for part in self.parts.values() if part.kind == "chamber"]
+        # Multiples of a time constant with C of 0.1 dm^3/(s bar).
+        duration = float(np.median(volumes)) / (1e-9 * 1e5) * logarithmic(0.03, 3.0)(self.numbers)
+        times = [0.0, 0.2 * duration, 0.5 * duration, 0.8 * duration]
+        signals = {address: Steps(times, [draw(self.numbers) for _ in times]) for address, draw in self.signals.items()}
+        gas = GASES[sorted(GASES)[self.numbers.integers(len(GASES))]]
+        circuit = Circuit(self.parts, signals, gas=gas)
+        flows, stores, kinds = tuple(self.flows), tuple(self.stores), frozenset(self.kinds)
+        return RandomCircuit(circuit, flows, stores, duration, self.is_closed, kinds)
 
 
 def _pick(shape: np.random.Generator, nodes: list[str], count: int) -> Iterator[str]:
@@ -195,30 +256,6 @@ def _pick(shape: np.random.Generator, nodes: list[str], count: int) -> Iterator[
     order = [nodes[k] for k in shape.permutation(len(nodes))]
     for k in range(count):
         yield order[k % len(order)]
-
-
-def _add_cylinder(parts: dict[str, Any], signals: dict[str, Any], numbers: np.random.Generator) -> None:
-    bore, stroke = logarithmic(0.01, 0.05)(numbers), uniform(0.02, 0.2)(numbers)
-    dead = 0.25 * math.pi * bore**2 * stroke * 0.1
-    force = 0.25 * math.pi * bore**2 * 6e5
-    side = {"dead_volume": dead, "initial_pressure": uniform(1 * BAR, 6 * BAR)(numbers)}
-    parts["slide"] = KINDS["mass"](
-        mass=force / 100.0,
-        friction={"kind": "viscous", "viscous_coefficient": force / 2.0},
-        initial_position=0.5 * stroke,
-    )
-    parts["cylinder"] = KINDS["cylinder"](
-        body="slide", bore=bore, rod_diameter=0.4 * bore, stroke_length=stroke, cap=side, rod=side,
-        leakage={"sonic_conductance": either(0.0, 1e-11)(numbers)},
-    )  # fmt: skip
-    signals["slide.load_force"] = uniform(-0.3 * force, 0.3 * force)
-
-
-def _add_muscle(parts: dict[str, Any], signals: dict[str, Any], numbers: np.random.Generator) -> None:
-    parts["weight"] = KINDS["mass"](
-        mass=uniform(5.0, 40.0)(numbers), inclination="90 deg", lower_stop={"position": 0.0}
-    )
-    parts["muscle"] = KINDS["muscle"](body="weight", data="dmsp_20_300", dead_volume=5e-6, damping=200.0)
 
 
 def state_of(recording: Recording, node: str) -> tuple[Any, Any]:

@@ -70,10 +70,12 @@ class BaseCircuit(HtmlMixin):
 
     Parameters
     ----------
-    parts, signals, run, ambient, gas, title, connections, origin, like : optional
+    parts, signals, run, ambient, gas, title, connections, origin : optional
         The subclass `poppet.Circuit`, which adds the methods of other packages, describes these arguments.
     is_excerpt : bool, optional
         True if the parts belong to a larger circuit. Inputs that absent parts drive are then free.
+    like : Circuit, optional
+        Similar circuit. Parts that are the same objects in both circuits are not checked again.
 
     Raises
     ------
@@ -140,7 +142,7 @@ class BaseCircuit(HtmlMixin):
             _ = self._symbolic_model
 
     def _all_connections(self, like: BaseCircuit | None) -> Mapping[str, str]:
-        """Return the connections of the user and those that parts declare.
+        """Return the connections of the user, and the connections that parts declare.
 
         The result is the object of the circuit `like` if the connections are unchanged.
         """
@@ -227,10 +229,13 @@ class BaseCircuit(HtmlMixin):
     def drives(self) -> dict[str, dict[str, bool]]:
         """Return the inputs that can move each body, by body.
 
-        The inner mapping contains the addresses of inputs with a signal. A value is True if the input is a command, and
-        False otherwise, for example for a load.
+        The inner mapping contains the addresses of inputs that a signal, a sequence or a switch drives. A value is True
+        if the input is a command, and False otherwise, for example for a load.
         """
-        driven = {address: item for address, item in self.inputs.items() if address in self.signals}
+        switched = {
+            target for target, source in self.connections.items() if self.parts[source.partition(".")[0]].is_switching
+        }
+        driven = {a: item for a, item in self.inputs.items() if a in self.signals or a in switched}
         found = find_drives(self._wiring, self.connections, driven)
         return {body: {address: driven[address].is_command for address in drives} for body, drives in found.items()}
 
@@ -572,13 +577,12 @@ class BaseCircuit(HtmlMixin):
         SimulationError
             If the circuit has no steady state or none was found.
 
-        Notes
-        -----
-        A transient of increasing length, up to 30 years of model time, approaches the steady state. Newton's method
-        with the exact Jacobian then refines it. Conserved quantities (the gas in a closed network) keep their initial
-        values. In the dead zone of a valve, all states are steady: the result is the one that the transient reaches.
-        If the transient does not end, because a valve hunts, the search continues with slower gas dynamics. Slower gas
-        does not change the steady state, but the mechanics can follow it. A note reports this method.
+        Notes ----- A transient of increasing length, up to 30 years of model time, approaches the steady state.
+        Newton's method with the exact Jacobian then refines it. Conserved quantities (the gas in a closed network) keep
+        their initial values. In the dead zone of a valve, all states are steady. The result is then the state that the
+        transient reaches. If the transient does not end, because a valve hunts, the search continues with slower gas
+        dynamics. Slower gas does not change the steady state, but the mechanics can follow it. A note reports this
+        method.
 
         If the circuit is sampled, states and discrete states are both steady: no sample instant changes them, except
         for clocks and their counters.

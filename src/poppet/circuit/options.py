@@ -42,7 +42,7 @@ ABOUT_CONDUCTANCES = ("options.conductances_from_air", "options.conductances_as_
 class _OptionSection:
     """Base class of the sections `ambient`, `gas` and `run` of a circuit file.
 
-    The fields of a section are declared in the same way as those of parts.
+    The fields of a section are declared in the same way as the fields of a part.
     """
 
     def numbers(self) -> dict[str, Number]:
@@ -255,10 +255,6 @@ class Run(_OptionSection):
 
     def grid(self) -> NDArray[np.float64]:
         """Return the output times [s]: all multiples of the output step, and the duration."""
-        return self._grid
-
-    @cached_property
-    def _grid(self) -> NDArray[np.float64]:
         if self.duration is None:
             raise missing_field("run.duration", Field(meaning="duration of a run", example='duration = "120 s"'))
         duration = float(self.duration)  # type: ignore[arg-type]

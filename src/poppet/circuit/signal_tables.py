@@ -74,9 +74,9 @@ class _SignalReader:
         self.remarks: dict[str, Note] = {}  # the first note of each code
 
     def absolute(self, argument: Any, name: str) -> float:
-        """Return a value of the input in SI units; a gauge pressure becomes absolute.
+        """Return a value of the input in SI units.
 
-        `name` is the name of the field that contains the value.
+        A gauge pressure becomes absolute. `name` is the name of the field that contains the value.
         """
         # A gauge value refers to the ambient pressure of the file.
         read = quantity(argument, self.item.unit, kind=self.item.kind, name=name, is_told=True)  # type: ignore[arg-type]

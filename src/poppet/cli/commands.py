@@ -38,6 +38,7 @@ _COMMANDS = {
             SET,
             Option("-o, --output FILE", "write the recording", RECORDINGS),
             Option("--plot FILE", "plot the recording", PICTURES),
+            Option("--diagram FILE", "draw the displacement-step diagram of the step sequence", PICTURES),
             REPORT,
             Option("--duration TIME", 'duration of the run: "60 s"'),
             Option("--output-step TIME", 'time between rows: "10 ms"'),

@@ -49,7 +49,7 @@ def execute(options: argparse.Namespace) -> int:
     from poppet.timeseries.recording import Recording
 
     selection = OutputSelection.read(options.select, options.units)
-    require_matplotlib(options.plot, options.report)
+    require_matplotlib(options.plot, options.diagram, options.report)
     with Spinner("The model is prepared", is_quiet=options.quiet):
         circuit, values = load(options.file), read_assignments(options.values)
         for name, address in _RUN_OPTIONS.items():
@@ -68,6 +68,10 @@ def execute(options: argparse.Namespace) -> int:
             if error.address in values or (options.stop_when and error.address == "run.stop_when"):
                 raise
             raise TomlFile.read(options.file).located(error) from None
+    if options.diagram:
+        from poppet.report.step_diagram import draw_step_diagram, find_sequence
+
+        find_sequence(circuit)
     # A selection or unit that matches no output is rejected before the run.
     names, units = zip(*circuit.model.outputs, strict=True)
     selection.apply(Recording(np.zeros(1), names, units, np.ones((len(names), 1))))
@@ -92,6 +96,9 @@ def execute(options: argparse.Namespace) -> int:
     if options.plot and recording.time.size:
         recording.plot(options.plot, **plot_settings)
         text += f"\n{options.plot}: drawn."
+    if options.diagram and recording.time.size:
+        draw_step_diagram(circuit, recording, options.diagram)
+        text += f"\n{options.diagram}: drawn."
     if options.report:
         from poppet.report.run_report import write_run
 

@@ -284,8 +284,8 @@ def closed_loop(plant: SampledPlant, gains: Gains, setpoint_weight: float = 1.0)
     """Return the matrices of the closed loop from setpoint to measurement.
 
     The result contains a, (n, n), b, (n,), and y, (n,). The loop is x+ = a x + b w, where x+ is the state one sample
-    later and w the setpoint; the measurement is y x. The states are those of the plant, delayed commands, the integral,
-    the filtered derivative and the last measurement.
+    later and w the setpoint; the measurement is y x. The states are the states of the plant, delayed commands, the
+    integral, the filtered derivative and the last measurement.
     """
     n, d, time = len(plant.B), plant.delay, plant.sample_time
     k, filter_time = gains.gain, gains.derivative_filter

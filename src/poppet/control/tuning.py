@@ -459,7 +459,7 @@ class _GainSearch:
     def best(self, form: str, filter_time: float | None) -> Gains:
         """Return the gains with the largest integral gain that keep the bound.
 
-        The form `p` has no integral part, so its gains are those with the largest proportional gain. `filter_time` is
+        The form `p` has no integral part. For this form, the result has the largest proportional gain. `filter_time` is
         the filter time of the derivative [s]. If it is None, an eighth of the derivative time is used, but at least one
         sample.
         """

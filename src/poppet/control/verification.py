@@ -44,7 +44,7 @@ class Verification:
     growth : float
         Ratio of the amplitudes of the oscillation in the last and in the third quarter of a step.
     time, setpoint, measured : (n,) array
-        Times [s], setpoint and measurement [SI]; the first row is the one before the first step.
+        Times [s], setpoint and measurement [SI]; the first row is immediately before the first step.
     """
 
     at: str

@@ -80,9 +80,9 @@ def plain(value: Any) -> Any:
 
 
 def notes_of(arguments: Iterable[Note | str | Mapping[str, Any]]) -> tuple[Note, ...]:
-    """Convert texts and dictionaries to notes; notes are unchanged.
+    """Convert texts and dictionaries to notes.
 
-    A text becomes the complete text of a note. A dictionary is the result of `Note.plain`.
+    A text becomes the complete text of a note. A dictionary is the result of `Note.plain`. Notes are unchanged.
     """
     notes = []
     for argument in arguments:

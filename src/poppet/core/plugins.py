@@ -99,9 +99,9 @@ class Registry(UserDict[str, T]):
         return len(self.data)
 
     def _extend(self) -> None:
-        """Add the objects of all plugins at the first call; later calls do nothing.
+        """Add the objects of all plugins to the registry.
 
-        A warning is issued for each plugin that is ignored.
+        Only the first call has an effect. A warning is issued for each plugin that is ignored.
         """
         if self.is_extended:
             return

@@ -64,7 +64,7 @@ class Call:
     def repeat(self) -> Outcome:
         """Run the problem from its initial state, and return the outcome.
 
-        The results overwrite those of the last run. Output rows that the run does not reach are NaN.
+        The results overwrite the results of the last run. Output rows that the run does not reach are NaN.
         """
         self._reset()
         outcome: Outcome = _OUTCOMES[integrator()(self._address)]

@@ -69,8 +69,8 @@ def kernel_of_this_machine() -> str:
 def lane_functions(kernel: Kernel, width: int) -> LaneFunctions:
     """Return the machine code of a model for several simultaneous runs (lanes).
 
-    `width` is the number of lanes. Kernels of one model with different outputs share all functions except those that
-    write rows.
+    `width` is the number of lanes. Kernels of one model with different outputs share all functions except the functions
+    that write rows.
     """
     if width not in kernel.lanes:
         kind, shared, model = Kind(width), kernel.shared_lanes, kernel.model
@@ -214,7 +214,7 @@ class LockstepLanes:
         self._width = width
 
     @staticmethod
-    def takes(problem: Problem) -> bool:
+    def can_run(problem: Problem) -> bool:
         """Return True if `LockstepLanes` can compute the runs of a problem on this processor.
 
         The problem must have states, but no discrete states and no stop conditions. More than two lanes are required.

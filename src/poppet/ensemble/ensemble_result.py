@@ -159,8 +159,8 @@ class Ensemble(HtmlMixin):
     def summaries(self) -> list[Summary]:
         """Return statistics of each metric over all runs.
 
-        The statistics are moments, extremes and quantiles, and the numbers of runs with a finite, an infinite and no
-        value.
+        The statistics are moments, extremes and quantiles. They also contain the number of runs with a finite value,
+        with an infinite value and without a value.
         """
         return [summary_of(self.dataset, metric, MAX_EXACT_RUNS) for metric in self.plan.metrics]
 

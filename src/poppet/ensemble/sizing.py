@@ -6,7 +6,7 @@ The requirements are met by a single run, or by a fraction of the runs of an ens
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Any
 
@@ -209,9 +209,17 @@ def size(
     standard = np.unique([read_value(raw, "sizes") for raw in sizes])
     for value in standard.tolist():
         spec.check_range("sizes", value, f"{value:g}", spec.meaning)
-    low, high = _search_range(
-        between, nominal, (max(spec.low, spec.above), min(spec.high, spec.below)), read_value, free
-    )
+    lowest, highest = max(spec.low, spec.above), min(spec.high, spec.below)
+    if between is not None:
+        low, high = (read_value(raw, "range") for raw in between)
+        if not lowest <= low < high <= highest:
+            raise OutOfRangeError("size.range", free, low=low, high=high, least=lowest, most=highest)
+    elif nominal > 0.0:
+        low = max(nominal * 10.0**-DECADES, lowest)
+        high = nominal * 10.0**DECADES
+        high = min(high, highest - 1e-9 * nominal if math.isfinite(highest) else high)
+    else:
+        raise InputError("size.no_range", free)
     fields["allow_python"] = allow_python
     uncertain = plan_of(circuit, **fields) if share is not None else None
     if share is not None:
@@ -232,7 +240,7 @@ def size(
     results = evaluator.evaluate(first, progress, 0)
     results = _refine_peaks(evaluator, results, largest, progress)
     for round_index in range(ROUNDS):
-        holds = _holds(results, evaluator.share)
+        holds = _meets_requirements(results, evaluator.share)
         # The valid value at the end of the valid range, and the neighbouring failing value.
         k = int(np.flatnonzero(holds)[-1 if largest else 0]) if holds.any() else -1
         neighbour = k + 1 if largest else k - 1
@@ -329,30 +337,7 @@ class _Evaluator:
         return _Evaluations(np.asarray(values), met.mean(axis=1), metrics.mean(axis=1), margins, worst)
 
 
-def _search_range(
-    ends: tuple[Any, Any] | None,
-    nominal: float,
-    limits: tuple[float, float],
-    read_value: Callable[[Any, str], float],
-    free: str,
-) -> tuple[float, float]:
-    """Return both ends of the search range.
-
-    `ends` is the range that the user requested. If it is None, the result is a default range about the value `nominal`.
-    `limits` are the valid values of the parameter `free`, and `read_value` converts a value to SI units.
-    """
-    if ends is None:
-        if not nominal > 0.0:
-            raise InputError("size.no_range", free)
-        low, high = nominal * 10.0**-DECADES, nominal * 10.0**DECADES
-        return max(low, limits[0]), min(high, limits[1] - 1e-9 * nominal if math.isfinite(limits[1]) else high)
-    low, high = (read_value(raw, "range") for raw in ends)
-    if not limits[0] <= low < high <= limits[1]:
-        raise OutOfRangeError("size.range", free, low=low, high=high, least=limits[0], most=limits[1])
-    return low, high
-
-
-def _holds(results: _Evaluations, share: float) -> NDArray[np.bool_]:
+def _meets_requirements(results: _Evaluations, share: float) -> NDArray[np.bool_]:
     return results.shares >= share - 1e-12
 
 
@@ -365,7 +350,7 @@ def _refine_peaks(
     rounds is limited. If values that meet the requirements are known, only maxima below the smallest of them are
     refined; if `largest` is True, only maxima above the largest.
     """
-    holds, worst = np.flatnonzero(_holds(results, evaluator.share)), results.worst
+    holds, worst = np.flatnonzero(_meets_requirements(results, evaluator.share)), results.worst
     left, right = np.append(-np.inf, worst[:-1]), np.append(worst[1:], -np.inf)
     is_peak = np.isfinite(worst) & (worst >= left) & (worst >= right) & (worst > np.minimum(left, right))
     if holds.size:
@@ -381,7 +366,7 @@ def _refine_peaks(
             refined = evaluator.evaluate(inner, progress, 0)
             previous, results = results.worst[k], results.joined(refined)
             best = int(np.argmax(refined.worst))
-            if _holds(refined, evaluator.share).any():
+            if _meets_requirements(refined, evaluator.share).any():
                 break
             if refined.worst[best] > previous:
                 value = float(refined.values[best])
@@ -395,7 +380,7 @@ def _make_sizing(
 ) -> Sizing:
     plan, share = evaluator.plan, evaluator.share
     free = plan.addresses[0]
-    holds = _holds(results, share)
+    holds = _meets_requirements(results, share)
     edges = np.flatnonzero(np.diff(holds.astype(int), prepend=0, append=0))
     pairs = zip(edges[::2], edges[1::2], strict=True)
     intervals = tuple((float(results.values[a]), float(results.values[b - 1])) for a, b in pairs)
@@ -432,7 +417,7 @@ def _make_sizing(
         if len(intervals) > 1:
             remarks.append(Note("size.several", free, count=len(intervals)))
         if standard.size:
-            fits = _holds(evaluator.evaluate(standard, None, 0), share)
+            fits = _meets_requirements(evaluator.evaluate(standard, None, 0), share)
             suitable = standard[fits & (standard <= value if largest else standard >= value)]
             if suitable.size:
                 standard_size = float(suitable[-1 if largest else 0])

@@ -29,7 +29,10 @@ Content: TypeAlias = "str | ReportTable | Iterable[str | ReportTable] | None"
 
 
 class Section(NamedTuple):
-    """Section of a page, with heading and content; omitted without content."""
+    """Section of a page, with heading and content.
+
+    A section without content is omitted from the page.
+    """
 
     title: str
     content: Content

@@ -11,6 +11,7 @@ from poppet.core.provenance import LEAST_CERTAIN_FIRST
 from poppet.report.circuit.schematic import draw_circuit
 from poppet.report.html_page import Section, document, findings, folded, head, paragraph, picture, write_page
 from poppet.report.result_tables import ENERGY, STROKES, energy_table, extreme_table, stroke_table
+from poppet.report.step_diagram import draw_step_diagram, sequences_of
 from poppet.report.styles import stylesheet
 from poppet.report.tables import Column, Markup, ReportTable, code, numeric
 from poppet.timeseries.plotting.figures import style
@@ -112,9 +113,15 @@ def run_page(
             table = ReportTable(("parameter", "as written", Column("SI", "s"), "source"), rows, css_class="numbers")
             parameters += folded(f"{kind} ({len(rows)})", table, is_open=kind == "assumed")
         start = head(title, lead) + paragraph(recording.outcome, bold=True) + findings(recording.remarks)
+        diagrams = "".join(
+            picture(draw_step_diagram(circuit, recording, sequence=name), f"steps-{name}", f"The step sequence {name}.",
+                    is_still=True)
+            for name in sequences_of(circuit) if recording.time.size
+        )  # fmt: skip
         sections = [
             Section("", start),
             Section("Strokes and energy", loads),
+            Section("Steps", diagrams),
             Section("Run", curves),
             Section("Circuit", picture(draw_circuit(circuit), "circuit", "The circuit; * marks assumed values.")),
             Section("Values", extreme_table(recording) if recording.time.size else ""),

@@ -55,12 +55,16 @@ def read(path: Path, *, time: str = "time", time_unit: str = "") -> Columns:
     def recording(path: Path) -> Columns:
         is_csv = reader is read_exact
         table = reader(path)
-        return _of_headings(table, path.stem, time, time_unit) if is_csv else _of_metadata(table, path.suffix)
+        return (
+            _recording_from_headings(table, path.stem, time, time_unit)
+            if is_csv
+            else _recording_from_metadata(table, path.suffix)
+        )
 
     return read_with(recording, path)
 
 
-def _of_headings(table: Table, title: str, time_name: str, time_unit: str) -> Columns:
+def _recording_from_headings(table: Table, title: str, time_name: str, time_unit: str) -> Columns:
     """Convert a CSV table, whose headings contain names and units, to a recording.
 
     `title` is the title of the recording. `time_name` and `time_unit` are the name and the unit of the time column.
@@ -86,7 +90,7 @@ def _of_headings(table: Table, title: str, time_name: str, time_unit: str) -> Co
     return Columns.from_series(time, columns, title=title, notes=notes)
 
 
-def _of_metadata(table: Table, suffix: str) -> Columns:
+def _recording_from_metadata(table: Table, suffix: str) -> Columns:
     """Convert a Parquet or MAT table that `write` has written to a recording.
 
     The metadata in the file contains title, notes, names and units.

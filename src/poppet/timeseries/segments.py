@@ -61,7 +61,7 @@ class SegmentTable:
     def evaluate(self, times: float | Floats) -> FloatArray:
         """Return the values of the signal at given times.
 
-        At a jump, the value is the one after the jump. The last segment has no end.
+        At a jump, the result is the value after the jump. The last segment has no end.
 
         Parameters
         ----------
@@ -202,7 +202,7 @@ class Signal(ABC):
     def evaluate(self, times: float | Floats, duration: float | None = None) -> FloatArray:
         """Return the values of the signal at given times.
 
-        At a jump, the value is the one after the jump.
+        At a jump, the result is the value after the jump.
 
         Parameters
         ----------

@@ -112,9 +112,9 @@ def test_problems_that_lanes_do_not_support(problem, monkeypatch):
     examples = Path(__file__).parents[3] / "examples"
     sampled = poppet.load(examples / "pressure_control.toml")
     monkeypatch.setenv("POPPET_LANES", "8")
-    assert LockstepLanes.takes(problem)
-    assert not LockstepLanes.takes(sampled.problem(sampled.run))
+    assert LockstepLanes.can_run(problem)
+    assert not LockstepLanes.can_run(sampled.problem(sampled.run))
     stopping = poppet.load(examples / "two_tanks.toml")
-    assert not LockstepLanes.takes(stopping.problem(stopping.run.changed(stop_when="low.pressure > 4 bar")))
+    assert not LockstepLanes.can_run(stopping.problem(stopping.run.changed(stop_when="low.pressure > 4 bar")))
     monkeypatch.setenv("POPPET_LANES", "2")
-    assert not LockstepLanes.takes(problem)
+    assert not LockstepLanes.can_run(problem)

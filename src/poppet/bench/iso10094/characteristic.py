@@ -328,9 +328,9 @@ def _end_of_hold(x: FloatArray, index: int) -> slice:
 def _setpoint_of_first_rise(x: FloatArray, y: FloatArray, lag: float) -> tuple[float, Uncertainty]:
     """Return the setpoint at which the outlet pressure begins to rise, with its uncertainty.
 
-    `x` is the setpoint, `y` the outlet pressure, and `lag` the difference by which the outlet lags, all in % FS. After
-    the start, the outlet needs several lags to reach the rate of the setpoint, so the fit omits these samples. The
-    result is NaN if the setpoint does not start at zero or the outlet does not rise.
+    `x` is the setpoint, `y` the outlet pressure, and `lag` the pressure by which the outlet lags behind the setpoint,
+    all in % FS. After the start, the outlet needs several lags to reach the rate of the setpoint, so the fit omits
+    these samples. The result is NaN if the setpoint does not start at zero or the outlet does not rise.
     """
     scatter = 5.0 * setpoint_noise(x)
     if x.size < FEWEST_STAIRS or x[0] > max(ZERO_STEP, scatter):

@@ -106,8 +106,8 @@ def add_frequency_results(evaluation: Evaluation, rows: Sequence[Row]) -> None:
     """Add Bode plots, bandwidths and distortion to the evaluation.
 
     `rows` are the table rows of all sines. Sines with the same amplitude, mean and volume form one Bode plot. Its rows
-    are sorted by frequency, with continuous phases, and with gains relative to the gain at the lowest frequency. Of
-    several rows with the same frequency, the one with the most periods is used. The bandwidths are read from the first
+    are sorted by frequency, with continuous phases, and with gains relative to the gain at the lowest frequency. If
+    several rows have the same frequency, the row with the most periods is used. The bandwidths are read from the first
     Bode plot.
     """
     series: dict[str, list[Row]] = {}
@@ -314,28 +314,21 @@ def fit_sine(
     error = harmonic_error = sigma * math.sqrt(0.5 * float(covariance[2, 2] + covariance[3, 3]))
     factor = UNSEEN if is_coloured else 1.0
     if is_coloured:
-        errors = _errors_between_harmonics(residual, round(time.size / per_period))
-        error, harmonic_error = (value if math.isfinite(value) else error for value in errors)
+        # The response to a sine has no power between its harmonics. The power of the residuals there, near the
+        # fundamental and near the harmonics 2 to 5, is therefore noise.
+        amplitudes = np.abs(np.fft.rfft(residual)) * (2.0 / residual.size)
+        periods = round(time.size / per_period)
+        order = np.arange(amplitudes.size) / periods
+        is_between = (np.arange(amplitudes.size) % periods != 0) & (order < HIGHEST + 0.5)
+        near = is_between & (order > 0.5) & (order < 2.5), is_between & (order > 1.5)
+        error, harmonic_error = (
+            float(np.sqrt(0.5 * np.mean(amplitudes[part] ** 2))) if part.any() else error for part in near
+        )
     # The noise power adds to the power of each harmonic.
     power = float(np.sum(np.abs(waves[1:]) ** 2))
     harmonics = math.sqrt(max(power - 2.0 * waves[1:].size * harmonic_error**2, 0.0))
     distortion = harmonics / float(size) if size > 0.0 else math.inf
     return SineComponent(complex(waves[0]), float(coefficients[0]), distortion, factor * error, factor * harmonic_error)
-
-
-def _errors_between_harmonics(residual: FloatArray, periods: int) -> tuple[float, float]:
-    """Return the standard errors of the amplitudes of the fundamental and of the harmonics by noise of any colour.
-
-    The response to a sine has no power at frequencies between its harmonics. The errors are the power of the residuals
-    at these frequencies, near the fundamental and near the harmonics 2 to 5. They are NaN if the residuals of
-    `periods` periods contain no such frequency.
-    """
-    amplitudes = np.abs(np.fft.rfft(residual)) * (2.0 / residual.size)
-    order = np.arange(amplitudes.size) / periods
-    is_between = (np.arange(amplitudes.size) % periods != 0) & (order < HIGHEST + 0.5)
-    near = is_between & (order > 0.5) & (order < 2.5), is_between & (order > 1.5)
-    first, others = (float(np.sqrt(0.5 * np.mean(amplitudes[part] ** 2))) if part.any() else math.nan for part in near)
-    return first, others
 
 
 def _steady_periods(time: FloatArray, y: FloatArray, frequency: float) -> int:
@@ -403,7 +396,8 @@ def first_fall(frequency: FloatArray, values: FloatArray, level: float) -> float
     """Return the frequency at which a curve first falls to a level.
 
     `values` are the values of the curve at the frequencies [Hz]. Between them, the curve is a monotone cubic of the
-    logarithm of the frequency. The result is NaN if the first value is at or below the level, or if no value is.
+    logarithm of the frequency. The result is NaN if the first value is already at or below the level, or if all values
+    are above the level.
 
     Examples
     --------

@@ -44,7 +44,7 @@ def resolution_trial(scale: Scale, volume: float, stair: float, hold: float, mid
 
 def _evaluate(evaluation: Evaluation, records: Sequence[Record]) -> None:
     for record in records:
-        _one(evaluation, record)
+        _evaluate_record(evaluation, record)
     for name, reason in (("resolution", "no_motion"), ("reversal_threshold", "no_reversal")):
         row = largest(evaluation.rows, name)
         if row is None:
@@ -54,7 +54,7 @@ def _evaluate(evaluation: Evaluation, records: Sequence[Record]) -> None:
         evaluation.add(name, row[name], uncertainty, bound=bound, at=row["setpoint"], stair=row["stair"])
 
 
-def _one(evaluation: Evaluation, record: Record) -> None:
+def _evaluate_record(evaluation: Evaluation, record: Record) -> None:
     x, y = evaluation.scale.percents(record)
     holds = constant_sections(x)
     if len(holds) < FEWEST:

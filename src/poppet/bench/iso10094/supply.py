@@ -89,7 +89,7 @@ def leakage_trials(pace: Pace) -> list[Trial]:
 
 def _evaluate(evaluation: Evaluation, records: Sequence[Record]) -> None:
     for record in records:
-        _one(evaluation, record)
+        _evaluate_record(evaluation, record)
     evaluated = [row for row in evaluation.rows if "sensitivity" in row]
     if evaluated:
         sizes, uncertainties = evaluation.values_of(evaluated, "sensitivity")
@@ -102,7 +102,7 @@ def _evaluate(evaluation: Evaluation, records: Sequence[Record]) -> None:
     evaluation.add_greatest("supply_hysteresis", "hysteresis", "supply_one_way", is_nonnegative=True)
 
 
-def _one(evaluation: Evaluation, record: Record) -> None:
+def _evaluate_record(evaluation: Evaluation, record: Record) -> None:
     supply, scale = record.supply, evaluation.scale
     x, y = scale.percents(record)
     row: Row = {"record": record.name, "setpoint": float(np.median(x))}

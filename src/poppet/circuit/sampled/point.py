@@ -26,7 +26,7 @@ SIZES = {"Pa": 1e5, "K": 300.0, "m": 1e-3}
 class IntersampleModel:
     """Rates and outputs between two sample instants, with their derivatives.
 
-    The derivatives are those by the variables v = (x, w) of `SampledPoint`, and by the inputs u.
+    The derivatives are taken with respect to the variables v = (x, w) of `SampledPoint`, and to the inputs u.
     """
 
     rates: Array
@@ -104,7 +104,7 @@ class SampledPoint:
     def v(self, x: Array, memory: Array) -> Array:
         """Return the variables v for states x and discrete states `memory`.
 
-        `memory` contains all discrete states, including those of the clocks.
+        `memory` contains all discrete states, including the clocks.
         """
         return np.concatenate([x[: self.n], memory[self.places]])
 

@@ -18,7 +18,7 @@ Array = NDArray[np.float64]
 
 @dataclass(frozen=True, eq=False)
 class Phase:
-    """Linear maps over one sample instant and the time until the next one.
+    """Linear maps of the variables from one sample instant to the next.
 
     All variables are in units of their typical sizes.
     """
@@ -38,7 +38,7 @@ class Phase:
 def phases_of(point: SampledPoint, v: Array, between: IntersampleModel | None = None) -> tuple[Phase, ...]:
     """Return the linear maps of all phases of one sample period.
 
-    A phase is a sample instant with the time until the next instant. The maps are those at the steady state `v`.
+    A phase is a sample instant with the time until the next instant. The maps are valid near the steady state `v`.
     `between` contains the derivatives between instants if they have already been computed.
     """
     from scipy.linalg import expm

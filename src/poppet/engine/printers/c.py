@@ -126,7 +126,7 @@ def statement_helpers(text: str, precision: Precision) -> str:
 
 
 def used_prelude(text: str) -> str:
-    """Return the C text of those helper functions that a text calls.
+    """Return the C text of the helper functions that a given text calls.
 
     Compilers would warn about unused functions.
     """

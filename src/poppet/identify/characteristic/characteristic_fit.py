@@ -92,8 +92,8 @@ class LackOfFit:
         """Ratio of the half width of a 95 % interval to the standard uncertainty.
 
         The ratio belongs to the normal distribution, or to Student's t distribution if the lack of fit enlarges the
-        uncertainty. The degrees of freedom are then the ones of the lack of fit plus a constant for the stated
-        uncertainties.
+        uncertainty. Its degrees of freedom are then the degrees of freedom of the lack of fit, plus a constant for the
+        stated uncertainties.
         """
         return coverage_factor(self.freedom + STATED if self.widening > 1.0 else math.inf)
 

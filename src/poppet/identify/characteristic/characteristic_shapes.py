@@ -109,7 +109,7 @@ class SplineShape:
 
     @property
     def table_knots(self) -> tuple[float, ...]:
-        """Strokes of all knots, including those that are added at the ends of the domain [m]."""
+        """Strokes of all knots, including added knots at the ends of the domain [m]."""
         start_knots = (self.first,) if self.first < self.knots[0] else ()
         end_knots = (self.last,) if self.last > self.knots[-1] else ()
         return (*start_knots, *self.knots, *end_knots)

@@ -150,7 +150,8 @@ def noise_free_values(
 ) -> list[FloatArray]:
     """Return the simulated samples of each channel of a test, without noise.
 
-    `values` maps the names of the free parameters to their values. Sensor lags that are free have their start values.
+    `values` maps the names of the free parameters to their values. A sensor lag that is a free parameter has its start
+    value.
     """
     # A free initial value starts from the first value of the noise-free recording.
     started = replace(measurement, start={})

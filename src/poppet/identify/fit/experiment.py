@@ -119,7 +119,7 @@ class Experiment:
         )
         self._lanes: LockstepLanes | None = None
         self._repeated: RepeatedCall | None = None
-        if not self._rebuilds and LockstepLanes.takes(self.base):
+        if not self._rebuilds and LockstepLanes.can_run(self.base):
             # The base values and one shifted value per parameter run together.
             slots = [slot for slot in self.slots.values() if slot is not None]
             driven_inputs = tuple((k, index) for index, inputs in slots for k in inputs)

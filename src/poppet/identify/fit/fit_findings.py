@@ -277,7 +277,7 @@ def gauge_reference_notes(fit: CompletedFit) -> Iterator[Note]:
 def correlation_notes(fit: CompletedFit) -> Iterator[Note]:
     """Yield notes on a combination of parameters that the data cannot separate.
 
-    They include ratios of these parameters that the data do determine.
+    The notes include the ratio of such parameters if the data determine this ratio.
     """
     x = fit.optimum.x
     indices = [k for k in range(len(fit.plan.free)) if fit.optimum.active[k] == 0 and x[k] != 0.0]

@@ -180,7 +180,7 @@ def _conditions(plan: FitPlan, optimum: Optimum) -> dict[str, Any]:
 
 
 def compare_results(first: Result, second: Result, name: str) -> Result:
-    """Return the result `first`, extended by a comparison with the result `second` by AICc.
+    """Return the result `first`, with a comparison of its AICc with that of the result `second`.
 
     `name` identifies the second result. An error is raised if the results belong to different data.
     """

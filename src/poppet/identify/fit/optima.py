@@ -231,8 +231,8 @@ def _points_along_valley(
 ) -> Iterator[tuple[FloatArray, dict[str, float]]]:
     """Yield start points in the direction that the data determine least, each with one fixed parameter.
 
-    The fixed parameter is the one with the largest change in this direction. It is set to twice and to half its value
-    at the optimum. It is returned as a mapping from its name to this value.
+    The fixed parameter is the parameter with the largest change in this direction. It is set to twice and to half its
+    value at the optimum. It is returned as a mapping from its name to this value.
     """
     indices = np.flatnonzero((optimum.active == 0) & (optimum.x != 0.0))
     slopes = optimum.jacobian[:, indices] * optimum.x[indices]

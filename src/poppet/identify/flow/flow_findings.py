@@ -192,7 +192,7 @@ def most_informative_ratio(critical_ratio: float, u_pressure_ratio: float = 1e-3
 
 
 def _choking_notes(fit: FlowFit, estimates: Mapping[str, Estimate], choked: bool) -> Iterator[Note]:
-    """Yield findings on a flow that is choked at all points, or at none."""
+    """Yield findings on a flow that is choked at all points, or at no point."""
     ratio, b, conductance = fit.model.points.pressure_ratio, estimates["critical_ratio"], estimates["sonic_conductance"]
     lowest = float(np.min(ratio))
     if choked:

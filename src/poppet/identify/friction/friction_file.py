@@ -148,9 +148,10 @@ def read_friction_file(path: str | Path) -> tuple[list[FrictionRecord], dict[str
 def _read_channel(
     errors: ErrorCollector, channel: str, file_fields: Mapping[str, Any], coordinate: Coordinate
 ) -> dict[str, Any]:
-    """Read and check the table of one channel; its pressures become gauge pressures in SI units.
+    """Read and check the table of one channel.
 
-    `file_fields` contains the tables of all channels. `coordinate` is the kind of motion.
+    Pressures become gauge pressures in SI units. `file_fields` contains the tables of all channels. `coordinate` is the
+    kind of motion.
     """
     raw, n_files = file_fields[channel], len(file_fields["file"])
     declared = {"column": Field(is_required=True, example=f'{channel} = {{ column = "..." }}'), "unit": Field()}

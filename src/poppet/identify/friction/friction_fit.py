@@ -358,7 +358,7 @@ class FrictionLawFit:
 
     @cached_property
     def residual_correlation_time(self) -> float:
-        """Correlation time of the residuals, in samples; 1 for a table."""
+        """Correlation time of the residuals, in samples. For a friction table, the value is 1."""
         return correlation_time(self.errors) if self.data.axis != "point" else 1.0
 
     @cached_property
@@ -419,7 +419,8 @@ def count_speeds(rows: SlidingRows) -> int:
 def fit_friction_law(data: FrictionData, law: FrictionLaw) -> FrictionLawFit | None:
     """Fit a friction law to all samples, and again without each group of samples.
 
-    The result is None if the samples, or those without one group, do not determine the parameters of the law.
+    The result is None if the data do not determine the parameters of the law, either with all samples or without one of
+    the groups.
     """
     rows = data.rows
     if count_speeds(rows) < 1 + law.is_viscous + 2 * law.is_falling:

@@ -131,7 +131,7 @@ class Reversal:
 
 @dataclass(frozen=True, eq=False)
 class RecordedMotion:
-    """Smoothed recording of a moving body, divided into strokes; or the points of a table."""
+    """Smoothed recording of a moving body, divided into strokes, or the points of a friction table."""
 
     rows: SlidingRows
     reversals: tuple[Reversal, ...]

@@ -152,8 +152,8 @@ def add_budget(
 ) -> Result:
     """Add the uncertainties of stated quantities to the standard errors and intervals of a tank test.
 
-    `result` has the intervals of the fit, and `ambient` those that include the uncertainty of the ambient temperature.
-    The Jacobian of the fit propagates the errors linearly.
+    `result` has the intervals of the fit. `ambient` has intervals that also include the uncertainty of the ambient
+    temperature. The Jacobian of the fit propagates the errors linearly.
     """
     number = f"{test.part}.sonic_conductance"
     changes = _residual_changes(test, runs, plan, result, uncertainties)

@@ -40,12 +40,12 @@ def rest_before_opening(time: FloatArray, values: FloatArray, noise: float) -> f
     t, y = time[samples] / time[end - 1], values[samples] / noise
     trials = np.linspace(0.0, 0.9, TIMES)[1:]
     least = _chi_square(t, t**2, y)
-    by_rest = _best_trial(t, y, trials, _after_rest)
+    by_rest = _best_trial(t, y, trials, _times_after_rest)
     if least - by_rest[0] < EVIDENCE:
         return 0.0
     step = trials[1] - trials[0]
-    by_rest = _best_trial(t, y, np.linspace(max(by_rest[1] - step, 0.0), by_rest[1] + step, TIMES), _after_rest)
-    by_lag = _best_trial(t, y, np.geomspace(0.003, 1.0, TIMES), _with_lag)
+    by_rest = _best_trial(t, y, np.linspace(max(by_rest[1] - step, 0.0), by_rest[1] + step, TIMES), _times_after_rest)
+    by_lag = _best_trial(t, y, np.geomspace(0.003, 1.0, TIMES), _lagged_times)
     rest, is_resting = by_rest[1], by_lag[0] - by_rest[0] > AGAINST_LAG
     if not is_resting or rest < LEAST_REST or np.sum(t < rest) < 3:
         return 0.0
@@ -53,20 +53,20 @@ def rest_before_opening(time: FloatArray, values: FloatArray, noise: float) -> f
     is_near = t <= NEAR * rest
     if np.sum(is_near) > LEAST_NEAR:
         trials = np.linspace(0.8 * rest, 1.2 * rest, TIMES)
-        rest = _best_trial(t[is_near], y[is_near], trials, _after_rest)[1]
+        rest = _best_trial(t[is_near], y[is_near], trials, _times_after_rest)[1]
     return float(rest * time[end - 1])
 
 
-def _after_rest(t: FloatArray, rest: float) -> tuple[FloatArray, FloatArray]:
-    """Return the time since the end of an initial rest and its square, (n,) each; both are 0 during the rest.
+def _times_after_rest(t: FloatArray, rest: float) -> tuple[FloatArray, FloatArray]:
+    """Return the time since the end of a constant start, and its square, (n,) each.
 
-    `t` contains the times, and `rest` is the duration of the rest.
+    Both are 0 during the constant start. `t` contains the times, and `rest` is the duration of the constant start.
     """
     after = np.maximum(t - rest, 0.0)
     return after, after**2
 
 
-def _with_lag(t: FloatArray, lag: float) -> tuple[FloatArray, FloatArray]:
+def _lagged_times(t: FloatArray, lag: float) -> tuple[FloatArray, FloatArray]:
     """Return the responses of a first-order lag to the time and to its square, (n,) each.
 
     `t` contains the times, and `lag` is the time constant.

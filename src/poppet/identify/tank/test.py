@@ -53,8 +53,8 @@ class TankTest:
     subsonic_index : number
         Subsonic index m (default: 0.5).
     wall_conductance : number
-        Wall conductance h A for `energy` [W/K] (default: `free`). Recordings with the same direction and volume share
-        one value. Otherwise, each recording has its own value.
+        Wall conductance h A for `energy` [W/K] (default: `free`). If all recordings have the same direction and
+        volume, they share one value. Otherwise, each recording has its own value.
     polytropic_exponent : number
         Exponent n for `polytropic` (default: `free`).
     supply_pressure : number

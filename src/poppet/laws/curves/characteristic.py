@@ -195,7 +195,7 @@ class Characteristic:
         Parameters
         ----------
         changes : mapping of str to Number
-            New parameters; the names are those that the method `numbers` returns.
+            New parameters, under the names that the method `numbers` returns.
 
         Returns
         -------

@@ -272,10 +272,11 @@ def divided(conductance: float, critical_ratio: float, weights: Sequence[float])
 
 
 def _divide_into_pieces(drops: Sequence[Any], first: Any, last: Any) -> list[tuple[Any, Any]]:
-    """Divide a flow path into pieces in series; return conductance C and critical ratio b of each.
+    """Divide a flow path into pieces in series.
 
-    All C are divided by the C of the complete flow path. `drops` contains (1 - b)/C^2 of each piece, which determines
-    its pressure drop at small flow. `first` and `last` are the largest permitted C of the first and the last piece.
+    The result contains sonic conductance C and critical ratio b of each piece. All C are divided by the C of the
+    complete flow path. `drops` contains (1 - b)/C^2 of each piece, which determines its pressure drop at small flow.
+    `first` and `last` are the largest permitted C of the first and the last piece.
     """
     smaller = minimum if is_symbolic(first, last, drops[0]) else min  # the latter is much faster
     sizes = [first, *[smaller(first, last)] * (len(drops) - 2), last]

@@ -382,7 +382,7 @@ def conductance_from_nominal_flow(
     (1.493, 0.3, True)
     """
     check({"nominal_flow": nominal_flow, "critical_ratio": critical_ratio, "atmosphere": atmosphere}, _DOMAINS)
-    ratio, assumed = _given_or_assumed(critical_ratio)
+    ratio, assumed = _ratio_or_default(critical_ratio)
     note = f"nominal flow from 6 to 5 bar gauge at an atmosphere of {atmosphere / 1e5:g} bar{assumed}"
     conductance = nominal_flow / _nominal_flow_per_conductance(ratio, subsonic_index, atmosphere)
     return Conductance(conductance, ratio, note, critical_ratio is None)
@@ -483,7 +483,7 @@ _DEFINITIONS: dict[str, str] = {
 }
 
 
-def _given_or_assumed(critical_ratio: float | None) -> tuple[float, str]:
+def _ratio_or_default(critical_ratio: float | None) -> tuple[float, str]:
     """Return the critical pressure ratio, and a text for the note of the conversion.
 
     If `critical_ratio` is None, the result is 0.3, and the text states that this is assumed. Otherwise the text is
@@ -495,7 +495,7 @@ def _given_or_assumed(critical_ratio: float | None) -> tuple[float, str]:
 
 
 def _from_cv(cv: float, critical_ratio: float | None, definition: Definition, coefficient: str) -> Conductance:
-    ratio, note = _given_or_assumed(critical_ratio)
+    ratio, note = _ratio_or_default(critical_ratio)
     conductance = cv * _conductance_per_cv(ratio, definition)
     return Conductance(conductance, ratio, f"{_DEFINITIONS[definition]} of {coefficient}{note}", critical_ratio is None)
 

@@ -31,7 +31,7 @@ class Domain:
     open_low: bool = False
     open_high: bool = True
 
-    def holds(self, value: Any) -> bool | NDArray[np.bool_]:
+    def contains(self, value: Any) -> bool | NDArray[np.bool_]:
         """Return True for a value inside the interval, and False for NaN.
 
         For an array, the result is an array of booleans.
@@ -68,14 +68,14 @@ def problem(name: str, value: Any, domain: Domain) -> OutOfRangeError | None:
     value is a symbol or None. `name` is the name of the argument.
     """
     if type(value) is float:  # fast path for the most frequent type
-        return None if domain.holds(value) else _outside(name, value, domain)
+        return None if domain.contains(value) else _outside(name, value, domain)
     if value is None or is_symbolic(value):
         return None
     values = np.asarray(value, dtype=float)
     # One NaN makes both extremes NaN, so two reductions are sufficient.
-    if values.size == 0 or (domain.holds(values.min()) and domain.holds(values.max())):
+    if values.size == 0 or (domain.contains(values.min()) and domain.contains(values.max())):
         return None
-    index = np.unravel_index(int(np.argmin(domain.holds(values))), values.shape)
+    index = np.unravel_index(int(np.argmin(domain.contains(values))), values.shape)
     return _outside(f"{name}{_index(index)}", float(values[index]), domain)
 
 

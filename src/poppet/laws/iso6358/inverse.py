@@ -304,11 +304,9 @@ def critical_ratio_from_point(pressure_ratio: Any, flow_ratio: Any, subsonic_ind
     OutOfRangeError
         If the point is choked or closed, or if b would be negative.
 
-    Notes
-    -----
-    The cracking pressure is assumed to be zero. For m = 0.5, the standard uncertainty u(b) follows from those of r and
-    phi: u(b)^2 = (u_r/(1 - s))^2 + ((1 - r)/(1 - s)^2 (phi/s) u_phi)^2. Points near r = 1 or phi = 1 contain the least
-    information on b.
+    Notes ----- The cracking pressure is assumed to be zero. For m = 0.5, the standard uncertainty u(b) follows from the
+    standard uncertainties of r and phi: u(b)^2 = (u_r/(1 - s))^2 + ((1 - r)/(1 - s)^2 (phi/s) u_phi)^2. Points near r =
+    1 or phi = 1 contain the least information on b.
 
     References
     ----------

@@ -196,7 +196,7 @@ def _rayleigh(
 ) -> tuple[Any, Any]:
     """Return the Rayleigh number for the length `height`, and the thermal conductivity of air [W/(m K)].
 
-    The gas properties are those at the mean of gas temperature and wall temperature.
+    The gas properties are evaluated at the mean of gas temperature and wall temperature.
     """
     film = 0.5 * (temperature + wall_temperature)
     difference = temperature - wall_temperature

@@ -218,7 +218,7 @@ def draw_thinned(axes: Any, x: FloatArray, y: FloatArray, indices: NDArray[np.in
 
 
 def whole_of(line: Any) -> tuple[FloatArray, FloatArray]:
-    """Return all samples of a line from `draw_thinned`, including those that were not drawn."""
+    """Return all samples of a line from `draw_thinned`, including samples that were not drawn."""
     samples: tuple[FloatArray, FloatArray] = getattr(line, "whole", None) or line.get_data()
     return samples
 

@@ -213,8 +213,8 @@ def _joined(lines: list[Line]) -> list[Line]:
 def _guess_layout(lines: Sequence[Line], separators: Sequence[str], decimals: Sequence[str]) -> _TextLayout:
     """Return the column separator and decimal sign with which most cells are numbers.
 
-    `separators` and `decimals` contain the candidates. Of equally good pairs, the one with the most columns is
-    returned.
+    `separators` and `decimals` contain the candidates. If several pairs are equally good, the pair that gives the most
+    columns is returned.
     """
     sample = [text for _, text in (*lines[:: 1 + len(lines) // _BETWEEN], *lines[-_LAST:])]
     choices = [(s, d) for s in separators for d in decimals if s != d]
