@@ -570,6 +570,6 @@ def test_example_of_two_cylinders():
     # As on the page.
     starts = recording.time[changes][::5]
     assert np.diff(starts)[1:] == pytest.approx(1.415, abs=1e-9)
-    # No condition is true earlier than in its sample, and the outputs are those of the step.
+    # The outputs are those of the step.
     assert recording["plc.a"].tolist() == np.isin(steps, ["A+", "B+", "B-"]).astype(float).tolist()
     assert recording["plc.b"].tolist() == (steps == "B+").astype(float).tolist()
