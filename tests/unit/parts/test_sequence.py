@@ -1,6 +1,7 @@
 """Step sequences: semantics, compared with an interpreter that is written here, and checks of the fields."""
 
 import pickle
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -557,3 +558,18 @@ def test_conditions_on_unknown_outputs_and_parts():
         with pytest.raises(InputError) as caught:
             circuit_of(condition)
         assert (caught.value.code, caught.value.address) == (code, "parts.plc.steps.one.next.one")
+
+
+def test_example_of_two_cylinders():
+    circuit = poppet.load(Path(__file__).parents[3] / "examples" / "two_cylinders.toml")
+    recording = circuit.simulate()
+    steps = np.array(circuit.parts["plc"].program.names)[recording["plc.step"].astype(int) - 1]
+    changes = np.flatnonzero(steps[1:] != steps[:-1]) + 1
+    assert steps[changes].tolist() == ["A+", "B+", "B-", "A-", "wait"] * 6
+    assert recording["plc.cycles"][-1] == 6
+    # As on the page.
+    starts = recording.time[changes][::5]
+    assert np.diff(starts)[1:] == pytest.approx(1.415, abs=1e-9)
+    # The outputs are those of the step.
+    assert recording["plc.a"].tolist() == np.isin(steps, ["A+", "B+", "B-"]).astype(float).tolist()
+    assert recording["plc.b"].tolist() == (steps == "B+").astype(float).tolist()
