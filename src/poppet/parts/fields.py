@@ -65,7 +65,8 @@ class NumberSpec(Declaration, NumberRange):
 
         For example, the unit of a controller gain depends on the controlled quantity.
         """
-        return self if self.varies is None else dataclasses.replace(self, varies=None, **self.varies(part))
+        changes = None if self.varies is None else self.varies(part)
+        return _changed_spec(self, tuple(changes.items())) if changes else self
 
     def check(self, name: str, value: float, text: str) -> None:
         """Raise `OutOfRangeError` if a value is outside the declared limits.
@@ -73,6 +74,12 @@ class NumberSpec(Declaration, NumberRange):
         `name` is the name of the field, and `text` the value as the user wrote it.
         """
         self.check_range(name, value, text, self.meaning)
+
+
+@cache
+def _changed_spec(spec: NumberSpec, changes: tuple[tuple[str, Any], ...]) -> NumberSpec:
+    """Return a declaration with changed properties; cached, because each copy of a part requests it."""
+    return dataclasses.replace(spec, varies=None, **dict(changes))
 
 
 @dataclass(frozen=True)

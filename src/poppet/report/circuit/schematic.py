@@ -29,6 +29,7 @@ _MARGIN = 0.2
 _PORT_NUMBERS = {
     "supply": "1 supply", "inlet": "1 inlet", "outlet": "2 outlet", "exhaust": "3 exhaust",
     "a": "4 a", "b": "2 b", "exhaust_a": "5 exhaust", "exhaust_b": "3 exhaust",
+    "pilot_a": "14 pilot", "pilot_b": "12 pilot",
 }  # fmt: skip
 _STORE_FILL, _RESERVOIR_FILL, _PASSAGE_FILL, _PIPE = "#eaf2fb", "#f3f4f6", "white", "#49525e"
 _CONTROLLER_FILL, _BODY_FILL = "#f4effa", "#fbf6e9"
@@ -224,7 +225,7 @@ class _Schematic:
         if symbol_height:
             texts = (self._port_label(edge) if edge[0] == name else self._node_label(edge) for edge in ports)
             label = max((text_width(text, 6.5) for text in texts), default=0.0)
-            widths.append(2.0 * label + (2.4 if isinstance(part.symbol_for(False), str) else 1.6) * _SYMBOL)
+            widths.append(2.0 * label + (_symbol_width(part.symbol_for(False)) + 0.6) * _SYMBOL)
         body = symbol_height + _LINE * len(lines) + 0.17 + 2.0 * _PAD
         body = max(body, _PORT_STEP * len(ports))
         return _Box(name, lines, tags, max(widths) + 2.0 * _PAD, body + _TAG * len(tags), symbol_height)
@@ -390,3 +391,10 @@ class _Schematic:
         part, port = self.circuit.parts[edge[0]], edge[1]
         # Inlets have no number: a and b are outlets of directional valves only.
         return "" if port == BODY else port if port in part.inlet_ports else _PORT_NUMBERS.get(port, port.rstrip("_"))
+
+
+def _symbol_width(symbol: Symbol | str) -> float:
+    """Return twice the distance of the outermost point of a symbol from its middle; at least 1."""
+    if isinstance(symbol, str):
+        return 1.8  # of the labelled box
+    return max(1.0, *(2.0 * abs(u - 0.5) for stroke in symbol for u, _ in stroke.points))
