@@ -119,6 +119,8 @@ def members(program: ControllerProgram, group: str) -> list[str]:
     result = []
     for item in items:
         part, _, local = item.address.partition(".")
+        # A step A+ is A_plus; a word of a language has a suffix.
+        local = re.sub(r"[+-](?=\.|$)", lambda sign: "_plus" if sign[0] == "+" else "_minus", local)
         local = "step_v" if local == "step" else re.sub(r"\W+", "_", local)
         alone = local if part == program.parts[0] else f"{part}_{local}"
         result.append(alone if len(program.parts) == 1 else f"{part}.{local}")

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+import tomllib
 from functools import cache
 from typing import Any
 
@@ -17,10 +19,15 @@ from controller_targets import (
     run_library,
     run_program,
 )
-from poppet import Circuit, Orifice, Reservoir, Sequence, Switch
+from poppet import Circuit, Cylinder, Mass, Orifice, Reservoir, Sequence, SpoolValve, Switch
+from poppet.deploy.c.controller import c_controller
 from poppet.deploy.controller import controller_program
 from poppet.deploy.controller_program import STATUS
+from poppet.deploy.st.block import block_of
 from poppet.signals import Steps
+from source_files import ROOT as PACKAGE
+
+ROOT = PACKAGE.parents[1]
 
 T, N = 5e-3, 400
 NAMES = ("extend A", "extend B", "press", "retract B", "retract A", "eject")
@@ -137,11 +144,25 @@ def fault_inputs(program, seed):
     return inputs, T * (1.0 + rng.uniform(-0.4, 0.4, N))
 
 
+def times_and_parameters(program, seed):
+    """Return calls with late and invalid times, and with invalid and changed parameters."""
+    intervals = np.full(N, T)
+    intervals[0], intervals[40], intervals[80], intervals[120] = 1e3, 10.0, -1.0, np.nan
+    intervals[160:170], intervals[200:220] = 0.0, 1.29 * T
+    parameters = np.tile([parameter.value for parameter in program.parameters], (N, 1))
+    for k, parameter in enumerate(program.parameters):
+        parameters[10 + 5 * k : 13 + 5 * k, k] = (np.nan, parameter.low - 1.0, parameter.high * 2.0 + 1.0)
+        if parameter.address.endswith(".timeout.after"):
+            parameters[N // 2 :, k] *= 2.0
+    return calls_of(program, random_inputs(program, seed), parameters, intervals)
+
+
 def check_target(run, seed, target):
     """Compare outputs and status of each call with the traced program, without and with faults and jitter."""
     program = case_of(seed)[1]
     wrong, intervals = fault_inputs(program, seed)
-    for calls in (calls_of(program, random_inputs(program, seed)), calls_of(program, wrong, intervals=intervals)):
+    many_calls = [calls_of(program, random_inputs(program, seed)), times_and_parameters(program, seed)]
+    for calls in (*many_calls, calls_of(program, wrong, intervals=intervals)):
         expected, bits = run_program(program, calls)
         outputs, status = run(program, calls)
         elapsed = [output.address for output in program.outputs].index("plc.elapsed")
@@ -156,6 +177,23 @@ def check_target(run, seed, target):
 @pytest.mark.parametrize("seed", range(20))
 def test_structured_text_executes_the_steps(seed):
     check_target(run_evaluator, seed, "evaluator")
+
+
+def test_a_restart_executes_the_first_step(tmp_path):
+    """C and structured text start again at the same calls, and keep the last valid inputs."""
+    circuit, program = case_of(0)
+    restarts = np.zeros(N, dtype=bool)
+    restarts[[100, 101, 250]] = True
+    calls = calls_of(program, random_inputs(program, 0), restarts=restarts)
+    (outputs, status), (expected, bits) = (
+        run_library(compile_c_export(circuit, ("plc",), tmp_path, "double"), program, calls),
+        run_evaluator(program, calls),
+    )
+    assert np.array_equal(outputs, expected)
+    assert np.array_equal(status, bits)
+    names = [output.address for output in program.outputs]
+    assert np.all(outputs[100:101, names.index("plc.elapsed")] == 0.0)
+    assert np.all(np.diff(outputs[:, names.index("plc.cycles")])[[99, 249]] < 0.0)
 
 
 @pytest.mark.parametrize(("target", "seed"), [(target, seed) for target, n in COMPILED.items() for seed in range(n)])
@@ -223,3 +261,27 @@ def test_coupled_sequences_and_switches_are_one_program(tmp_path):
         outputs, status = target(program, calls)
         assert np.allclose(outputs, expected, rtol=0.0, atol=1e-12)
         assert np.array_equal(status, bits)
+
+
+def test_pages_show_the_printed_statements():
+    """The pages on structured text and on C show statements of the sequence in the first page."""
+    pages = {name: (ROOT / "docs" / f"{name}.md").read_text(encoding="utf-8") for name in ("plc", "export_c")}
+    blocks = re.findall(r"^```(\w+)[^\n]*\n(.*?)^```$", "\n".join(pages.values()), re.MULTILINE | re.DOTALL)
+    (table,) = [
+        tomllib.loads(block)["parts"]["plc"] for kind, block in blocks if kind == "toml" and "sequence" in block
+    ]
+    assert table.pop("kind") == "sequence"
+    shown = [block for _, block in blocks if "next_step" in block or "new_a" in block]
+    parts: dict[str, Any] = {"supply": Reservoir(pressure="7 bar"), "plc": Sequence(**table)}
+    for letter in "AB":
+        ends = {"a": f"cylinder{letter}.cap", "b": f"cylinder{letter}.rod"}
+        parts[f"valve{letter}"] = SpoolValve(supply="supply", **ends, sonic_conductance=1e-8, critical_ratio=0.3)
+        parts[f"cylinder{letter}"] = Cylinder(
+            bore="25 mm", stroke_length="100 mm", body=f"slide{letter}", cap={"dead_volume": 1e-5},
+            rod={"dead_volume": 1e-5},
+        )  # fmt: skip
+        parts[f"slide{letter}"] = Mass(mass="1 kg")
+    circuit = Circuit(parts)
+    printed = block_of(circuit, ["plc"]) + c_controller(circuit, ["plc"])["plc.c"]
+    assert len(shown) == 3
+    assert all(block in printed for block in shown)

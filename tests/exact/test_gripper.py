@@ -161,6 +161,9 @@ def test_invalid_grippers_are_rejected():
         gripper(direction=0.5)
     with refused("cylinder.rod_too_thick", "rod_diameter"):
         gripper(rod_diameter="20 mm")
+    for name in ("bore", "jaw_stroke", "rated_force", "transmission"):
+        with refused("fields.out_of_range", name):
+            gripper(**{name: -1.0})
     with pytest.raises(InputErrors) as caught:
         Gripper(workpiece={})
     addresses = {problem.address for problem in caught.value.problems}

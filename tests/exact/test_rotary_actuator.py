@@ -156,6 +156,11 @@ def test_invalid_actuators_are_rejected():
         actuator(displacement=None)
     with refused("bodies.beyond_stop", "shaft.initial_position"):
         actuator({"initial_position": 4.0})
+    for name in ("displacement", "rated_torque", "rated_pressure"):
+        with refused("fields.out_of_range", name):
+            actuator(**{"displacement": None, "rated_torque": 1.0, name: -1.0})
+    with refused("fields.not_a_table", "end_stop"):
+        actuator(end_stop=3.0)
     with pytest.raises(InputErrors) as caught:
         RotaryActuator()
     addresses = {problem.address for problem in caught.value.problems}

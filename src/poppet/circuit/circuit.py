@@ -229,10 +229,13 @@ class BaseCircuit(HtmlMixin):
     def drives(self) -> dict[str, dict[str, bool]]:
         """Return the inputs that can move each body, by body.
 
-        The inner mapping contains the addresses of inputs with a signal. A value is True if the input is a command, and
-        False otherwise, for example for a load.
+        The inner mapping contains the addresses of inputs that a signal, a sequence or a switch drives. A value is True
+        if the input is a command, and False otherwise, for example for a load.
         """
-        driven = {address: item for address, item in self.inputs.items() if address in self.signals}
+        switched = {
+            target for target, source in self.connections.items() if self.parts[source.partition(".")[0]].is_switching
+        }
+        driven = {a: item for a, item in self.inputs.items() if a in self.signals or a in switched}
         found = find_drives(self._wiring, self.connections, driven)
         return {body: {address: driven[address].is_command for address in drives} for body, drives in found.items()}
 

@@ -225,6 +225,10 @@ class LoadData:
         end = float(self.raw.time[-1])
         changes: list[tuple[float, str | None]] = []
         for address, is_command in self.drives.get(body, {}).items():
+            if address not in self.signals:  # the output of a sequence or a switch, known at the output times
+                jumps = np.flatnonzero(np.diff(self[address]))
+                changes += [(float(self.raw.time[k + 1]), address) for k in jumps]
+                continue
             table = self.signals[address].table(end)
             if isinstance(self.signals[address], Pwm) or table.amplitude.any():
                 continue

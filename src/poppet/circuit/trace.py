@@ -337,8 +337,7 @@ class _Tracer:
         with ErrorCollector() as errors:
             for target, source in self.connections.items():
                 if source not in all_outputs:
-                    address, near = self._place(target), NameSuggestion(source, shown)
-                    errors.add("fields.not_an_option", address, value=source, meaning="output", suggestion=near)
+                    errors.extend([self._unknown_source(target, source, shown)])
         expressions = {t: self._limited(t, all_outputs[source][0]) for t, source in self.connections.items()}
         connected = self._resolve(expressions)
         with ErrorCollector() as errors:
@@ -363,6 +362,24 @@ class _Tracer:
                 raise InputError("wiring.no_slope", f"connections.{self._shown(base)}", source=self.connections[base])
             slopes[address] = self._substitute(self.ca.jtimes(expressions[base], x, rates), connected)
         return [*connected, *self._resolve(slopes)]
+
+    def _unknown_source(self, target: str, source: str, outputs: Sequence[str]) -> InputError:
+        """Return the error of a connection from an output that does not exist.
+
+        `outputs` contains the public addresses of all outputs.
+        """
+        address, near = self._place(target), NameSuggestion(source, outputs)
+        if target not in self.declared:
+            return InputError("fields.not_an_option", address, value=source, meaning="output", suggestion=near)
+        # `plc.step:clamp` is 1 during the step `clamp` of the sequence `plc`.
+        output, _, step = source.partition(":")
+        steps = [name.partition(":")[2] for name in outputs if name.startswith(f"{output}:")]
+        if step and steps:
+            owner = output.rpartition(".")[0]
+            return InputError(
+                "wiring.unknown_step", address, step=step, owner=owner, suggestion=NameSuggestion(step, steps)
+            )
+        return InputError("wiring.unknown_output", address, source=source, suggestion=near)
 
     def _place(self, target: str) -> str:
         """Return the address of the connection to an input: in its part, or in the table of connections."""

@@ -213,10 +213,13 @@ def find_drives(wiring: Wiring, connections: Mapping[str, str], inputs: Mapping[
 
     The effect of an input continues through connections, through gas nodes at the ports of parts, and through
     actuators. A part has no effect on its supply and its pilot ports, nor on a reservoir, whose pressure is prescribed.
+    It does not continue through a sequence or a switch, whose outputs are commands of their own.
     """
     successors: dict[str, set[str]] = {name: set() for name in wiring}
     for target, source in connections.items():
-        successors[source.partition(".")[0]].add(target.partition(".")[0])
+        ends = source.partition(".")[0], target.partition(".")[0]
+        if not any(wiring[end].kind.is_switching for end in ends):
+            successors[ends[0]].add(ends[1])
     for name, part in wiring.items():
         nodes = {port: node.partition(".")[0] for port, node in part.ports.items() if node != AMBIENT}
         for port, node in nodes.items():
@@ -255,7 +258,7 @@ def check_connections(
                 continue
             if source.partition(".")[0] not in parts:
                 near = NameSuggestion(source.partition(".")[0], parts)
-                errors.add("wiring.unknown_part", own.place, source=source, suggestion=near)
+                errors.add("wiring.unknown_output", own.place, source=source, suggestion=near)
                 continue
         if item is not None and (item.by_signal or item.slope_of):
             errors.add("wiring.signal_only", f"connections.{target}")

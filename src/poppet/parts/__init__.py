@@ -22,6 +22,7 @@ if TYPE_CHECKING:
     from poppet.parts.one_way_valves import FlowControlValve, PilotedCheckValve
     from poppet.parts.pid import PID
     from poppet.parts.pilot_stage import PilotStage
+    from poppet.parts.pressure_booster import PressureBooster
     from poppet.parts.pressure_controller import PressureController
     from poppet.parts.proportional_valve import ProportionalValve
     from poppet.parts.rotary_actuator import RotaryActuator
@@ -68,6 +69,7 @@ KINDS: Registry[type[Part]] = Registry(
         "joint": "poppet.parts.bodies:Joint",
         "guide": "poppet.parts.bodies:Guide",
         "cylinder": "poppet.parts.cylinder:Cylinder",
+        "pressure_booster": "poppet.parts.pressure_booster:PressureBooster",
         "gripper": "poppet.parts.gripper:Gripper",
         "rotary_actuator": "poppet.parts.rotary_actuator:RotaryActuator",
         "muscle": "poppet.parts.muscle:Muscle",
@@ -93,10 +95,10 @@ __all__ = [
     "KINDS", "PID", "Antagonist", "BodyFriction", "BodyStop", "Chamber", "CheckValve", "Compressor", "Contact",
     "Cylinder", "DirectionalValve", "Electronics", "Exhaust", "Filter", "FlowControlValve", "FlowSource", "Friction",
     "Gripper", "Guide", "InverseMuscle", "Joint", "JointFriction", "JointStop", "MainStage", "Mass", "Muscle",
-    "Orifice", "Part", "Passage", "PilotStage", "PilotedCheckValve", "PressureController", "PressureRegulator",
-    "ProportionalValve", "QuickExhaustValve", "ReliefValve", "Reservoir", "RotaryActuator", "Sequence", "ShuttleValve",
-    "Silencer", "Solenoid", "SpoolValve", "Spring", "Stop", "Store", "SuctionCup", "Switch", "Tube", "TwoPressureValve",
-    "VacuumEjector",
+    "Orifice", "Part", "Passage", "PilotStage", "PilotedCheckValve", "PressureBooster", "PressureController",
+    "PressureRegulator", "ProportionalValve", "QuickExhaustValve", "ReliefValve", "Reservoir", "RotaryActuator",
+    "Sequence", "ShuttleValve", "Silencer", "Solenoid", "SpoolValve", "Spring", "Stop", "Store", "SuctionCup", "Switch",
+    "Tube", "TwoPressureValve", "VacuumEjector",
 ]  # fmt: skip
 
 

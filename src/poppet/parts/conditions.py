@@ -258,20 +258,20 @@ def _compare(node: Relation, value: Callable[[Operand], Any]) -> Any:
         # Both are integers: flags, steps or counters.
         difference = fabs(left - right)
         return where(difference < 0.5 if relation == "==" else difference >= 0.5, 1.0, 0.0)
+    low = high = right
     # The step time is a multiple of the sample time, with rounding errors.
-    margin = 0.0
     if isinstance(node.left, Internal) and node.left.name == "elapsed":
-        margin = _ROUNDING * right
+        low, high = right * (1.0 - _ROUNDING), right * (1.0 + _ROUNDING)
     elif isinstance(node.right, Internal) and node.right.name == "elapsed":
-        margin = _ROUNDING * left
+        low, high = right - _ROUNDING * left, right + _ROUNDING * left
     match relation:
         case "<":
-            return where(left < right - margin, 1.0, 0.0)
+            return where(left < low, 1.0, 0.0)
         case "<=":
-            return where(left <= right + margin, 1.0, 0.0)
+            return where(left <= high, 1.0, 0.0)
         case ">":
-            return where(left > right + margin, 1.0, 0.0)
-    return where(left >= right - margin, 1.0, 0.0)
+            return where(left > high, 1.0, 0.0)
+    return where(left >= low, 1.0, 0.0)
 
 
 def read_literal(text: str, *, is_difference: bool = False) -> tuple[Number, Kind]:
@@ -328,7 +328,11 @@ def parse_condition(text: Any, names: Names, place: str) -> Condition:
         raise InputError("condition.no_text", place, value=text)
     if len(text) > MAX_LENGTH:
         raise InputError("condition.too_long", place, length=len(text), most=MAX_LENGTH)
-    condition = Condition(text, _Parser(text, names, place).parse())
+    try:
+        condition = Condition(text, _Parser(text, names, place).parse())
+    except InputError as error:
+        # The text of the error contains the condition, but not its address.
+        raise error.at(place) from None
     return _with_places(condition, place)
 
 

@@ -65,7 +65,8 @@ class NumberSpec(Declaration, NumberRange):
 
         For example, the unit of a controller gain depends on the controlled quantity.
         """
-        return self if self.varies is None else dataclasses.replace(self, varies=None, **self.varies(part))
+        changes = None if self.varies is None else self.varies(part)
+        return _changed_spec(self, tuple(changes.items())) if changes else self
 
     def check(self, name: str, value: float, text: str) -> None:
         """Raise `OutOfRangeError` if a value is outside the declared limits.
@@ -73,6 +74,12 @@ class NumberSpec(Declaration, NumberRange):
         `name` is the name of the field, and `text` the value as the user wrote it.
         """
         self.check_range(name, value, text, self.meaning)
+
+
+@cache
+def _changed_spec(spec: NumberSpec, changes: tuple[tuple[str, Any], ...]) -> NumberSpec:
+    """Return a declaration with changed properties; cached, because each copy of a part requests it."""
+    return dataclasses.replace(spec, varies=None, **dict(changes))
 
 
 @dataclass(frozen=True)
@@ -103,8 +110,14 @@ class GroupSpec(Declaration):
     group: type
 
 
+@dataclass(frozen=True)
 class ReferenceSpec(Declaration):
-    """Declaration of a field that contains a name from the parameter library, or a table of values."""
+    """Declaration of a field that contains a name from the parameter library, or a table of values.
+
+    `form` is the type of the argument in docstrings.
+    """
+
+    form: str = "str or mapping"
 
 
 @dataclass(frozen=True)
@@ -200,9 +213,12 @@ def member(kind: type, *, doc: str, inherited: Sequence[str], is_open: bool = Fa
     return _field(MemberSpec(doc, kind, tuple(inherited), is_open, optional=optional), None)
 
 
-def reference(*, doc: str) -> Any:
-    """Declare a field that contains a name from the parameter library, or a table of values."""
-    return _field(ReferenceSpec(doc), None)
+def reference(*, doc: str, form: str = "str or mapping") -> Any:
+    """Declare a field that contains a name from the parameter library, or a table of values.
+
+    `form` is the type of the argument in docstrings.
+    """
+    return _field(ReferenceSpec(doc, form), None)
 
 
 def _field(spec: Spec, default: T) -> T:
@@ -267,7 +283,8 @@ def _with_parameters(owner: Any, text: str) -> str:
     import inspect
 
     lines = ["Parameters", "----------"]
-    for _, attribute_name, spec in declared(owner):
+    arguments = inspect.signature(owner).parameters
+    for name, attribute_name, spec in declared(owner):
         # The meaning with the unit of a number, or the names of the fields of a group.
         unit = f" [{spec.unit}]" if isinstance(spec, NumberSpec) and spec.unit != "1" else ""
         meaning = f"{spec.meaning[:1].upper()}{spec.meaning[1:]}{unit}{spec.doc.removeprefix(spec.meaning)}"
@@ -275,7 +292,8 @@ def _with_parameters(owner: Any, text: str) -> str:
             meaning += f": {', '.join(specs(spec.group))}"
         elif isinstance(spec, MemberSpec):
             meaning += f": {', '.join(name for name in specs(spec.part) if name not in spec.inherited)}"
-        lines += [f"{attribute_name} : {_type_text(spec)}", f"    {meaning}."]
+        argument = name if name in arguments else attribute_name
+        lines += [f"{argument} : {_type_text(spec)}", f"    {meaning}."]
     head, rule, rest = inspect.cleandoc(text).partition("\n-----")
     if len(lines) == 2:
         return head + rule + rest
@@ -293,7 +311,7 @@ def _type_text(spec: Any) -> str:
             is_bare = not isinstance(default, str) and default != 0.0 and spec.unit != "1"
             return f"number, default {default}{f' {spec.unit}' if is_bare else ''}"
         case ReferenceSpec():
-            return "str or mapping, optional"
+            return f"{spec.form}, optional"
         case GroupSpec() | MemberSpec():
             return "mapping, optional" if spec.optional or isinstance(spec, MemberSpec) else "mapping"
     return ("number" if isinstance(spec, NumberSpec) else "str") + (", optional" if spec.optional else "")

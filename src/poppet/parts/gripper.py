@@ -26,7 +26,7 @@ from poppet.parts.cylinder import (
     ReturnSpring,
 )
 from poppet.parts.fields import NumberLike, group, member, number, option
-from poppet.parts.moving_compound import MovingCompound
+from poppet.parts.moving_compound import MovingCompound, values_of
 from poppet.parts.part import AMBIENT, BodyDynamics, BodyMotion, Input, Scope
 
 EXTERNAL, INTERNAL = "external", "internal"
@@ -217,12 +217,12 @@ class Gripper(MovingCompound):
     @property
     def effective_transmission(self) -> Number:
         """Travel of a jaw per travel of the piston, from the rated force if that is given; 1 if both are missing."""
-        if self.transmission is not None:
-            return self.transmission  # type: ignore[return-value]
+        if isinstance(self.transmission, Number):
+            return self.transmission
         ratio = 1.0
-        if self.rated_force is not None and self.bore is not None and self.direction is not None:
-            arguments: Any = (self.bore, self.rod_diameter, self.direction, self.rated_force, self.rated_pressure)
-            bore, rod, direction, force, pressure = (number.value for number in arguments)
+        values = values_of(self.bore, self.rod_diameter, self.direction, self.rated_force, self.rated_pressure)
+        if values is not None:
+            bore, rod, direction, force, pressure = values
             towards_cap = direction * (1.0 if self.gripping == EXTERNAL else -1.0)
             area = 0.25 * math.pi * (bore**2 - where(towards_cap > 0.0, 0.0, rod**2))
             ratio = 0.5 * pressure * area / force
@@ -258,10 +258,8 @@ class Gripper(MovingCompound):
             names = ("jaw_stroke", "closed_opening", "gripping", "workpiece")
             return {"transmission": self.effective_transmission} | {name: getattr(self, name) for name in names}
         shared: dict[str, Any] = {"body": ".jaws", "direction": self.direction, "stroke_length": None, "offset": 0.0}
-        if self.jaw_stroke is not None and self.direction is not None:
-            arguments: Any = self.jaw_stroke, self.direction
-            stroke, direction = (number.value for number in arguments)
-            stroke = stroke / self.effective_transmission.value
+        if (values := values_of(self.jaw_stroke, self.direction)) is not None:
+            stroke, direction = values[0] / self.effective_transmission.value, values[1]
             # The open jaws are at the cap with the direction 1, and at the other end with the direction -1.
             lengths = {"stroke_length": stroke, "offset": 0.5 * (1.0 - direction) * stroke}
             shared |= {name: Number(value, "m", Source("given")) for name, value in lengths.items()}

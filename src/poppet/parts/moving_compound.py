@@ -6,6 +6,7 @@ from collections.abc import Callable
 from typing import Any, ClassVar
 
 from poppet.core.codes import Note
+from poppet.core.provenance import Number
 from poppet.parts.bodies import MovingBody
 from poppet.parts.compound import Compound
 
@@ -36,3 +37,20 @@ class MovingCompound(Compound):
     def remarks(self, name: str, series: Callable[[str], Any]) -> tuple[Note, ...]:
         notes = self.moving_body.remarks(f"{name}.{self.moving}", series)
         return tuple(note.within(self.moving) for note in notes)
+
+
+def values_of(*numbers: Any) -> list[Any] | None:
+    """Return the values of several numbers, or None if one of them is missing or invalid.
+
+    The compound reports such a number itself.
+    """
+    return [number.value for number in numbers] if all(isinstance(number, Number) for number in numbers) else None
+
+
+def stop_at(position: Any, contact: Any) -> dict[str, Any]:
+    """Return the fields of an end stop.
+
+    `position` is its position, and `contact` the group of numbers with its stiffness and dissipation.
+    """
+    names = ("stiffness", "dissipation") if hasattr(contact, "stiffness") else ()
+    return {"position": position} | {name: getattr(contact, name) for name in names}

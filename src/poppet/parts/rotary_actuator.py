@@ -28,7 +28,7 @@ from poppet.parts.fields import (
     subsonic_index_m,
 )
 from poppet.parts.flow_path import iso_flow
-from poppet.parts.moving_compound import MovingCompound
+from poppet.parts.moving_compound import MovingCompound, stop_at, values_of
 from poppet.parts.moving_gas import MovingGasStore
 from poppet.parts.part import (
     Actuator,
@@ -202,10 +202,10 @@ class RotaryActuator(MovingCompound):
     @property
     def effective_displacement(self) -> Number | None:
         """Displacement per angle, from the rated torque if that is given; None if both are missing."""
-        if self.rated_torque is None or self.displacement is not None:
+        values = values_of(self.rated_torque, self.rated_pressure)
+        if values is None or self.displacement is not None:
             return self.displacement  # type: ignore[return-value]
-        torque, pressure = (n.value for n in (self.rated_torque, self.rated_pressure))  # type: ignore[union-attr]
-        return Number(torque / pressure, "m^3/rad", Source("given"))
+        return Number(values[0] / values[1], "m^3/rad", Source("given"))
 
     def caption(self, numbers: CaptionNumbers) -> list[str]:
         torque, pressure = self.rated_torque, self.rated_pressure
@@ -222,8 +222,7 @@ class RotaryActuator(MovingCompound):
         shared = {"body": ".shaft", "displacement": self.effective_displacement}
         match member:
             case "shaft":
-                contact = {"stiffness": self.end_stop.stiffness, "dissipation": self.end_stop.dissipation}
-                lower, upper = (contact | {"position": angle} for angle in (0.0, self.swivel_angle))
+                lower, upper = (stop_at(angle, self.end_stop) for angle in (0.0, self.swivel_angle))
                 return {"pulley_radius": LEVER, "lower_stop": lower, "upper_stop": upper}
             case "vane":
                 own = {name: getattr(self, name) for name in ("seal_friction", "leakage")}

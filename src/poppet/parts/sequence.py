@@ -68,15 +68,18 @@ class Sequence(Controller):
 
     kind: ClassVar[str] = "sequence"
     summary: ClassVar[str] = "sampled step sequence with conditions, timeouts and counters"
+    is_switching: ClassVar[bool] = True
     resume: ClassVar[dict[str, str]] = {
         "step": "initial_step", "elapsed": "initial_elapsed", "cycles": "initial_cycles"
     }  # fmt: skip
 
-    outputs: Any = reference(doc="names of the outputs; list")
-    steps: Any = reference(doc="steps; mapping from name to a table with `on`, `set`, `next`, `timeout`")
-    start_: Any = reference(doc="first step")
-    inputs_: Any = reference(doc="names of the inputs, each 0 or 1; list")
-    emergency: Any = reference(doc="emergency step; adds the input `emergency`")
+    outputs: Any = reference(doc="names of the outputs", form="list of str")
+    steps: Any = reference(
+        doc="steps; mapping from name to a table with `on`, `set`, `next`, `timeout`", form="mapping"
+    )
+    start_: Any = reference(doc="first step", form="str")
+    inputs_: Any = reference(doc="names of the inputs, each 0 or 1", form="list of str")
+    emergency: Any = reference(doc="emergency step; adds the input `emergency`", form="str")
     sample_time: NumberLike = number("s", "5 ms", doc="sample time", low=MIN_SAMPLE_TIME)
     fault_time: NumberLike = number("s", "0.1 s", doc="time from an invalid input to the safe state", low=0.0)
     initial_step: NumberLike = number(
@@ -114,17 +117,15 @@ class Sequence(Controller):
 
     def check(self) -> None:
         with ErrorCollector() as errors:
-            names: dict[str, tuple[str, ...]] = {"inputs": (), "outputs": ()}
-            for name, value in {"inputs": self.inputs_, "outputs": self.outputs}.items():
-                with errors.collecting():
-                    names[name] = read_names(value, name, names["inputs"])
-            form = Form(names["outputs"], names["inputs"], self.start_ or "", self.emergency or "")
+            inputs = read_names(errors, self.inputs_, "inputs")
+            outputs = read_names(errors, self.outputs, "outputs", inputs)
+            form = Form(outputs, inputs, self.start_ or "", self.emergency or "")
             with errors.collecting():
                 steps = SequenceProgram.read(self.steps, form)
                 number = self.initial_step
                 if number is not None and not 1 <= float(number) <= len(steps.steps):  # type: ignore[arg-type]
                     errors.add("sequence.no_initial_step", "initial_step", value=float(number), most=len(steps.steps))  # type: ignore[arg-type]
-        for name, result in {"inputs_": names["inputs"], "outputs": names["outputs"], "steps": steps}.items():
+        for name, result in {"inputs_": inputs, "outputs": outputs, "steps": steps}.items():
             object.__setattr__(self, name, result)
 
     @property

@@ -149,9 +149,11 @@ class SpoolValve(MeteringEdges):
     def __post_init__(self) -> None:
         # A copy with other options must not keep the defaults of the previous ones.
         for name, _, spec in declared(type(self), NumberSpec):
+            if spec.varies is None:
+                continue
             value = getattr(self, name)
-            is_known = spec.varies is not None and isinstance(value, Number) and not is_symbolic(value.value)
-            if is_known and value in possible_defaults(name, spec):
+            is_default = isinstance(value, Number) and value.source.kind == "assumed" and not is_symbolic(value.value)
+            if is_default and value in possible_defaults(name, spec):
                 object.__setattr__(self, name, None)
         super().__post_init__()
 

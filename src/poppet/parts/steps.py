@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import dataclasses
 import re
-from collections.abc import Hashable, Iterator, Mapping, Sequence
+from collections.abc import Collection, Hashable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
 from typing import Any, ClassVar, NamedTuple
@@ -235,21 +235,27 @@ def _shape(node: Any) -> Hashable:
     return type(node).__name__, tuple(map(_shape, terms))
 
 
-def read_names(value: Any, address: str, taken: Sequence[str] = ()) -> tuple[str, ...]:
-    """Read a list of names of outputs or inputs; the names in `taken` are not available."""
+def read_names(errors: ErrorCollector, value: Any, address: str, taken: Collection[str] = ()) -> tuple[str, ...]:
+    """Return the valid names in a list of outputs or inputs, and collect errors in the others.
+
+    The names in `taken` are not available.
+    """
     if value is None:
         return ()
     if isinstance(value, str) or not isinstance(value, Sequence):
-        raise InputError("sequence.no_list", address, value=value)
-    with ErrorCollector() as errors:
-        for k, name in enumerate(value):
-            if not isinstance(name, str) or not NAME.fullmatch(name):
-                errors.add("sequence.no_name", address, name=name)
-            elif name in value[:k] or name in taken:
-                errors.add("sequence.name_twice", address, name=name)
-            elif name in _RESERVED:
-                errors.add("sequence.reserved", address, name=name)
-    return tuple(value)
+        errors.add("sequence.no_list", address, value=value)
+        return ()
+    names: dict[str, None] = {}
+    for name in value:
+        if not isinstance(name, str) or not NAME.fullmatch(name):
+            errors.add("sequence.no_name", address, name=name)
+        elif name in names or name in taken:
+            errors.add("sequence.name_twice", address, name=name)
+        elif name in _RESERVED:
+            errors.add("sequence.reserved", address, name=name)
+        else:
+            names[name] = None
+    return tuple(names)
 
 
 class _Reader:

@@ -78,11 +78,12 @@ class Switch(Controller):
 
     kind: ClassVar[str] = "switch"
     summary: ClassVar[str] = "sampled switch with hysteresis: pressure switch, reed switch"
+    is_switching: ClassVar[bool] = True
     measured: ClassVar[tuple[str, ...]] = ("measurement",)
     resume: ClassVar[dict[str, str]] = {"state": "initial_state"}
     internal_outputs: ClassVar[tuple[str, ...]] = ("measurement",)
 
-    measurement: Any = reference(doc="address of the measured output")
+    measurement: Any = reference(doc="address of the measured output", form="str")
     on_above: NumberLike = _limit("value above which the switch turns on")
     off_below: NumberLike = _limit("value below which the switch turns off")
     on_below: NumberLike = _limit("value below which the switch turns on")
@@ -117,9 +118,8 @@ class Switch(Controller):
         values = super().parameters(ambient)
         on, off = self.limits
         if is_certain(values[on] <= values[off] if on == "on_above" else values[on] >= values[off]):
-            raise OutOfRangeError(
-                "switch.contradictory", on, value=values[on], off=off, limit=values[off], unit=self.unit
-            )  # fmt: skip
+            texts = [getattr(self, name).display() for name in (on, off)]
+            raise OutOfRangeError("switch.contradictory", on, shown=texts[0], off=off, limit=texts[1])
         # Without a connection it measures the ambient.
         defaults = {"Pa": ambient.pressure, "K": ambient.temperature}
         return values | {"measurement": defaults.get(self.unit, 0.0)}

@@ -256,6 +256,15 @@ GRIPPER = (
     + line((0.66, 0.8), (1.05, 0.8), (1.05, 0.62))
     + line((0.66, 0.2), (1.05, 0.2), (1.05, 0.38))
 )
+# A stepped cylinder with two coupled pistons: the large one is driven, the small one compresses.
+PRESSURE_BOOSTER = (
+    outline((0.0, 0.16), (0.5, 0.16), (0.5, 0.32), (1.0, 0.32), (1.0, 0.68), (0.5, 0.68), (0.5, 0.84), (0.0, 0.84))
+    + line((0.26, 0.16), (0.26, 0.84))
+    + line((0.26, 0.5), (0.74, 0.5))
+    + line((0.74, 0.32), (0.74, 0.68))
+    + outline((0.04, 0.42), (0.04, 0.58), (0.16, 0.5))
+    + outline((0.84, 0.42), (0.84, 0.58), (0.96, 0.5), filled=True)
+)
 # A half disc with the shaft and a double arrow along the arc of its motion.
 ROTARY_ACTUATOR = (
     arc(0.4, 0.5, 0.36, -90.0, 90.0)

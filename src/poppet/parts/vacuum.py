@@ -16,6 +16,7 @@ from poppet.core.symbolic import clip, is_certain, maximum, minimum, where
 from poppet.core.units import ANR
 from poppet.laws import iso6358
 from poppet.laws.physics.ejector import largest_suction, suction_flow
+from poppet.laws.physics.gas import AIR_GAS_CONSTANT
 from poppet.parts import symbols
 from poppet.parts.captions import ASSUMED, CaptionNumbers, format_value
 from poppet.parts.chamber import Chamber
@@ -64,6 +65,8 @@ class VacuumEjector(Passage):
     reports this assumption. Close to the largest vacuum, the slope of the curve decreases to 0. The second term is the
     limit of the second law. For another exhaust pressure than the ambient one, the curve is valid for the same relative
     vacuum.
+
+    `air_consumption` is converted to C for the gas of the circuit. The suction curve is a volume flow of any gas.
 
     If the vacuum exceeds the vacuum that the ejector can hold with the present supply, gas flows back from the exhaust
     to the vacuum port, unless `check_valve` is true. The flow path for it has `vacuum_conductance`. Without supply, the
@@ -174,10 +177,12 @@ class VacuumEjector(Passage):
             shown = self.nominal_pressure.display()  # type: ignore[union-attr]
             facts = {"shown": shown, "ambient": ambient.pressure}
             raise OutOfRangeError("vacuum.nominal_below_ambient", "nominal_pressure", **facts)
-        # C is the choked volume flow at ANR per upstream pressure.
+        # C is the choked volume flow at ANR per upstream pressure; the consumption is that of air.
         consumption = values.pop("air_consumption", None)
         if consumption is not None:
-            values["nozzle_conductance"] = consumption / nominal
+            gas = {"isentropic_exponent": ambient.isentropic_exponent, "gas_constant": ambient.gas_constant}
+            conductance = iso6358.factors_from_air(**gas)[0] * consumption / nominal
+            values["nozzle_conductance"] = ambient.capacity_as_stated(conductance, values["nozzle_ratio"])[0]
         values.setdefault("vacuum_conductance", OPEN_PER_NOZZLE * values["nozzle_conductance"])
         if self.suction_curve is not None:
             table = self.suction_curve.parameters(ambient.pressure)
@@ -208,7 +213,8 @@ class VacuumEjector(Passage):
         zone = (1.0 - scope["laminar_ratio"]) * exhaust.pressure
         suction = suction_flow(exhaust.pressure - vacuum.pressure, drive, depths, flows, zone)
         limit = largest_suction(motive.mass, supply.pressure, exhaust.pressure, vacuum.pressure)
-        suction = minimum(ANR.density * suction, maximum(limit, 0.0))
+        density = ANR.density * AIR_GAS_CONSTANT / scope.surroundings.gas_constant
+        suction = minimum(density * suction, maximum(limit, 0.0))
         mass, enthalpy = suction, scope.surroundings.heat_capacity_pressure * vacuum.temperature * suction
         # The jet holds a vacuum of this pressure: gas flows back only at a lower pressure.
         held = GasState(exhaust.pressure - drive * depths[-1], exhaust.temperature)

@@ -165,6 +165,19 @@ def test_small_moves_are_strokes_with_their_own_impacts_and_commands():
         assert stroke.start > change
 
 
+def test_command_of_a_stroke_is_that_of_the_sequence():
+    recording = poppet.load(EXAMPLES / "two_cylinders.toml").simulate(4.0)
+    strokes = recording.figures.strokes
+    assert len(strokes) >= 8
+    for stroke in strokes:
+        valve, step = {"slideA": ("valveA", "A"), "slideB": ("valveB", "B")}[stroke.body]
+        assert stroke.command == f"{valve}.command"
+        # The number of the step that begins with this command is in the row of the command.
+        names = ["wait", "A+", "B+", "B-", "A-", "fault"]
+        row = np.searchsorted(recording.time, stroke.command_time)
+        assert names[int(recording["plc.step"][row]) - 1] == step + ("+" if stroke.travel > 0.0 else "-")
+
+
 def test_arrival_belongs_to_the_move_that_met_the_stop():
     side = {"dead_volume": "1 m^3"}
     hollow = Cylinder(body="slide", bore="1 mm", stroke_length="10 m", offset="5 m", cap=side, rod=side)

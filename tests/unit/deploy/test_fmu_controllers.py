@@ -85,6 +85,19 @@ def test_commands_of_a_controller_are_those_of_the_closed_circuit(fmi: int, kind
     np.testing.assert_allclose(values, expected, rtol=0.0, atol=1e-9)
 
 
+@pytest.mark.parametrize("fmi", [2, 3])
+@pytest.mark.parametrize("kind", ["CoSimulation", "ModelExchange"])
+def test_steps_of_a_sequence_are_those_of_the_closed_circuit(fmi: int, kind: str) -> None:
+    run, step = recorded("two_cylinders", 1.5, 5e-3), 5e-3
+    outputs = ["plc.a", "plc.b", "plc.step", "plc.cycles"]
+    with Host(part_of("two_cylinders", "plc", fmi, 1.5), kind, follows=False).begin() as host:
+        inputs = {v.name: v.name for v in host.description.modelVariables if v.causality == "input"}
+        values = commands(host, run, step, inputs, outputs)
+    expected = np.array([run[name][1::2] for name in outputs]).T
+    assert len(np.unique(expected[:, 2])) >= 4
+    assert np.array_equal(values, expected)
+
+
 def test_connected_controllers_are_one_fmu() -> None:
     """The loop of the position in `muscle_joint`, and the law of the muscle that follows it."""
     run, step = recorded("muscle_joint", 1.2, 2e-3), 2e-3

@@ -27,7 +27,9 @@ def violated_rules(files, folder):
 
 
 @pytest.mark.skipif(CPPCHECK is None, reason="cppcheck is not installed")
-@pytest.mark.parametrize(("name", "precision"), [("pressure_control", "single"), ("muscle_joint", "double")])
+@pytest.mark.parametrize(
+    ("name", "precision"), [("pressure_control", "single"), ("muscle_joint", "double"), ("two_cylinders", "double")]
+)
 def test_page_lists_the_violated_rules(name, precision, tmp_path):
     files = c_controller(load(EXAMPLES / f"{name}.toml"), CONTROLLERS[name], name="ctl", precision=precision)
     listed = set(re.findall(r"^\| (\d+\.\d+) \|", PAGE.read_text(encoding="utf-8"), re.MULTILINE))

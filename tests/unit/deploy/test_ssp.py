@@ -120,6 +120,24 @@ def test_controllers_are_components_and_the_rest_is_the_plant() -> None:
     assert other.components[0].circuit is circuit_of("two_tanks", 1.0)
 
 
+def test_a_sequence_is_a_component(tmp_path: Path) -> None:
+    """With communication steps of one sample time, a binary fraction of a second, its steps are those of the run."""
+    step, count = 2.0**-8, 256
+    circuit = circuit_of("two_cylinders", 1.0).with_values({"plc.sample_time": step, "run.output_step": step})
+    assert [component.name for component in divide_circuit(circuit).components] == ["plc", "plant"]
+    path = tmp_path / "system.ssp"
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(binaries, "has_zig", lambda: False)
+        TARGETS["ssp"].write(circuit, path, fmi="2")
+    outputs = ("plant", "slideA.position"), ("plc", "plc.step")
+    values = closed_loop(path, tmp_path, [k * step for k in range(count + 1)], *outputs)
+    run = circuit.simulate()
+    # At the end of a communication step, the plant is at this point, and the sequence has not sampled again.
+    assert np.max(np.abs(values[:, 0] - run["slideA.position"][1 : count + 1])) < 1e-6
+    assert np.array_equal(values[:, 1], run["plc.step"][:count])
+    assert len(set(values[:, 1])) >= 4
+
+
 @pytest.mark.parametrize(
     ("name", "controller", "output", "values", "limit"),
     [

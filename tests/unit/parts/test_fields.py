@@ -226,7 +226,9 @@ def test_docstrings_have_the_declared_parameters(kind):
     lines = inspect.getdoc(part).splitlines()
     start = lines.index("Parameters") + 2
     names = [line.partition(" : ")[0] for line in lines[start:] if " : " in line and not line.startswith(" ")]
-    assert names == [attribute for _, attribute, _ in declared(part)]
+    # An argument has the name of the field where Python permits it, also if the attribute has another name.
+    arguments = inspect.signature(part).parameters
+    assert names == [name if name in arguments else attribute for name, attribute, _ in declared(part)]
     assert lines.count("Parameters") == 1
 
 

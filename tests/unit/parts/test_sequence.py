@@ -151,6 +151,20 @@ def test_values_of_outputs():
     assert changed["plc.v"].tolist() == recording["plc.v"].tolist()
 
 
+def test_inputs_can_have_the_names_of_fields_and_steps():
+    steps = {
+        "idle": {"next": {"work": "start and not stop"}},
+        "work": {"on": ["a"], "next": {"stop": "stop"}},
+        "stop": {"next": {"idle": "not stop"}},
+    }
+    plc = Sequence(outputs=["a"], inputs=["start", "stop"], steps=steps, start="idle")
+    circuit = Circuit(plant(plc=plc), {"plc.start": pulse(0.011), "plc.stop": pulse(0.021)})
+    recording = rows(circuit, 0.03)
+    assert steps_of(recording) == [1, 1, 1, 2, 2, 3, 3]
+    assert recording["plc.start"].tolist() == [0, 0, 0, 1, 1, 1, 1]
+    assert steps_of(rows(circuit.with_values({"plc.start": "work"}), 0.03)) == [2, 2, 2, 2, 2, 3, 3]
+
+
 # --- Random sequences against an interpreter of their own ---
 
 
@@ -439,19 +453,21 @@ next = { "one" = "go" }
 def test_all_errors_are_reported_together():
     with pytest.raises(InputError) as caught:
         poppet.loads(INVALID)
-    found = {(problem.code, problem.address) for problem in caught.value.problems}
-    assert found >= {
+    found = [(problem.code, problem.address) for problem in caught.value.problems]
+    assert set(found) == {
         ("sequence.name_twice", "parts.plc.outputs"),
         ("sequence.reserved", "parts.plc.outputs"),
         ("sequence.unknown_output", "parts.plc.steps.one.on"),
         ("sequence.unknown_step", "parts.plc.steps.one.next.tow"),
         ("condition.unknown_name", "parts.plc.steps.two.next.three"),
-        ("fields.not_an_option", "parts.plc.steps.two.next.one"),
+        ("wiring.unknown_output", "parts.plc.steps.two.next.one"),
         ("quantity.other_quantity", "parts.plc.steps.two.timeout.after"),
         ("sequence.unknown_step", "parts.plc.steps.two.timeout.to"),
         ("sequence.unreachable", "parts.plc.steps.island"),
         ("switch.contradictory", "parts.low.on_above"),
     }
+    # Both `a` and `b` occur twice.
+    assert len(found) == len(set(found)) + 1
     assert all(problem.line for problem in caught.value.problems)
     assert "two" in str(caught.value)
 
@@ -471,7 +487,7 @@ steps.one.next = { two = "supply.pressure > 3 bar and low.state and line.pressur
         poppet.loads(text.partition("[parts.plc]")[0] + plc)
     assert [(problem.code, problem.address) for problem in caught.value.problems] == [
         ("sequence.unknown_step", "parts.plc.steps.one.next.two"),
-        ("fields.not_an_option", "parts.plc.steps.one.next.two"),
+        ("wiring.unknown_output", "parts.plc.steps.one.next.two"),
     ]
 
 
@@ -533,8 +549,9 @@ def test_conditions_on_unknown_outputs_and_parts():
         return Circuit(plant(plc=Sequence(steps=steps, start="one")))
 
     for condition, code in {
-        "suply.pressure > 1 bar": "wiring.unknown_part",
-        "supply.presure > 1 bar": "fields.not_an_option",
+        "suply.pressure > 1 bar": "wiring.unknown_output",
+        "supply.presure > 1 bar": "wiring.unknown_output",
+        'plc.step == "tow"': "wiring.unknown_step",
         "supply.pressure > 1 mm": "wiring.condition_unit",
     }.items():
         with pytest.raises(InputError) as caught:

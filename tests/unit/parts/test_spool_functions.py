@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import pytest
 
-from poppet import Chamber, Circuit, InputErrors, Reservoir, SpoolValve
+from poppet import Chamber, Circuit, DirectionalValve, InputErrors, Reservoir, SpoolValve, Tube, load
 from poppet.parts.captions import CaptionNumbers
 from poppet.parts.part import GasState, Scope, Surroundings
 from poppet.parts.spool_functions import FUNCTIONS, OFF, ON
+from poppet.signals import Steps
 from refusals import refused
 
 AIR = Surroundings(1e5, 293.15, 287.05, 1.4, 1.0)
@@ -191,3 +194,34 @@ def test_each_function_has_its_own_symbol():
     }
     assert len(drawn) == len(FUNCTIONS) + len(SWITCHED)
     assert valve().symbol_for(True) is SpoolValve.symbol
+
+
+def test_pilot_can_be_a_port_of_the_valve():
+    parts = {"rail": Reservoir(pressure="7 bar"), "first": Chamber(volume="1 l"), "second": Chamber(volume="1 l")}
+    holding = valve("5/2 monostable", pilot_a="first", pilot_pressure="3 bar")
+    circuit = Circuit({**parts, "valve": holding}, {"valve.command": Steps([0.0, 0.5], [1.0, 0.0])})
+    recording = circuit.simulate(1.5, 1e-2)
+    assert recording["first.pressure"][50] > 3e5
+    # The pressure at port a holds the valve without its command.
+    assert recording["valve.position"][-1] == pytest.approx(1.0, abs=1e-6)
+
+
+def test_a_tube_can_end_at_a_pilot_port():
+    parts = {
+        "rail": Reservoir(pressure="7 bar"), "first": Chamber(volume="1 l"), "second": Chamber(volume="1 l"),
+        "start": DirectionalValve(supply="rail", outlet="line", exhaust="ambient", **SIZE),
+        "line": Tube(from_="start.outlet", to="valve.pilot_a", length="5 m", bore="4 mm", cells=4),
+        "valve": valve("5/2 monostable", pilot_a="line"),
+    }  # fmt: skip
+    recording = Circuit(parts, {"start.command": Steps([0.0, 0.1], [0.0, 1.0])}).simulate(0.5, 1e-3)
+    position = recording["valve.position"]
+    assert position[100] == -1.0
+    assert position[-1] == pytest.approx(1.0, abs=1e-6)
+    # The last cell of the tube switches the valve.
+    switched = recording.time[position > -0.99][0]
+    assert switched == pytest.approx(recording.time[recording["line.4.pressure"] > 3.5e5][0], abs=2e-3)
+
+
+def test_a_pilot_valve_drives_the_body_of_the_cylinder():
+    circuit = load(Path(__file__).parents[3] / "examples" / "piloted_valve.toml")
+    assert {"extend.command", "retract.command"} <= set(circuit.drives()["slide"])

@@ -63,6 +63,17 @@ class TestEjector:
         result = flows_of(part, GasState(5.5e5, 293.15), GasState(1e5, 293.15), GasState(1e5, 293.15))
         assert result.outputs["supply_mass_flow_rate"][0] == pytest.approx(1e-3 * 1.185)
 
+    def test_another_gas(self):
+        """Choked flow is proportional to 1/sqrt(R) for equal exponents, suction to the density."""
+        light = dataclasses.replace(AIR, gas_constant=4 * 287.05)
+        part = ejector(nominal_pressure="5 bar g", max_suction_flow="30 l/min ANR")
+        numbers = part.parameters(light)
+        scope = Scope(numbers, {}, {}, light)
+        states = [GasState(pressure, 293.15) for pressure in (6e5, 1e5, 1e5)]
+        outputs = part.flows(scope, dict(zip(part.ports(), states, strict=True))).outputs
+        assert outputs["supply_mass_flow_rate"][0] == pytest.approx(1e-3 * 1.185 / 2.0)
+        assert outputs["vacuum_mass_flow_rate"][0] == pytest.approx(0.5e-3 * 1.185 / 4.0)
+
     def test_assumed_values(self):
         numbers = ejector().parameters(AIR)
         assert numbers["max_suction_flow"] == pytest.approx(0.5e-3)

@@ -17,6 +17,7 @@ from poppet.engine.model_evaluation import Array
 from poppet.engine.printers.c import DOUBLE, SINGLE, Precision, statement_helpers, statement_language
 from poppet.engine.printers.instructions import instructions
 from poppet.engine.printers.statements import CaseStatement, ResultVariable, Statements, Value
+from poppet.parts.steps import BUILT_IN_INPUTS
 
 if TYPE_CHECKING:
     from poppet.circuit.circuit import BaseCircuit
@@ -254,16 +255,21 @@ def test_inputs(program: ControllerProgram) -> list[Array]:
     for item in program.inputs:
         sizes[item.unit] = max(sizes.get(item.unit, 0.0), abs(item.value))
     rows = []
+    numeric = [k for k, item in enumerate(program.inputs) if item.address not in program.flags]
     for call in range(N_CALLS):
         u = np.array([item.value for item in program.inputs])
         for k, item in enumerate(program.inputs):
-            # Inputs between 0 and 1 are switches and keep their values.
-            if item.unit != "1":
+            if program.selections and item.address in program.flags:
+                # Buttons of a sequence; a reset or an emergency is rare.
+                is_rare = item.address.rpartition(".")[2] in BUILT_IN_INPUTS
+                u[k] = float(generator.random() < (0.02 if is_rare else 0.5))
+            # Other inputs between 0 and 1 are switches and keep their values.
+            elif item.unit != "1":
                 size = sizes[item.unit] or (item.high if np.isfinite(item.high) else 1.0)
                 u[k] = np.clip(size * generator.uniform(0.6, 1.4), item.low, item.high)
         u = np.asarray(u, dtype=np.float32).astype(float)
         first = (N_CALLS - N_INVALID) // 2
-        if first <= call < first + N_INVALID:
-            u[next(k for k, item in enumerate(program.inputs) if item.address not in program.flags)] = np.nan
+        if numeric and first <= call < first + N_INVALID:
+            u[numeric[0]] = np.nan
         rows.append(u)
     return rows

@@ -142,8 +142,8 @@ class Statements:
 
     def read(self, function: Sequence[Instruction]) -> None:
         """Add statements for the instructions of the function."""
-        uses, names, owners, needed, ends = self._plan(function)
-        in_cases = self._instructions_in_cases(function, needed - {*names})
+        consumers, names, owners, needed, ends = self._plan(function)
+        in_cases = self._instructions_in_cases(function, consumers, needed - {*names})
         slots: dict[int, Value] = {}
         selected: list[Value] = []
         results: list[tuple[ResultVariable, Value]] = []
@@ -175,7 +175,9 @@ class Statements:
             is_simple = instruction.operation in ("const", "input", "assign", "not") or _NAME.fullmatch(value.text)
             is_long = len(value.text) > self.language.longest and not ends[k]
             # A condition of a case is part of its statement, even if several cases have it.
-            is_repeated = uses[k] != 1 and not (k in in_cases and (value.is_flag or value.alternatives is not None))
+            is_repeated = len(consumers[k]) != 1 and not (
+                k in in_cases and (value.is_flag or value.alternatives is not None)
+            )
             is_long = is_long and not (k in in_cases and (value.is_flag or len(value.text) <= _LONGEST_IN_CASE))
             if not is_simple and (is_repeated or k in names or is_long):
                 owner = owners[k]
@@ -205,9 +207,13 @@ class Statements:
             return results[(element - 1) % len(results)]
         return self._result(vector, element)
 
-    def _instructions_in_cases(self, function: Sequence[Instruction], candidates: set[int]) -> set[int]:
-        """Return the indices of those candidates on which only cases of selections depend."""
-        consumers = self._consumers(function)
+    def _instructions_in_cases(
+        self, function: Sequence[Instruction], consumers: Sequence[Sequence[int]], candidates: set[int]
+    ) -> set[int]:
+        """Return the indices of those candidates on which only cases of selections depend.
+
+        `consumers` contains the indices of the instructions that read each value.
+        """
         in_cases = {
             k
             for k, instruction in enumerate(function)
@@ -224,17 +230,6 @@ class Statements:
 
     def _is_result(self, instruction: Instruction) -> bool:
         return instruction.operation == "output" and instruction.place[0] < len(self.selections) + len(self.outputs)
-
-    @staticmethod
-    def _consumers(function: Sequence[Instruction]) -> list[list[int]]:
-        """Return the indices of the instructions that read the value of each instruction."""
-        consumers, last = [list[int]() for _ in function], dict[int, int]()
-        for k, instruction in enumerate(function):
-            for slot in instruction.arguments:
-                consumers[last[slot]].append(k)
-            if instruction.operation != "output":
-                last[instruction.result] = k
-        return consumers
 
     def _add_selection(self, selection: CaseStatement, values: Sequence[Value]) -> None:
         """Add the statement of a selection.
@@ -286,33 +281,27 @@ class Statements:
             line = self._assignment(result, text)
             title = next((titles[k] for k in titles if text == self.language.literal(float(k))), "")
             return [f"{line} {self.language.comment.format(text=title).strip()}" if title else line]
-        lines, form = list[str](), blocks.if_true
+        lines, form, n_branches = list[str](), blocks.if_true, 0
+        unchanged = [self._assignment(result, default)]
         while value.alternatives is not None:
-            condition, yes, no = value.alternatives
-            chosen = self._case_lines(result, yes, titles)
-            if not chosen:
-                condition, chosen, no = self._negation(condition), self._case_lines(result, no, titles), yes
-            lines += [form.format(_bare(condition)), *(f"  {line}" for line in chosen)] if chosen else []
-            form, value = (blocks.else_if if lines else form), no
-        last = self._case_lines(result, value, titles)
-        if not last and blocks.has_last_else and any(line.startswith(blocks.else_if[:6]) for line in lines):
-            last = [self._assignment(result, default)]
+            condition, yes, value = value.alternatives
+            branch = self._case_lines(result, yes, titles) or unchanged
+            lines += [form.format(_bare(condition)), *(f"  {line}" for line in branch)]
+            form, n_branches = blocks.else_if, n_branches + 1
+        last = self._case_lines(result, value, titles) or (unchanged if blocks.has_last_else and n_branches > 1 else [])
         lines += [blocks.otherwise, *(f"  {line}" for line in last)] if last else []
-        return [*lines, blocks.end_if] if lines else []
-
-    def _negation(self, condition: str) -> str:
-        return self.language.logic["not"].format(f"({_bare(condition)})")
+        return [*lines, blocks.end_if]
 
     def _plan(
         self, function: Sequence[Instruction]
-    ) -> tuple[list[int], dict[int, str], list[str], set[int], list[bool]]:
+    ) -> tuple[list[list[int]], dict[int, str], list[str], set[int], list[bool]]:
         """Return data on the use of each instruction, by its index.
 
-        The result has five items. The first three are the number of uses of the value, its label (if it has one), and
-        the name of the result or label for which it is computed. The fourth item is the set of needed instructions. The
-        last item is True for values whose expression can be long, because they are results or halves of a choice.
+        The result has five items. The first three are the instructions that read the value, its label (if it has one),
+        and the name of the result or label for which it is computed. The fourth item is the set of needed instructions.
+        The last item is True for values whose expression can be long, because they are results or halves of a choice.
         """
-        uses, names, consumers = [0] * len(function), dict[int, str](), [list[int]() for _ in function]
+        names, consumers = dict[int, str](), [list[int]() for _ in function]
         last: dict[int, int] = {}
         for k, instruction in enumerate(function):
             vector, element = instruction.place
@@ -321,7 +310,6 @@ class Statements:
                 if is_label:
                     names.setdefault(last[slot], self.labels[element][0])
                 else:
-                    uses[last[slot]] += 1
                     consumers[last[slot]].append(k)
             if instruction.operation == "assign":
                 last[instruction.result] = last[instruction.arguments[0]]
@@ -345,7 +333,7 @@ class Statements:
             or (instruction.operation == "if_else_zero" and all(function[c].operation == "add" for c in consumers[k]))
             for k, instruction in enumerate(function)
         ]
-        return uses, names, owners, needed, ends
+        return consumers, names, owners, needed, ends
 
     def _assign(self, results: Sequence[tuple[ResultVariable, Value]]) -> None:
         """Add the statements that assign the results, except results that keep their values."""

@@ -29,6 +29,7 @@ _MARGIN = 0.2
 _PORT_NUMBERS = {
     "supply": "1 supply", "inlet": "1 inlet", "outlet": "2 outlet", "exhaust": "3 exhaust",
     "a": "4 a", "b": "2 b", "exhaust_a": "5 exhaust", "exhaust_b": "3 exhaust",
+    "pilot_a": "14 pilot", "pilot_b": "12 pilot",
 }  # fmt: skip
 _STORE_FILL, _RESERVOIR_FILL, _PASSAGE_FILL, _PIPE = "#eaf2fb", "#f3f4f6", "white", "#49525e"
 _CONTROLLER_FILL, _BODY_FILL = "#f4effa", "#fbf6e9"
