@@ -45,6 +45,7 @@ def either(*values: Any) -> Draw:
 
 CONDUCTANCE, RATIO, BAR = logarithmic(1e-10, 3e-8), uniform(0.05, 0.6), 1e5
 SIZE: Fields = {"sonic_conductance": CONDUCTANCE, "critical_ratio": RATIO}
+BOOSTER_FRICTION: Fields = {"kind": "viscous", "viscous_coefficient": logarithmic(50.0, 1000.0)}
 OPEN, SWITCHED = uniform(0.0, 1.0), either(0.0, 1.0)
 CRACKING = either(0.0, logarithmic(1e3, 1e5))
 SWITCHING: Fields = {"switching_pressure": logarithmic(5e2, 2e4), "switching_time": logarithmic(1e-3, 2e-2)}
@@ -204,7 +205,9 @@ class _Builder:
 
     @property
     def nodes(self) -> list[str]:
-        return [*self.stores, *([] if self.is_closed else ["supply", "ambient"])]
+        # No other part connects to the chambers of a booster.
+        stores = [name for name in self.stores if not name.startswith("booster.")]
+        return [*stores, *([] if self.is_closed else ["supply", "ambient"])]
 
     def add_volumes(self) -> None:
         for k in range(int(self.shape.integers(2, 5))):
@@ -217,8 +220,15 @@ class _Builder:
                 self._add_compressor()
             if self.is_drawn(0.2):
                 self._add_cup()
-        if self.is_drawn(0.4):
-            self._add_cylinder()
+        for probability, add in (
+            (0.4, self._add_cylinder),
+            (0.15, self._add_gripper),
+            (0.15, self._add_rotary_actuator),
+        ):
+            if self.is_drawn(probability):
+                add()
+        if self.is_drawn(0.15) and len(self.nodes) >= 3:
+            self._add_booster()
         if self.is_drawn(0.25):
             end = self.stores[self.shape.integers(len(self.stores))]
             sizes = {"length": uniform(0.3, 3.0), "bore": uniform(3e-3, 8e-3)}
@@ -251,6 +261,42 @@ class _Builder:
             stroke_length=stroke, cap=side, rod=side, leakage={"sonic_conductance": either(0.0, 1e-11)},
         )  # fmt: skip
         self.signals["slide.load_force"] = uniform(-2e5 * area, 2e5 * area)
+
+    def _add_gripper(self) -> None:
+        side = {"dead_volume": logarithmic(1e-6, 1e-4), "initial_pressure": uniform(1 * BAR, 6 * BAR)}
+        self.add(
+            "gripper", "gripper", ("gripper.cap", "gripper.rod"), bore=uniform(0.01, 0.04), cap=side, rod=side,
+            jaws={"mass": uniform(0.1, 1.0), "friction": {"kind": "viscous", "viscous_coefficient": 50.0}},
+            jaw_stroke=uniform(2e-3, 2e-2), workpiece={"width": 5e-3},
+        )  # fmt: skip
+        self.signals |= {"gripper.workpiece": SWITCHED, "gripper.jaws.load_force": uniform(-10.0, 10.0)}
+
+    def _add_rotary_actuator(self) -> None:
+        side = {"dead_volume": logarithmic(1e-6, 1e-4), "initial_pressure": uniform(1 * BAR, 6 * BAR)}
+        friction = {"kind": "viscous", "viscous_coefficient": uniform(0.05, 1.0)}
+        self.add(
+            "rotary", "rotary_actuator", ("rotary.forward", "rotary.backward"), displacement=logarithmic(1e-6, 3e-5),
+            swivel_angle=uniform(0.5, 4.0), shaft={"inertia": logarithmic(1e-3, 1e-1), "friction": friction},
+            forward=side, backward=side,
+        )  # fmt: skip
+        self.signals["rotary.shaft.load_torque"] = uniform(-1.0, 1.0)
+
+    def _add_booster(self) -> None:
+        ends = dict(zip(("supply", "outlet", "exhaust"), _pick(self.shape, self.nodes, 3), strict=True))
+        valve = {"sonic_conductance": logarithmic(1e-9, 3e-8), "critical_ratio": RATIO}
+        self.add(
+            "booster", "pressure_booster", (), pressure_ratio=uniform(1.5, 4.0), bore=uniform(0.02, 0.06),
+            stroke_length=uniform(0.02, 0.1), piston={"mass": uniform(0.5, 3.0), "friction": BOOSTER_FRICTION},
+            valve=valve, checks=valve, **ends,
+        )  # fmt: skip
+        for side in "ab":
+            drive, boost = f"booster.drive_{side}", f"booster.boost_{side}"
+            self.stores += [drive, boost]
+            flows = {
+                "supply": (ends["supply"], drive), "exhaust": (drive, ends["exhaust"]),
+                "intake": (ends["supply"], boost), "delivery": (boost, ends["outlet"]),
+            }  # fmt: skip
+            self.groups += [((f"booster.{name}_{side}_mass_flow_rate", *nodes),) for name, nodes in flows.items()]
 
     def _add_muscle(self) -> None:
         stop = {"position": 0.0}

@@ -54,5 +54,17 @@ def test_a_few_random_circuits_obey_the_second_law_and_keep_their_balances() -> 
 
 @pytest.mark.parametrize(("shapes", "each"), [(30, 10), pytest.param(500, 20, marks=pytest.mark.slow)])
 def test_random_circuits_of_all_kinds_obey_the_second_law_and_keep_their_balances(shapes: int, each: int) -> None:
-    nodes = {"chamber", "reservoir", "cylinder", "muscle", "tube", "pilot_stage", "compressor", "suction_cup"}
+    nodes = {
+        "chamber",
+        "reservoir",
+        "cylinder",
+        "muscle",
+        "tube",
+        "pilot_stage",
+        "compressor",
+        "suction_cup",
+        "gripper",
+        "pressure_booster",
+        "rotary_actuator",
+    }
     assert run_circuits(range(shapes), each) >= {item.kind for item in PASSAGES} | nodes
