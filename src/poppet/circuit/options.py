@@ -255,10 +255,6 @@ class Run(_OptionSection):
 
     def grid(self) -> NDArray[np.float64]:
         """Return the output times [s]: all multiples of the output step, and the duration."""
-        return self._grid
-
-    @cached_property
-    def _grid(self) -> NDArray[np.float64]:
         if self.duration is None:
             raise missing_field("run.duration", Field(meaning="duration of a run", example='duration = "120 s"'))
         duration = float(self.duration)  # type: ignore[arg-type]

@@ -6,7 +6,7 @@ The requirements are met by a single run, or by a fraction of the runs of an ens
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Any
 
@@ -209,9 +209,17 @@ def size(
     standard = np.unique([read_value(raw, "sizes") for raw in sizes])
     for value in standard.tolist():
         spec.check_range("sizes", value, f"{value:g}", spec.meaning)
-    low, high = _search_range(
-        between, nominal, (max(spec.low, spec.above), min(spec.high, spec.below)), read_value, free
-    )
+    lowest, highest = max(spec.low, spec.above), min(spec.high, spec.below)
+    if between is not None:
+        low, high = (read_value(raw, "range") for raw in between)
+        if not lowest <= low < high <= highest:
+            raise OutOfRangeError("size.range", free, low=low, high=high, least=lowest, most=highest)
+    elif nominal > 0.0:
+        low = max(nominal * 10.0**-DECADES, lowest)
+        high = nominal * 10.0**DECADES
+        high = min(high, highest - 1e-9 * nominal if math.isfinite(highest) else high)
+    else:
+        raise InputError("size.no_range", free)
     fields["allow_python"] = allow_python
     uncertain = plan_of(circuit, **fields) if share is not None else None
     if share is not None:
@@ -327,29 +335,6 @@ class _Evaluator:
             margins[:, k] = np.sort(margin, axis=1)[:, decides]
         worst = np.sort(worst, axis=1)[:, decides]
         return _Evaluations(np.asarray(values), met.mean(axis=1), metrics.mean(axis=1), margins, worst)
-
-
-def _search_range(
-    ends: tuple[Any, Any] | None,
-    nominal: float,
-    limits: tuple[float, float],
-    read_value: Callable[[Any, str], float],
-    free: str,
-) -> tuple[float, float]:
-    """Return both ends of the search range.
-
-    `ends` is the range that the user requested. If it is None, the result is a default range about the value `nominal`.
-    `limits` are the valid values of the parameter `free`, and `read_value` converts a value to SI units.
-    """
-    if ends is None:
-        if not nominal > 0.0:
-            raise InputError("size.no_range", free)
-        low, high = nominal * 10.0**-DECADES, nominal * 10.0**DECADES
-        return max(low, limits[0]), min(high, limits[1] - 1e-9 * nominal if math.isfinite(limits[1]) else high)
-    low, high = (read_value(raw, "range") for raw in ends)
-    if not limits[0] <= low < high <= limits[1]:
-        raise OutOfRangeError("size.range", free, low=low, high=high, least=limits[0], most=limits[1])
-    return low, high
 
 
 def _meets_requirements(results: _Evaluations, share: float) -> NDArray[np.bool_]:

@@ -7,21 +7,21 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any, ClassVar
 
-from poppet.core.symbolic import clip
+from poppet.core.symbolic import clip, where
 from poppet.parts import symbols
 from poppet.parts.captions import CaptionNumbers
 from poppet.parts.fields import NumberLike, number, port
 from poppet.parts.flow_path import FlowPath, named_flow
 from poppet.parts.part import AMBIENT, Flow, GasState, PassageFlows, Quantities, Scope, State, Surroundings
-from poppet.parts.two_positions import switching_rate
+from poppet.parts.two_positions import gradual_switching_rate
 
 
 @dataclass(frozen=True)
 class LogicValve(FlowPath):
     """Base class of valves with a closing element that moves between two seats.
 
-    The difference of two pressures moves the element. At position 0, the first flow path is open, at position 1 the
-    second one. Both are closed at the middle position, so they are never open at the same time.
+    The difference of two pressures moves the element. At position 0, only the first flow path is open, at position 1
+    only the second one.
     """
 
     resume: ClassVar[dict[str, str]] = {"position": "initial_position"}
@@ -35,7 +35,11 @@ class LogicValve(FlowPath):
         note="a light closing element",
     )
     switching_time: NumberLike = number(
-        "s", "2 ms", doc="switching time; travel time from seat to seat", above=0.0, note="a small valve"
+        "s",
+        "2 ms",
+        doc="switching time; travel time from seat to seat at twice the switching pressure or more",
+        above=0.0,
+        note="a small valve",
     )
     initial_position: NumberLike = number(
         "1", 0.0, doc="initial position of the closing element", low=0.0, high=1.0, note="first flow path open"
@@ -54,11 +58,6 @@ class LogicValve(FlowPath):
     def start(self, scope: Scope) -> dict[str, Any]:
         return {"position": scope["initial_position"]}
 
-    def openings(self, scope: Scope) -> tuple[Any, Any]:
-        """Return the open fractions of the first and of the second flow path."""
-        position = scope.states["position"]
-        return clip(1.0 - 2.0 * position, 0.0, 1.0), clip(2.0 * position - 1.0, 0.0, 1.0)
-
     def valve_flows(self, scope: Scope, gas: Mapping[str, GasState], *paths: tuple[Flow, Quantities]) -> PassageFlows:
         """Return the flows of both flow paths, all outputs, and the speed of the closing element."""
         position = scope.states["position"]
@@ -66,16 +65,26 @@ class LogicValve(FlowPath):
         outputs: Quantities = {"position": (position, "1")}
         for _, path_outputs in paths:
             outputs |= path_outputs
-        rate = switching_rate(position, drive, scope["switching_time"])
+        rate = gradual_switching_rate(position, drive, scope["switching_time"])
         return PassageFlows(tuple(flow for flow, _ in paths), outputs, {"position": rate})
 
 
 @dataclass(frozen=True)
 class TwoInletValve(LogicValve):
-    """Base class of valves that connect one of two inlets with the outlet."""
+    r"""Base class of valves that connect one of two inlets with the outlet.
+
+    .. math:: o_a^e = \operatorname{clip}(3 - 4 x, 0, 1), \qquad o_a^l = \operatorname{clip}(1 - 4 x, 0, 1)
+
+    The openings of inlet `a` are the early one (e) for one flow direction, and the late one (l) for the other one.
+    Those of inlet `b` are the mirror images. The early openings of both inlets overlap. Otherwise, two inlets of equal
+    pressure would stop the element between its seats and close the outlet, because their flows move the element back.
+    An early opening and a late one of the other inlet never overlap, so gas never flows from one inlet to the other.
+    """
 
     regimes: ClassVar[tuple[str, ...]] = ("a_regime", "b_regime")
     inlet_ports: ClassVar[tuple[str, ...]] = ("a", "b")
+    feeds_early: ClassVar[bool]
+    """True if the early openings are those of flows to the outlet."""
 
     a: str | None = port("gas node at the first inlet")
     b: str | None = port("gas node at the second inlet")
@@ -83,10 +92,13 @@ class TwoInletValve(LogicValve):
 
     def flows(self, scope: Scope, gas: Mapping[str, GasState]) -> PassageFlows:
         conductance, ratio = self.size_at(scope, None)
-        paths = (
-            named_flow(scope, gas, inlet, (inlet, "outlet"), (conductance * opening, ratio))
-            for inlet, opening in zip(("a", "b"), self.openings(scope), strict=True)
-        )
+        position = scope.states["position"]
+        paths = []
+        for inlet, distance in (("a", position), ("b", 1.0 - position)):
+            early, late = clip(3.0 - 4.0 * distance, 0.0, 1.0), clip(1.0 - 4.0 * distance, 0.0, 1.0)
+            feeding, venting = (early, late) if self.feeds_early else (late, early)
+            opening = where(gas[inlet].pressure > gas["outlet"].pressure, feeding, venting)
+            paths.append(named_flow(scope, gas, inlet, (inlet, "outlet"), (conductance * opening, ratio)))
         return self.valve_flows(scope, gas, *paths)
 
 
@@ -94,13 +106,16 @@ class TwoInletValve(LogicValve):
 class ShuttleValve(TwoInletValve):
     r"""Shuttle valve (OR): the inlet with the higher pressure is connected with the outlet.
 
-    .. math:: C_a = C \operatorname{clip}(1 - 2 x, 0, 1), \qquad C_b = C \operatorname{clip}(2 x - 1, 0, 1)
+    .. math:: T \dot x = \operatorname{clip}\bigl(d - \operatorname{clip}(d, -0.8, 0.8) + 0.2 (2 x - 1), -1, 1\bigr),
+              \qquad d = \frac{p_b - p_a}{\Delta p_s}
 
     Notes
     -----
-    In the equation, x is the position of the closing element. It moves to 1 if the pressure at `b` exceeds that at `a`
-    by `switching_pressure`, and to 0 in the opposite case. Between these limits it keeps its seat. Gas flows in both
-    directions through the open inlet: the outlet vents through the inlet that has filled it.
+    In the equation, x is the position of the closing element (0: `a` open, 1: `b` open), T `switching_time` and
+    :math:`\Delta p_s` `switching_pressure`. The element moves to 1 if the pressure at `b` exceeds that at `a` by the
+    switching pressure, and to 0 in the opposite case. Between these limits it keeps its seat. Gas flows in both
+    directions through the open inlet: the outlet vents through the inlet that has filled it. Between the seats, both
+    inlets can feed the outlet, but gas cannot flow from one inlet to the other.
 
     Examples
     --------
@@ -112,6 +127,7 @@ class ShuttleValve(TwoInletValve):
     kind: ClassVar[str] = "shuttle_valve"
     symbol: ClassVar[symbols.Symbol | str] = symbols.SHUTTLE_VALVE
     summary: ClassVar[str] = "OR: the inlet with the higher pressure feeds the outlet"
+    feeds_early: ClassVar[bool] = True
 
     def pressure_difference(self, gas: Mapping[str, GasState]) -> Any:
         return gas["b"].pressure - gas["a"].pressure
@@ -121,13 +137,16 @@ class ShuttleValve(TwoInletValve):
 class TwoPressureValve(TwoInletValve):
     r"""Two-pressure valve (AND): the inlet with the lower pressure is connected with the outlet.
 
-    .. math:: C_a = C \operatorname{clip}(1 - 2 x, 0, 1), \qquad C_b = C \operatorname{clip}(2 x - 1, 0, 1)
+    .. math:: T \dot x = \operatorname{clip}\bigl(d - \operatorname{clip}(d, -0.8, 0.8) + 0.2 (2 x - 1), -1, 1\bigr),
+              \qquad d = \frac{p_a - p_b}{\Delta p_s}
 
     Notes
     -----
-    In the equation, x is the position of the closing element. It moves to 1 if the pressure at `a` exceeds that at `b`
-    by `switching_pressure`, and to 0 in the opposite case. Between these limits it keeps its seat. The outlet has
-    pressure only if both inlets have pressure. Gas flows in both directions through the open inlet.
+    In the equation, x is the position of the closing element (0: `a` open, 1: `b` open), T `switching_time` and
+    :math:`\Delta p_s` `switching_pressure`. The element moves to 1 if the pressure at `a` exceeds that at `b` by the
+    switching pressure, and to 0 in the opposite case. Between these limits it keeps its seat. The outlet has pressure
+    only if both inlets have pressure. Gas flows in both directions through the open inlet. Between the seats, the
+    outlet can vent through both inlets, but gas cannot flow from one inlet to the other.
 
     Examples
     --------
@@ -139,6 +158,7 @@ class TwoPressureValve(TwoInletValve):
     kind: ClassVar[str] = "two_pressure_valve"
     symbol: ClassVar[symbols.Symbol | str] = symbols.TWO_PRESSURE_VALVE
     summary: ClassVar[str] = "AND: the inlet with the lower pressure feeds the outlet"
+    feeds_early: ClassVar[bool] = False
 
     def pressure_difference(self, gas: Mapping[str, GasState]) -> Any:
         return gas["a"].pressure - gas["b"].pressure
@@ -153,9 +173,10 @@ class QuickExhaustValve(LogicValve):
     Notes
     -----
     In the equation, x is the position of the lip seal and :math:`C_{23}` the field `exhaust_conductance`. The seal
-    moves to 1 if the pressure at the outlet exceeds that at the inlet by `switching_pressure`, and to 0 in the opposite
-    case. Between these limits it keeps its position. No gas flows from the outlet to the inlet. By default, the exhaust
-    is the ambient, and has the flow capacity of the path from the inlet to the outlet.
+    moves by the law of `ShuttleValve`: to 1 if the pressure at the outlet exceeds that at the inlet by
+    `switching_pressure`, and to 0 in the opposite case. Between these limits it keeps its position. No gas flows from
+    the outlet to the inlet. By default, the exhaust is the ambient, and has the flow capacity of the path from the
+    inlet to the outlet.
 
     Examples
     --------
@@ -191,7 +212,8 @@ class QuickExhaustValve(LogicValve):
 
     def flows(self, scope: Scope, gas: Mapping[str, GasState]) -> PassageFlows:
         conductance, ratio = self.size_at(scope, None)
-        fills, vents = self.openings(scope)
+        position = scope.states["position"]
+        fills, vents = clip(1.0 - 2.0 * position, 0.0, 1.0), clip(2.0 * position - 1.0, 0.0, 1.0)
         size, exhaust_size = (
             (conductance * fills, ratio),
             (scope["exhaust_conductance"] * vents, scope["exhaust_ratio"]),

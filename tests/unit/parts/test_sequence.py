@@ -1,6 +1,7 @@
 """Step sequences: semantics, compared with an interpreter that is written here, and checks of the fields."""
 
 import pickle
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -8,6 +9,7 @@ import pytest
 import poppet
 from poppet import Chamber, Circuit, InputError, Orifice, Reservoir, Sequence
 from poppet.deploy.controller import controller_program
+from poppet.ensemble.ensemble_result import circuit_text
 from poppet.signals import Steps
 
 T = 0.005
@@ -399,6 +401,39 @@ def test_dropped_samples_count_for_the_time_in_a_step():
     assert results.outputs[:, elapsed] == pytest.approx([0.0, T, 2 * T, 3 * T + 0.02, 4 * T + 0.02, 5 * T + 0.02])
 
 
+def test_circuit_file_with_changed_numbers():
+    text = """
+    [parts.tank]
+    kind = "chamber"
+    volume = "1 l"
+    [parts.supply]
+    kind = "reservoir"
+    pressure = "5 bar"
+    [parts.hole]
+    kind = "orifice"
+    from = "supply"
+    to = "tank"
+    sonic_conductance = 1e-9
+    critical_ratio = 0.3
+    [parts.plc]
+    kind = "sequence"
+    outputs = ["a"]
+    start = "A+"
+    steps."A+".set = { a = 0.5 }
+    steps."A+".next = { "A-" = "tank.pressure > supply.pressure - 0.5 bar or supply.pressure < 1 bar g" }
+    steps."A-".timeout = { after = "1 s", to = "A+" }
+    [run]
+    duration = "1 s"
+    """
+    changes = {"A+.set.a": 0.25, "A+.next.A-.1": 1e4, "A+.next.A-.2": "3 bar g", "A-.timeout.after": 2.0}
+    circuit = poppet.loads(text).with_values({f"plc.steps.{name}": value for name, value in changes.items()})
+    again = poppet.loads(circuit_text(circuit, Path()))
+    assert again.parameters == circuit.parameters != poppet.loads(text).parameters
+    assert again.structure == circuit.structure
+    condition = again.parts["plc"].program.steps[0].transitions[0].condition.text
+    assert condition == "tank.pressure > supply.pressure +10000.0 Pa or supply.pressure < 3 bar g"
+
+
 def test_resumed_run_continues_the_step():
     steps = {str(k): {"next": {str(k % 3 + 1): "elapsed >= 30 ms"}} for k in range(1, 4)}
     circuit = Circuit(plant(plc=Sequence(steps=steps, start="1")))
@@ -557,3 +592,18 @@ def test_conditions_on_unknown_outputs_and_parts():
         with pytest.raises(InputError) as caught:
             circuit_of(condition)
         assert (caught.value.code, caught.value.address) == (code, "parts.plc.steps.one.next.one")
+
+
+def test_example_of_two_cylinders():
+    circuit = poppet.load(Path(__file__).parents[3] / "examples" / "two_cylinders.toml")
+    recording = circuit.simulate()
+    steps = np.array(circuit.parts["plc"].program.names)[recording["plc.step"].astype(int) - 1]
+    changes = np.flatnonzero(steps[1:] != steps[:-1]) + 1
+    assert steps[changes].tolist() == ["A+", "B+", "B-", "A-", "wait"] * 6
+    assert recording["plc.cycles"][-1] == 6
+    # As on the page.
+    starts = recording.time[changes][::5]
+    assert np.diff(starts)[1:] == pytest.approx(1.415, abs=1e-9)
+    # The outputs are those of the step.
+    assert recording["plc.a"].tolist() == np.isin(steps, ["A+", "B+", "B-"]).astype(float).tolist()
+    assert recording["plc.b"].tolist() == (steps == "B+").astype(float).tolist()

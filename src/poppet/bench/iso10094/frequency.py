@@ -314,28 +314,21 @@ def fit_sine(
     error = harmonic_error = sigma * math.sqrt(0.5 * float(covariance[2, 2] + covariance[3, 3]))
     factor = UNSEEN if is_coloured else 1.0
     if is_coloured:
-        errors = _errors_between_harmonics(residual, round(time.size / per_period))
-        error, harmonic_error = (value if math.isfinite(value) else error for value in errors)
+        # The response to a sine has no power between its harmonics. The power of the residuals there, near the
+        # fundamental and near the harmonics 2 to 5, is therefore noise.
+        amplitudes = np.abs(np.fft.rfft(residual)) * (2.0 / residual.size)
+        periods = round(time.size / per_period)
+        order = np.arange(amplitudes.size) / periods
+        is_between = (np.arange(amplitudes.size) % periods != 0) & (order < HIGHEST + 0.5)
+        near = is_between & (order > 0.5) & (order < 2.5), is_between & (order > 1.5)
+        error, harmonic_error = (
+            float(np.sqrt(0.5 * np.mean(amplitudes[part] ** 2))) if part.any() else error for part in near
+        )
     # The noise power adds to the power of each harmonic.
     power = float(np.sum(np.abs(waves[1:]) ** 2))
     harmonics = math.sqrt(max(power - 2.0 * waves[1:].size * harmonic_error**2, 0.0))
     distortion = harmonics / float(size) if size > 0.0 else math.inf
     return SineComponent(complex(waves[0]), float(coefficients[0]), distortion, factor * error, factor * harmonic_error)
-
-
-def _errors_between_harmonics(residual: FloatArray, periods: int) -> tuple[float, float]:
-    """Return the standard errors of the amplitudes of the fundamental and of the harmonics by noise of any colour.
-
-    The response to a sine has no power at frequencies between its harmonics. The errors are the power of the residuals
-    at these frequencies, near the fundamental and near the harmonics 2 to 5. They are NaN if the residuals of
-    `periods` periods contain no such frequency.
-    """
-    amplitudes = np.abs(np.fft.rfft(residual)) * (2.0 / residual.size)
-    order = np.arange(amplitudes.size) / periods
-    is_between = (np.arange(amplitudes.size) % periods != 0) & (order < HIGHEST + 0.5)
-    near = is_between & (order > 0.5) & (order < 2.5), is_between & (order > 1.5)
-    first, others = (float(np.sqrt(0.5 * np.mean(amplitudes[part] ** 2))) if part.any() else math.nan for part in near)
-    return first, others
 
 
 def _steady_periods(time: FloatArray, y: FloatArray, frequency: float) -> int:

@@ -127,7 +127,17 @@ def identify_flow(
     choked = fit_all_choked(fit)
     estimates = choked_estimates(fit, choked) if choked else law_estimates(fit)
     accepted = choked or fit
-    tests, influence = _statistical_tests(accepted), influence_of(accepted)
+    influence = influence_of(accepted)
+    order = np.argsort(points.pressure_ratio, kind="stable")
+    tests: dict[str, Any] = {
+        "chi_square": accepted.chi_square if math.isnan(accepted.stated_chi_square) else accepted.stated_chi_square,
+        "degrees_of_freedom": accepted.degrees_of_freedom,
+        "chi_square_probability": accepted.stated_probability,
+        "scatter_factor": accepted.inflation * accepted.scatter_factor,
+        "scatter_from_residuals": not accepted.scatter_is_known,
+        "runs_probability": few_runs_probability(accepted.residuals[:count][order]),
+        "aicc": accepted.aicc,
+    }
     alternative = None if choked else find_other_law(fit)
     if alternative:
         name, better = alternative
@@ -179,24 +189,6 @@ def identify_flow(
             }
         },
     )
-
-
-def _statistical_tests(fit: FlowFit) -> dict[str, Any]:
-    """Return the results of statistical tests of a fit by name.
-
-    They are chi-square, the runs test and the information criterion AICc.
-    """
-    n = len(fit.model.points)
-    order = np.argsort(fit.model.points.pressure_ratio, kind="stable")
-    return {
-        "chi_square": fit.chi_square if math.isnan(fit.stated_chi_square) else fit.stated_chi_square,
-        "degrees_of_freedom": fit.degrees_of_freedom,
-        "chi_square_probability": fit.stated_probability,
-        "scatter_factor": fit.inflation * fit.scatter_factor,
-        "scatter_from_residuals": not fit.scatter_is_known,
-        "runs_probability": few_runs_probability(fit.residuals[:n][order]),
-        "aicc": fit.aicc,
-    }
 
 
 def _conditions(fit: FlowFit, fixed: Mapping[str, float]) -> dict[str, Any]:

@@ -70,8 +70,22 @@ def assign_layers(graph: Graph, fixed: Iterable[str]) -> dict[str, int]:
         layers.setdefault(name, min((layers[store] for store in neighbours[name] if store in layers), default=0) - 1)
     for name in ends:
         layers[name] = max((layers[passage] for passage in neighbours[name]), default=-1) + 1
+    _separate(graph, layers)
     lowest = min(layers.values(), default=0)
     return {name: layers[name] - lowest for name in (*graph.stores, *graph.passages)}
+
+
+def _separate(graph: Graph, layers: dict[str, int]) -> None:
+    """Move gas nodes to the next layer that have the layer of a flow path to which they are connected.
+
+    An example is a cylinder that two flow paths reach after different numbers of connections.
+    """
+    for _ in layers:
+        nodes = {store for passage, _, store in graph.edges if layers[passage] == layers[store]}
+        if not nodes:
+            return
+        for name in nodes:
+            layers[name] += 1
 
 
 def _assign_reachable(

@@ -6,7 +6,7 @@ from poppet.core.message_format import sentence
 from poppet.core.number_format import interval, readable_unit, with_unit
 from poppet.identify.fit.statistics import OF_RATIOS
 from poppet.identify.methods import METHODS
-from poppet.identify.result import DETERMINED, WEAK, Estimate, Result
+from poppet.identify.result import DETERMINED, WEAK, Result
 
 WIDTH_CODES = ("finding.number.not_determined", "finding.number.weak", "flow.ratio_open")
 """Codes of the findings that state only that an interval is wide."""
@@ -38,7 +38,10 @@ def verdict_reasons(result: Result) -> list[str]:
     for name, estimate in result.parameters.items():
         if estimate.verdict == "determined":
             continue
-        limit, capping = _ratio_limit(result, name, estimate), result.conditions.get("capped", {}).get(name, ())
+        half, largest = 0.5 * (estimate.high - estimate.low), verdict_limits(result)["ratio_determined"]
+        is_wide_ratio = name.endswith("critical_ratio") and estimate.verdict != "at bound" and half > 0.01 * largest
+        limit = f" {sentence('identification.ratio', {'percent': largest, 'half': half})}" if is_wide_ratio else ""
+        capping = result.conditions.get("capped", {}).get(name, ())
         reasons = (
             note
             for code in (*capping, *CODES)
@@ -53,14 +56,3 @@ def verdict_reasons(result: Result) -> list[str]:
             width = with_unit(interval(estimate.low, estimate.high, estimate.unit, unit), unit)
             texts.append(f"{name}: the 95 % interval is {width}.{limit}")
     return texts
-
-
-def _ratio_limit(result: Result, name: str, estimate: Estimate) -> str:
-    """Return a sentence on the limit of the verdict on a critical ratio.
-
-    The text is empty for other parameters.
-    """
-    half, limit = 0.5 * (estimate.high - estimate.low), verdict_limits(result)["ratio_determined"]
-    if not name.endswith("critical_ratio") or estimate.verdict == "at bound" or half <= 0.01 * limit:
-        return ""
-    return f" {sentence('identification.ratio', {'percent': limit, 'half': half})}"
