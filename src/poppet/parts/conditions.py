@@ -287,7 +287,8 @@ def _compare(node: Relation, value: Callable[[Operand], Any]) -> Any:
 def read_literal(text: str, *, is_difference: bool = False) -> tuple[Number, Kind]:
     """Return a number with the SI unit that follows from its written unit, and the kind of its quantity.
 
-    A text without a unit is dimensionless. If `is_difference` is True, a pressure or temperature is a difference.
+    A text without a unit is dimensionless. If the keyword `is_difference` is True, a pressure or temperature is a
+    difference.
     """
     stripped = re.sub(r"^\s*[+-]?(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][+-]?\d+)?", "", text).strip()
     unit = next((si for si in _SI_UNITS if stripped and same_dimension(stripped, si)), "1")

@@ -142,7 +142,7 @@ class ActuatorForce:
 class BodyDynamics:
     """Outputs of a body, time derivatives of its states (`rates`), and its energy [J].
 
-    `powers` contains the power of the actuators minus that of the load, and the power of friction and stops [W].
+    `powers` contains the power of the actuators minus the power of the load, and the power of friction and stops [W].
     """
 
     outputs: Quantities
@@ -498,7 +498,7 @@ class Part(ABC):
     def outer_ports(self) -> dict[str, str]:
         """Return a mapping from ports of other parts to the gas nodes of this part.
 
-        It contains those ports that a field of this part names, such as an end of a tube.
+        It contains the ports that a field of this part names, such as an end of a tube.
         """
         return {}
 

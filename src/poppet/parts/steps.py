@@ -130,7 +130,7 @@ class SequenceProgram:
 
     @property
     def table(self) -> dict[str, Any]:
-        """Tables of the steps with their present numbers, as in a circuit file."""
+        """Tables of the steps with their present numbers, in the form of a circuit file."""
         result: dict[str, Any] = {}
         for step in self.steps:
             table = dict(self.source[step.name])

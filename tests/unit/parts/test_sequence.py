@@ -9,6 +9,7 @@ import pytest
 import poppet
 from poppet import Chamber, Circuit, InputError, Orifice, Reservoir, Sequence
 from poppet.deploy.controller import controller_program
+from poppet.ensemble.ensemble_result import circuit_text
 from poppet.signals import Steps
 
 T = 0.005
@@ -407,6 +408,39 @@ def test_dropped_samples_count_for_the_time_in_a_step():
     # The fourth call is 20 ms late: four samples are dropped.
     results = program.run(np.zeros((6, len(program.inputs))), intervals=[0.0, T, T, T + 0.02, T, T])
     assert results.outputs[:, elapsed] == pytest.approx([0.0, T, 2 * T, 3 * T + 0.02, 4 * T + 0.02, 5 * T + 0.02])
+
+
+def test_circuit_file_with_changed_numbers():
+    text = """
+    [parts.tank]
+    kind = "chamber"
+    volume = "1 l"
+    [parts.supply]
+    kind = "reservoir"
+    pressure = "5 bar"
+    [parts.hole]
+    kind = "orifice"
+    from = "supply"
+    to = "tank"
+    sonic_conductance = 1e-9
+    critical_ratio = 0.3
+    [parts.plc]
+    kind = "sequence"
+    outputs = ["a"]
+    start = "A+"
+    steps."A+".set = { a = 0.5 }
+    steps."A+".next = { "A-" = "tank.pressure > supply.pressure - 0.5 bar or supply.pressure < 1 bar g" }
+    steps."A-".timeout = { after = "1 s", to = "A+" }
+    [run]
+    duration = "1 s"
+    """
+    changes = {"A+.set.a": 0.25, "A+.next.A-.1": 1e4, "A+.next.A-.2": "3 bar g", "A-.timeout.after": 2.0}
+    circuit = poppet.loads(text).with_values({f"plc.steps.{name}": value for name, value in changes.items()})
+    again = poppet.loads(circuit_text(circuit, Path()))
+    assert again.parameters == circuit.parameters != poppet.loads(text).parameters
+    assert again.structure == circuit.structure
+    condition = again.parts["plc"].program.steps[0].transitions[0].condition.text
+    assert condition == "tank.pressure > supply.pressure +10000.0 Pa or supply.pressure < 3 bar g"
 
 
 def test_resumed_run_continues_the_step():
