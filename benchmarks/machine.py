@@ -10,6 +10,7 @@ from __future__ import annotations
 import statistics
 import time
 from collections.abc import Callable
+from functools import partial
 
 import numpy as np
 
@@ -95,7 +96,7 @@ def loosest(error: Callable[[float], float], limit: float) -> float:
     return tolerance
 
 
-def peer_error(way: str, tolerance: float, tight: np.ndarray) -> float:
+def peer_error(way: str, tight: np.ndarray, tolerance: float) -> float:
     """Largest error of both positions; infinite if the run fails."""
     try:
         positions, _ = peer_run(way, tolerance, len(tight) - 1)
@@ -122,7 +123,7 @@ def main(size: float = 1.0) -> None:
     tolerances: dict[str, float | None] = {"default": None, "loosest": loosest(error, WANTED)}
     times: dict[str, dict[str, list[float]]] = {}
     for case, limit in limits.items():
-        ways = {way: loosest(lambda rtol, way=way: peer_error(way, rtol, tight), limit) for way in WAYS}
+        ways = {way: loosest(partial(peer_error, way, tight), limit) for way in WAYS}
         found: dict[str, list[float]] = {}
         for _ in range(max(1, round(5 * size))):
             for way, rtol in ways.items():
