@@ -126,7 +126,7 @@ class _LinearisationPoint:
         self._function = ArrayFunction(self.model.linear_function)
 
     def linear(self, x: Array) -> list[Array]:
-        """Return rates f, outputs y and the matrices A to D at a state."""
+        """Return rates f, outputs y and the matrices A to D at the state x."""
         f, y, *matrices = self._function(0.0, self.padded(x), self.u, self.p)
         return [f.ravel(), y.ravel(), *matrices]
 
@@ -138,12 +138,12 @@ class _LinearisationPoint:
         return np.concatenate([x, np.zeros(self.model.n_quadratures)])
 
     def scaled(self, x: Array) -> tuple[Array, Array]:
-        """Return the rates and their Jacobian, scaled by the typical size of each state [1/s]."""
+        """Return the rates and their Jacobian at the state x, scaled by the typical size of each state [1/s]."""
         f, _, jacobian, *_ = self.linear(x)
         return f / self.size, jacobian * self.size[None, :] / self.size[:, None]
 
     def linear_model(self, x: Array) -> LinearModel:
-        """Return the linear model with names and operating point at a state."""
+        """Return the linear model with names and operating point at the state x."""
         f, y, a, b, c, d = self.linear(x)
         names = tuple(s.name for s in self.model.states), tuple(i.name for i in self.model.inputs)
         return LinearModel(a, b, c, d, *names, self.model.columns[0], x, self.u, y, f)

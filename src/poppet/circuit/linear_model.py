@@ -35,7 +35,10 @@ class ControlSystem(Protocol):
     state_labels: list[str]
 
     def dynamics(self, t: float, x: Array, u: Array, params: dict[str, float] | None = None) -> Array:
-        """Return the derivatives of the states x, or their next values in discrete time."""
+        """Return the derivatives of the states x at the time t for the inputs u.
+
+        In discrete time, the result contains the next states.
+        """
 
     def output(self, t: float, x: Array, u: Array, params: dict[str, float] | None = None) -> Array:
         """Return the outputs for the states x and the inputs u at the time t."""

@@ -44,7 +44,8 @@ def make_recording(instance: Instance, problem: Problem, raw: RawRun) -> Recordi
 def _run_notes(instance: Instance, problem: Problem, raw: RawRun, balances: tuple[Residual, ...]) -> Iterator[Note]:
     """Yield all notes on a run.
 
-    Notes of the circuit come first. Notes on signals, limits of characteristics, parts and balances follow.
+    `raw` contains the result arrays of the solver. Notes of the circuit come first. Notes on signals, limits of
+    characteristics, parts and balances follow.
     """
     # Notes on gas states at the start are replaced by notes on the gas states of the run.
     yield from (note for note in instance.notes if not (raw.time.size and note.code in STATE_CODES))

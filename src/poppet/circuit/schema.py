@@ -212,7 +212,7 @@ def _step() -> Schema:
 def _edge_table_schema() -> Schema:
     """Return the schema of a table of a metering edge, or of its path."""
     column: Schema = {"anyOf": [{"$ref": "#/$defs/value"}, _LIST]}
-    fields = dict.fromkeys(CURVE_FIELDS, column) | {"source": _TEXT, "note": _TEXT}
+    fields = dict.fromkeys(CURVE_FIELDS, column) | {"kind": {"const": "table"}, "source": _TEXT, "note": _TEXT}
     return {"anyOf": [_TEXT, closed(fields, ["sonic_conductance", "critical_ratio"])]}
 
 

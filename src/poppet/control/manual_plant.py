@@ -210,7 +210,8 @@ class _SteadyStateSearch:
     def _solve(self, v: Array, command: float, target: float) -> tuple[Array, float] | None:
         """Solve for the steady state with the measurement `target` by Newton's method.
 
-        The result contains state vector and command. It is None if the method does not converge.
+        The search starts from the state vector `v` and from `command`. The result contains state vector and command. It
+        is None if the method does not converge.
         """
         size = np.append(self.point.size, self.command_size)
 
@@ -233,7 +234,7 @@ class _SteadyStateSearch:
         return w[:-1], float(w[-1]) if abs(w[-1]) > _NONE * self.command_size else 0.0
 
     def linear_model(self, v: Array, command: float, sign: float) -> SampledModel:
-        """Return the linear model at a steady state for small command changes of one sign.
+        """Return the linear model at the steady state `v` for small command changes of one sign.
 
         The sign matters because valves and inner loops have kinks.
         """

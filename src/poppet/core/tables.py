@@ -148,7 +148,7 @@ def read_fields(
     table: str = "",
     ambient_pressure: float = 0.0,
 ) -> dict[str, Any]:
-    """Read a table according to the declarations of its fields, and collect all errors.
+    """Read the table `raw` according to the declarations of its fields, and collect all errors.
 
     The result contains the valid fields, and the defaults of the other fields. Gauge pressures become absolute. The
     keyword `table` is the name of the table for messages about unknown fields, for example "fit file".

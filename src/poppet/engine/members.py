@@ -84,7 +84,7 @@ class RunEnds:
         return RunEnds(record, counts, *np.split(record, offsets[:-1], axis=1))
 
     def write(self, run: int, problem: Problem, raw: RawRun) -> None:
-        """Store the result of one run that another solver has computed.
+        """Store the result `raw` of one run that another solver has computed.
 
         `run` is the index of the run.
         """

@@ -83,7 +83,8 @@ class Problem:
 def constant_input_problem(kernel: Kernel, p: Array, x0: Array, u: Array, grid: Array, **fields: float) -> Problem:
     """Return the definition of a run from t = 0 with constant inputs u, (n_inputs,).
 
-    `x0` is the initial state, and `grid` contains the output times. Keyword arguments are further fields of `Problem`.
+    p is the parameter vector, `x0` the initial state, and `grid` contains the output times. Keyword arguments are
+    further fields of `Problem`.
     """
     start, course, jump = np.zeros(1), np.zeros(1, dtype=np.int64), np.zeros(1, dtype=np.bool_)
     return Problem(kernel, p, x0, start, course, constant_coefficients(u), jump, grid, **fields)  # type: ignore[arg-type]

@@ -27,6 +27,7 @@ from poppet.ensemble.dataset import Dataset, fingerprint
 from poppet.ensemble.ensemble_plan import ALL, EnsemblePlan, read_plan, varied_specs
 from poppet.ensemble.executors import run_missing
 from poppet.ensemble.statistics import SobolIndex, Summary, TornadoRange, Yield, sobol_indices, summary_of, wilson
+from poppet.parts.steps import SequenceProgram
 
 if TYPE_CHECKING:
     import pandas
@@ -296,6 +297,11 @@ def circuit_text(circuit: BaseCircuit, folder: Path) -> str:
             value = float(number.value) if unit == "1" else f"{float(number.value)!r} {unit}{mark}"
             # The check below finds an error due to an unexpected table structure.
             owner, *path, last = address.split(".")
+            program = getattr(circuit.parts.get(owner), path[0], None) if path else None
+            if isinstance(program, SequenceProgram):
+                # The number is inside the text of a condition.
+                content["parts"][owner][program.field] = program.table
+                continue
             table = content.setdefault(owner, {}) if owner in ("ambient", "gas", "run") else content["parts"][owner]
             if owner == "gas" and isinstance(table, str):
                 table = content["gas"] = {"name": table}

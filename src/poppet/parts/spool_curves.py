@@ -13,7 +13,7 @@ from poppet.laws.curves import Characteristic, characteristic_from_mapping
 from poppet.parts.flow_path import read_table_file
 from poppet.parts.spool_functions import SETPOINTS, position_of
 
-CURVE_FIELDS = ("position", "command", "sonic_conductance", "critical_ratio", "source", "note")
+CURVE_FIELDS = ("kind", "position", "command", "sonic_conductance", "critical_ratio", "source", "note")
 
 
 def read_edge_curve(argument: Any, address: str, setpoint_type: str) -> Characteristic:
@@ -24,6 +24,8 @@ def read_edge_curve(argument: Any, address: str, setpoint_type: str) -> Characte
     `setpoint_type`.
     """
     if isinstance(argument, Characteristic):
+        if argument.domain != (-1.0, 1.0):
+            raise InputError("spool.not_covered", address, low=argument.domain[0], high=argument.domain[1])
         return argument
     if isinstance(argument, str) and argument.endswith(".toml"):
         argument = read_table_file(argument, address)
@@ -34,6 +36,9 @@ def read_edge_curve(argument: Any, address: str, setpoint_type: str) -> Characte
             if key not in CURVE_FIELDS:
                 near = NameSuggestion(key, CURVE_FIELDS)
                 errors.add("fields.unknown", f"{address}.{key}", table=f"table {address}", suggestion=near)
+        if (kind := argument.get("kind", "table")) != "table":
+            near = NameSuggestion(str(kind), ["table"])
+            errors.add("fields.not_an_option", f"{address}.kind", value=kind, meaning="kind of table", suggestion=near)
         with errors.collecting():
             positions = _read_positions(argument, address, setpoint_type)
     for name in ("sonic_conductance", "critical_ratio"):

@@ -93,7 +93,7 @@ class MeteringEdges(FlowPath):
                         errors.add("spool.idle_with_curves", name)
 
     @property
-    def positions(self) -> SpoolFunction:
+    def spool_function(self) -> SpoolFunction:
         """Inputs and positions of the function of the valve."""
         return function_of(self)
 
@@ -151,7 +151,7 @@ class MeteringEdges(FlowPath):
         conductance, ratio = (scope[name] for name in names.values())
         (_, _, side), kind = EDGES[edge], edge.partition("_")[0]
         travel = side * position
-        if kind == self.positions.open_at_centre:
+        if kind == self.spool_function.open_at_centre:
             fraction = clip(travel, 0.0, 1.0)
             if self.centre_conductance is not None:
                 conductance = scope["centre_conductance"] + (conductance - scope["centre_conductance"]) * fraction
@@ -159,5 +159,5 @@ class MeteringEdges(FlowPath):
                 ratio = scope["centre_ratio"] + (ratio - scope["centre_ratio"]) * fraction
         overlap = "overlap" if kind == "supply" else "exhaust_overlap"
         start = scope[overlap] if self.function in FIELDS[overlap] else 0.0
-        opening, leak = edge_opening(self.positions, kind, travel, start), scope["leak_conductance"]
+        opening, leak = edge_opening(self.spool_function, kind, travel, start), scope["leak_conductance"]
         return leak + (conductance - leak) * opening, ratio

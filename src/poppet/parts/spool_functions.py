@@ -28,7 +28,7 @@ class SpoolFunction(NamedTuple):
 
     commands: tuple[str, ...]
     pilots: tuple[str, ...] = PILOTS  # permitted pilot ports
-    positions: int = 3
+    n_positions: int = 3  # two or three
     open_at_centre: str = ""  # edges that are open at the centre: "supply", "exhaust" or none
 
 
@@ -36,13 +36,13 @@ PROPORTIONAL, MONOSTABLE, BISTABLE = "proportional", "5/2 monostable", "5/2 bist
 _BOTH = ("command_a", "command_b")
 FUNCTIONS: Mapping[str, SpoolFunction] = {
     PROPORTIONAL: SpoolFunction(("command",), ()),
-    MONOSTABLE: SpoolFunction(("command",), ("pilot_a",), positions=2),
-    BISTABLE: SpoolFunction(_BOTH, positions=2),
+    MONOSTABLE: SpoolFunction(("command",), ("pilot_a",), n_positions=2),
+    BISTABLE: SpoolFunction(_BOTH, n_positions=2),
     "5/3 closed": SpoolFunction(_BOTH),
     "5/3 exhausted": SpoolFunction(_BOTH, open_at_centre="exhaust"),
     "5/3 pressurised": SpoolFunction(_BOTH, open_at_centre="supply"),
 }
-_TWO_POSITIONS = tuple(name for name, function in FUNCTIONS.items() if function.positions == 2)
+_TWO_POSITIONS = tuple(name for name, function in FUNCTIONS.items() if function.n_positions == 2)
 _OPEN_CENTRE = tuple(name for name, function in FUNCTIONS.items() if function.open_at_centre)
 FIELDS: Mapping[str, tuple[str, ...]] = {
     **dict.fromkeys(("dynamics", "setpoint_type", "lag"), (PROPORTIONAL,)),
@@ -69,9 +69,9 @@ SETPOINTS = {name: scale for name, scale in SCALES.items() if name != "pressure"
 
 
 def used_field(name: str) -> Callable[[Any], Mapping[str, Any]]:
-    """Return a function that removes the default of a field if the function of the valve does not use it.
+    """Return a callable that removes the default of a field if the selected valve function does not use the field.
 
-    `name` is the name of the field in `FIELDS`. The result is for `NumberSpec.varies`.
+    `name` is the name of the field in `FIELDS`. The callable is a value of `NumberSpec.varies`.
     """
     return lambda part: {} if part.function in FIELDS[name] else UNUSED
 
@@ -147,7 +147,7 @@ def resting_position(function: SpoolFunction, signal_a: Any, signal_b: Any) -> A
     The result is -1, 0 or 1. A bistable valve without a set signal is in the position -1.
     """
     difference = signal_a - signal_b
-    if function.positions == 2:
+    if function.n_positions == 2:
         return where(difference >= ON, 1.0, -1.0)
     return where(difference >= ON, 1.0, where(difference <= -ON, -1.0, 0.0))
 
@@ -165,7 +165,7 @@ def switched_speed(
     def spring_drive(signal: Any) -> Any:
         return (2.0 * signal - (ON + OFF)) / (ON - OFF)
 
-    if function.positions == 2:
+    if function.n_positions == 2:
         element = 0.5 * (1.0 + position)
         has_spring = len(function.commands) == 1
         drive = spring_drive(signal_a) if has_spring else (signal_a - signal_b) / ON

@@ -183,11 +183,13 @@ class SpoolValve(MeteringEdges):
         return super().structure(), self.hysteresis is None, self.closing_time is None
 
     def symbol_for(self, is_driven: bool) -> symbols.Symbol | str:
-        function = self.positions
+        function = self.spool_function
         if not self._is_switched:
             return self.symbol
         pilots = (self.pilot_a is not None, self.pilot_b is not None)
-        return symbols.switched_valve(function.positions, function.open_at_centre, pilots, len(function.commands) == 1)
+        return symbols.switched_valve(
+            function.n_positions, function.open_at_centre, pilots, len(function.commands) == 1
+        )
 
     def caption(self, numbers: CaptionNumbers) -> list[str]:
         if self._is_switched:
@@ -210,7 +212,7 @@ class SpoolValve(MeteringEdges):
         values = super().parameters(ambient)
         if self._is_switched:
             values.setdefault("closing_time", values["switching_time"])
-            values.setdefault("initial_position", resting_position(self.positions, *self._signals(values)))
+            values.setdefault("initial_position", resting_position(self.spool_function, *self._signals(values)))
         else:
             values.setdefault("switching_time", MIN_SWITCHING_TIME)
             values.setdefault("initial_position", position_of(values["command"], self.setpoint_type))
@@ -233,7 +235,7 @@ class SpoolValve(MeteringEdges):
         unit, low, high = SETPOINTS.get(self.setpoint_type, ("1", -1.0, 1.0))
         if self._is_switched:
             low, high = 0.0, 1.0
-        names = self.positions.commands
+        names = self.spool_function.commands
         return tuple(Input(name, unit, name, low=low, high=high, delay="delay", is_command=True) for name in names)
 
     def start(self, scope: Scope) -> dict[str, Any]:
@@ -274,9 +276,11 @@ class SpoolValve(MeteringEdges):
                 pressures = scope["pilot_pressure"], scope["pilot_hysteresis"]
                 signals[k] = maximum(signals[k], pilot_signal(gas[pilot].pressure, *pressures))
         times = scope["switching_time"], scope["closing_time"]
-        return {"position": switched_speed(self.positions, scope.states["position"], signals[0], signals[1], *times)}
+        return {
+            "position": switched_speed(self.spool_function, scope.states["position"], signals[0], signals[1], *times)
+        }
 
     def _signals(self, commands: Mapping[str, Any]) -> tuple[Any, Any]:
         """Return the signals towards a and b of a switched valve for its commands by name."""
-        first, *second = (commands[name] for name in self.positions.commands)
+        first, *second = (commands[name] for name in self.spool_function.commands)
         return first, (second or [0.0])[0]

@@ -98,6 +98,17 @@ def test_steps_of_a_sequence_are_those_of_the_closed_circuit(fmi: int, kind: str
     assert np.array_equal(values, expected)
 
 
+def test_dead_zone_and_acceleration_feedback_are_those_of_the_closed_circuit() -> None:
+    run, step = recorded("position_dead_zone", 0.7, 1e-3), 1e-3
+    outputs = [f"position.{name}" for name in ("command", "uncompensated_command", "acceleration_feedback")]
+    inputs = {f"position.{name}": f"position.{name}" for name in ("measurement", "setpoint")}
+    with Host(part_of("position_dead_zone", "position", 2, 0.7), follows=False).begin() as host:
+        values = commands(host, run, step, inputs, outputs)
+    expected = np.array([run[name][1::2] for name in outputs]).T
+    assert np.all(np.ptp(expected, axis=0) > 0.1)
+    np.testing.assert_allclose(values, expected, rtol=0.0, atol=1e-9)
+
+
 def test_connected_controllers_are_one_fmu() -> None:
     """The loop of the position in `muscle_joint`, and the law of the muscle that follows it."""
     run, step = recorded("muscle_joint", 1.2, 2e-3), 2e-3

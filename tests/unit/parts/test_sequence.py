@@ -9,6 +9,7 @@ import pytest
 import poppet
 from poppet import Chamber, Circuit, InputError, Orifice, Reservoir, Sequence
 from poppet.deploy.controller import controller_program
+from poppet.ensemble.ensemble_result import circuit_text
 from poppet.signals import Steps
 
 T = 0.005
@@ -139,6 +140,15 @@ def test_input_fault_sets_the_outputs_to_zero_after_its_time():
     steps = {**two_steps().program.table, "safe": {"on": ["a"], "next": {"two": "elapsed > 1 s"}}}
     recording = run({"plc": two_steps(steps=steps, emergency="safe", fault_time="10 ms")}, signals, 0.06)
     assert steps_of(recording) == [1, 1, 2, 2, 2, *[3] * 8]
+
+
+def test_a_halt_holds_the_outputs_of_the_safe_state():
+    # The fault ends at 0.042 s during a halt, which ends at 0.061 s.
+    plc = two_steps(fault_time="10 ms")
+    signals = {"plc.input_fault": pulse(0.012, 0.042), "plc.halt": pulse(0.032, 0.061)}
+    recording = run({"plc": plc}, signals, 0.08)
+    assert recording["plc.a"].tolist() == [1, 1, 1, 1, 1, *[0] * 8, 1, 1, 1, 1]
+    assert steps_of(recording) == [1] * 17
 
 
 def test_values_of_outputs():
@@ -400,6 +410,39 @@ def test_dropped_samples_count_for_the_time_in_a_step():
     assert results.outputs[:, elapsed] == pytest.approx([0.0, T, 2 * T, 3 * T + 0.02, 4 * T + 0.02, 5 * T + 0.02])
 
 
+def test_circuit_file_with_changed_numbers():
+    text = """
+    [parts.tank]
+    kind = "chamber"
+    volume = "1 l"
+    [parts.supply]
+    kind = "reservoir"
+    pressure = "5 bar"
+    [parts.hole]
+    kind = "orifice"
+    from = "supply"
+    to = "tank"
+    sonic_conductance = 1e-9
+    critical_ratio = 0.3
+    [parts.plc]
+    kind = "sequence"
+    outputs = ["a"]
+    start = "A+"
+    steps."A+".set = { a = 0.5 }
+    steps."A+".next = { "A-" = "tank.pressure > supply.pressure - 0.5 bar or supply.pressure < 1 bar g" }
+    steps."A-".timeout = { after = "1 s", to = "A+" }
+    [run]
+    duration = "1 s"
+    """
+    changes = {"A+.set.a": 0.25, "A+.next.A-.1": 1e4, "A+.next.A-.2": "3 bar g", "A-.timeout.after": 2.0}
+    circuit = poppet.loads(text).with_values({f"plc.steps.{name}": value for name, value in changes.items()})
+    again = poppet.loads(circuit_text(circuit, Path()))
+    assert again.parameters == circuit.parameters != poppet.loads(text).parameters
+    assert again.structure == circuit.structure
+    condition = again.parts["plc"].program.steps[0].transitions[0].condition.text
+    assert condition == "tank.pressure > supply.pressure +10000.0 Pa or supply.pressure < 3 bar g"
+
+
 def test_resumed_run_continues_the_step():
     steps = {str(k): {"next": {str(k % 3 + 1): "elapsed >= 30 ms"}} for k in range(1, 4)}
     circuit = Circuit(plant(plc=Sequence(steps=steps, start="1")))
@@ -409,6 +452,23 @@ def test_resumed_run_continues_the_step():
     assert steps_of(first)[:-1] + steps_of(second) == steps_of(whole)
     for name in ("cycles", "elapsed"):
         assert second[f"plc.{name}"] == pytest.approx(whole[f"plc.{name}"][-second.time.size :])
+
+
+def test_a_run_with_counters_cannot_be_resumed():
+    steps = {"one": {"next": {"two": 'count("one") < 3'}}, "two": {"next": {"one": "elapsed > 10 ms"}}}
+    circuit = Circuit(plant(plc=Sequence(steps=steps, start="one")))
+    with pytest.raises(InputError) as caught:
+        circuit.resumed(circuit.simulate(0.1, output_step=T))
+    assert (caught.value.code, caught.value.address) == ("sequence.no_resume", "plc")
+    assert 'count("one")' in str(caught.value)
+
+
+def test_a_signal_cannot_replace_a_connection_that_a_part_declares():
+    steps = {"one": {"next": {"one": "supply.pressure > 1 bar"}}}
+    circuit = Circuit(plant(plc=Sequence(steps=steps, start="one")))
+    with pytest.raises(InputError) as caught:
+        circuit.with_signals({"plc.supply_pressure": ON})
+    assert caught.value.code == "wiring.driven_twice"
 
 
 # --- Invalid input ---
@@ -500,6 +560,9 @@ steps.one.next = { two = "supply.pressure > 3 bar and low.state and line.pressur
         ({"steps": {str(k): {} for k in range(501)}}, "sequence.too_many", "steps"),
         ({"start": None}, "sequence.no_start", "start"),
         ({"start": "three"}, "sequence.unknown_step", "start"),
+        ({"start": ["one"]}, "sequence.unknown_step", "start"),
+        ({"emergency": {"one": 1}}, "sequence.unknown_step", "emergency"),
+        ({"steps": {"one": {"timeout": {"after": 1, "to": ["one"]}}}}, "sequence.unknown_step", "steps.one.timeout.to"),
         ({"emergency": "three"}, "sequence.unknown_step", "emergency"),
         ({"outputs": "a"}, "sequence.no_list", "outputs"),
         ({"outputs": ["a", "b", "go"]}, "sequence.name_twice", "outputs"),
@@ -554,10 +617,14 @@ def test_conditions_on_unknown_outputs_and_parts():
         "supply.presure > 1 bar": "wiring.unknown_output",
         'plc.step == "tow"': "wiring.unknown_step",
         "supply.pressure > 1 mm": "wiring.condition_unit",
+        "vent.opening == 1": "wiring.no_integer",
+        "not vent.opening != plc.step": "wiring.no_integer",
     }.items():
         with pytest.raises(InputError) as caught:
             circuit_of(condition)
         assert (caught.value.code, caught.value.address) == (code, "parts.plc.steps.one.next.one")
+    for condition in ("vent.regime == 1", "plc.step != 1", "plc.cycles == 2", "plc.halt == 0", 'plc.step == "one"'):
+        assert circuit_of(condition).parts["plc"].program.compared_as_integers()
 
 
 def test_example_of_two_cylinders():
@@ -570,6 +637,6 @@ def test_example_of_two_cylinders():
     # As on the page.
     starts = recording.time[changes][::5]
     assert np.diff(starts)[1:] == pytest.approx(1.415, abs=1e-9)
-    # No condition is true earlier than in its sample, and the outputs are those of the step.
+    # The outputs are those of the step.
     assert recording["plc.a"].tolist() == np.isin(steps, ["A+", "B+", "B-"]).astype(float).tolist()
     assert recording["plc.b"].tolist() == (steps == "B+").astype(float).tolist()

@@ -6,6 +6,7 @@ import pytest
 
 from poppet import Chamber, Circuit, InputErrors, Reservoir, SpoolValve, load
 from poppet.circuit.schema import circuit_schema
+from poppet.library import characteristic
 from poppet.parts.captions import CaptionNumbers
 from poppet.parts.part import Surroundings
 from refusals import refused
@@ -95,6 +96,7 @@ exhaust_a_characteristic = "edge.toml"
         ({"stroke": [0, 1]}, "fields.unknown", "characteristic.stroke"),
         ({"critical_ratio": [0.3, 0.3, 1.1, 0.2]}, "spool.impossible_value", None),
         ({"sonic_conductance": [0, -1e-9, 1e-9, 2e-9]}, "spool.impossible_value", None),
+        ({"kind": "polynomial"}, "fields.not_an_option", "characteristic.kind"),
         ({"source": "rumour"}, "curves.source", "characteristic.source"),
     ],
 )
@@ -114,6 +116,15 @@ def test_missing_columns():
 def test_other_arguments(argument):
     with refused("spool.not_a_table", "characteristic"):
         valve(characteristic=argument)
+
+
+def test_characteristic_of_a_stroke_is_not_that_of_a_position():
+    seat = characteristic("varga2012.table")
+    with refused("spool.not_covered", "characteristic"):
+        valve(characteristic=seat)
+    # That of another spool valve is.
+    assert valve(characteristic=valve().characteristic).numbers() == valve().numbers()
+    assert valve(characteristic=TABLE | {"kind": "table"}).numbers() == valve().numbers()
 
 
 def test_volts_outside_the_range_are_not_positions():

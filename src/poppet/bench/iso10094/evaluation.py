@@ -250,7 +250,7 @@ class Evaluation:
         return [row[key] for row in rows], [self.uncertainties[id(row), key] for row in rows]
 
     def add_curve(self, name: str, case: str, x: FloatArray, y: FloatArray) -> None:
-        """Add a curve for the figures, without its points of undefined `y`."""
+        """Add a curve `y` versus `x` for the figures, without points whose `y` is undefined."""
         is_known = np.isfinite(y)
         self.curves.append(PlottedCurve(name, case, x[is_known], y[is_known]))
 

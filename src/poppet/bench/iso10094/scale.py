@@ -112,7 +112,7 @@ ELECTRIC = {"V": (0.0, 10.0), "A": (0.004, 0.020), "1": (0.0, 1.0)}
 
 
 def read_pressure(raw: Any, ambient: float, name: str) -> float:
-    """Return the absolute pressure [Pa] from a text with a unit.
+    """Return the absolute pressure [Pa] from the text `raw` with a unit.
 
     Gauge pressures are relative to `ambient` [Pa]. `name` is the address in error messages.
 
@@ -128,7 +128,8 @@ def read_pressure(raw: Any, ambient: float, name: str) -> float:
 def read_pressure_range(raw: Any, ambient: float, name: str = "full_scale") -> tuple[float, float]:
     """Return the absolute limits of a pressure range [Pa], read from texts with units.
 
-    A single pressure is the upper limit; the lower limit is then the pressure `ambient` [Pa].
+    `raw` is a list of two texts, or one text with the upper limit. The lower limit is then the pressure `ambient` [Pa].
+    `name` is the address in error messages.
 
     Examples
     --------
@@ -170,7 +171,8 @@ def setpoint_scale(raw: Any, full_scale: tuple[float, float], ambient: float, un
 def _read_setpoint(raw: Any, ambient: float) -> tuple[float, str]:
     """Return the value of a setpoint in its SI unit, and this unit.
 
-    A text with a pressure unit is a pressure, and another text is an electric signal. A number is a ratio.
+    If `raw` is a text with a pressure unit, the setpoint is a pressure. Any other text is an electric signal, and a
+    number is a ratio.
     """
     problem: InputError | None = None
     for unit in ("Pa", *ELECTRIC) if isinstance(raw, str) else ("1",):
@@ -184,7 +186,7 @@ def _read_setpoint(raw: Any, ambient: float) -> tuple[float, str]:
 
 
 def read_quantity_list(raw: str, unit: str, name: str) -> tuple[float, ...]:
-    """Return the positive values of a text such as `"1 l, 5 l"`.
+    """Return the positive values of the text `raw`, for example `"1 l, 5 l"`.
 
     The result is in the SI unit `unit`. Commas separate the values. `name` is the option in error messages.
 

@@ -302,8 +302,9 @@ def _end_of_sweep(
     """Return the rate of the outlet at the end of a sweep, and its change.
 
     Both come from a polynomial of degree `degree` that is fitted to the samples `is_coming` before the time `stop` [s].
-    The change is the level `held` in the hold minus the outlet at the end of the sweep. `noise` is the noise of the
-    outlet. The result is None if there are too few samples or the outlet is constant.
+    `x` is the swept quantity, and `y` the outlet. The change is the level `held` in the hold minus the outlet at the
+    end of the sweep. `noise` is the noise of the outlet. The result is None if there are too few samples or the outlet
+    is constant.
     """
     if is_coming.sum() < (FEWEST if degree == SECTIONS[0][1] else 2 * FEWEST):
         return None
@@ -349,7 +350,7 @@ def _time_of_level(time: FloatArray, x: FloatArray, branch: Branch, level: float
 
 
 def delay_by_lags(time: FloatArray, x: FloatArray, lags: Sequence[Lag]) -> FloatArray:
-    """Return the swept quantity, delayed by the mean lag of the outlet.
+    """Return the swept quantity `x`, delayed by the mean lag of the outlet.
 
     A negative mean lag is a lead of the outlet, for example by integral action. It is not corrected.
     """

@@ -138,9 +138,9 @@ def _add_times(
 ) -> str:  # fmt: skip
     """Set the response times and the overshoot in a row of results.
 
-    `section` is the part of the record with both holds. `noise` is the noise of the outlet. `holds` are the steady
-    parts before and after the step. If the settling time cannot be determined, the result is the code of the note that
-    states why.
+    `y` is the outlet pressure in % FS. `section` is the part of the record with both holds, and `noise` the noise of
+    the outlet. `holds` are the steady parts before and after the step. If the settling time cannot be determined, the
+    result is the code of the note that states why.
     """
     start, end = row["outlet_from"], row["outlet_to"]
     noise = Noise(noise.covariance / (end - start) ** 2)

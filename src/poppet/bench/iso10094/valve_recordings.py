@@ -288,7 +288,7 @@ def _step(values: FloatArray) -> float:
 
 
 def _is_ramp(x: FloatArray, run: slice) -> bool:
-    """Return True if a series reaches a constant section gradually.
+    """Return True if the series `x` reaches a constant section gradually.
 
     `run` is the slice of this section. The result is False if the series reaches the section by a jump.
     """

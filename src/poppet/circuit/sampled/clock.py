@@ -99,9 +99,9 @@ def _run_timers(
 ) -> tuple[list[list[float]], Array]:
     """Run only the timers of a circuit.
 
-    The result contains the instants of each timer, and the final discrete state. The states x and the inputs u are
-    constant. `counts` is a mask of the discrete states that are timers or counters. The timers run up to the time `end`
-    [s]. If it is None, they run until each has at least `TICKS` instants.
+    The result contains the instants of each timer, and the final discrete state. The states x, the inputs u and the
+    parameters in p are constant. `counts` is a mask of the discrete states that are timers or counters. The timers run
+    up to the time `end` [s]. If it is None, they run until each has at least `TICKS` instants.
     """
     n = kernel.model.n_timers
     p, z, fired = p.copy(), np.empty(len(kernel.model.memory)), np.zeros(n)

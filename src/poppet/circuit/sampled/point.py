@@ -117,7 +117,7 @@ class SampledPoint:
         return IntersampleModel(f[:, 0], y[:, 0], fv[:, self._columns], fu, yv[:, self._columns], yu)
 
     def instant(self, v: Array, fired: Array) -> tuple[Array, Array, Array]:
-        """Return the discrete states w after a sample instant, with their derivatives.
+        """Return the discrete states w after a sample instant for the variables v, with their derivatives.
 
         `fired` contains 1 for each timer that is due at this instant, and 0 for all others.
         """
@@ -141,7 +141,7 @@ class SampledPoint:
         return change / self.size, jacobian * self.size[None, :] / self.size[:, None]
 
     def scaled_by_u(self, v: Array) -> Array:
-        """Return the derivatives of the scaled rates (see `scaled`) by the inputs u."""
+        """Return the derivatives of the scaled rates with respect to the inputs u, for the variables v."""
         _, _, by_u = self.instant(v, self.every_clock)
         return np.asarray(np.vstack([self.between(v).rates_by_u, by_u / self.clock.sample_time]) / self.size[:, None])
 

@@ -96,7 +96,7 @@ class _Legs(ABC):
         return self.failure is Outcome.TOO_MANY
 
     def _row_times(self, begin: float, end: float) -> Array:
-        """Return the output times between two times, with both times [s]."""
+        """Return the output times between `begin` and `end` [s], including both ends."""
         grid = self.problem.grid
         is_between = (grid > begin + rounding(begin)) & (grid < end - rounding(end))
         return np.concatenate([[begin], grid[is_between], [end]])
@@ -241,8 +241,8 @@ class _Cvodes(_Legs):
     def _chain(self, segment: int, parts: Sequence[Array], x: Array) -> Iterator[Leg]:
         """Yield the solution over several groups of intervals, until the solver fails.
 
-        Each element of `parts` contains the start of the first interval of a group, and the ends of all its intervals
-        [s].
+        x is the state at the start. Each element of `parts` contains the start of the first interval of a group, and
+        the ends of all its intervals [s].
         """
         for stops in parts:
             reached = stops[0]
@@ -257,8 +257,8 @@ class _Cvodes(_Legs):
     def _legs(self, segment: int, stops: Array, x: Array) -> Iterator[Leg]:
         """Yield the solution over successive intervals, which one call of CVODES integrates.
 
-        `stops` contains the start of the first interval and the ends of all [s]. If the call fails, its intervals are
-        divided into two calls.
+        x is the state at the start. `stops` contains the start of the first interval and the ends of all intervals [s].
+        If the call fails, its intervals are divided into two calls.
         """
         if stops.size == 2:
             state = self._state(segment, float(stops[0]), x, float(stops[1]))
@@ -276,7 +276,8 @@ class _Cvodes(_Legs):
     def _state(self, segment: int, begin: float, x: Array, end: float, halvings: int = HALVINGS) -> Array | None:
         """Return the state at the end of one interval, which begins with the state x.
 
-        An interval that fails, for example at a kink, is halved, at most `halvings` times in succession.
+        The interval is the time from `begin` to `end`. If CVODES fails in it, for example at a kink, the interval is
+        divided in half, at most `halvings` times in succession.
         """
         states = self._states(segment, np.array([begin, end]), x)
         if states is not None:
@@ -294,7 +295,8 @@ class _Cvodes(_Legs):
     def _states(self, segment: int, stops: Array, x: Array) -> list[Array] | None:
         """Return the states at the ends of several intervals.
 
-        `stops` contains the start of the first interval and the ends of all. The result is None if CVODES fails.
+        x is the state at the start. `stops` contains the start of the first interval and the ends of all intervals. The
+        result is None if CVODES fails.
         """
         start, n_u = self.problem.starts[segment], len(self.problem.kernel.model.inputs)
         coefficients = self.problem.coefficients[self.problem.courses[segment], :n_u].T.copy()

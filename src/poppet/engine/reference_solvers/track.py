@@ -32,7 +32,7 @@ class Leg(NamedTuple):
 
 
 def rounding(t: float) -> float:
-    """Return the time difference below which two times count as equal [s].
+    """Return the difference below which two times near t count as equal [s].
 
     The compiled integrator uses the same difference.
     """
@@ -61,7 +61,7 @@ class Track:
         return bool(np.all(np.isfinite(rates(self.problem, 0, self.t, self.x))))
 
     def is_valid(self, x: Array) -> bool:
-        """Return True if a state is finite and physically possible.
+        """Return True if the state x is finite and physically possible.
 
         Elements such as pressures and masses must be positive.
         """
@@ -142,7 +142,7 @@ class Track:
         return y
 
     def _condition(self, t: float, x: Array) -> int:
-        """Return the index of the first true stop condition, or -1 if none is true."""
+        """Return the index of the first stop condition that is true at the time t and the state x, or -1."""
         if not self.problem.stop_conditions:
             return -1
         y = self._outputs(t, x)
@@ -166,7 +166,7 @@ def inputs_at(problem: Problem, segment: int, t: float) -> Array:
 
 
 def rates(problem: Problem, segment: int, t: float, x: Array) -> Array:
-    """Return the rates of all states at the time t.
+    """Return the rates of all states at the time t and the state x.
 
     `segment` is the index of the segment of the inputs. Quadratures are included.
     """
@@ -177,7 +177,7 @@ def rates(problem: Problem, segment: int, t: float, x: Array) -> Array:
 
 
 def jacobian(problem: Problem, segment: int, t: float, x: Array) -> Array:
-    """Return the derivatives of the rates by the states at the time t.
+    """Return the derivatives of the rates by the states, at the time t and the state x.
 
     The result is a dense matrix. `segment` is the index of the segment of the inputs.
     """

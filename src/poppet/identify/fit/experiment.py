@@ -325,7 +325,7 @@ class Experiment:
 
 
 def _difference_step(f: FreeParameter, values: Mapping[str, float]) -> float:
-    """Return the step of a parameter for a finite difference.
+    """Return the step of the parameter `f` for a finite difference.
 
     `values` maps names of parameters to their values. The step is negative if a positive step would exceed the upper
     bound.

@@ -368,10 +368,11 @@ def random_point(free: tuple[FreeParameter, ...], generator: np.random.Generator
 
 
 def _leave_false_minimum(objective: FitObjective, x: FloatArray, settings: SearchSettings) -> FloatArray:
-    """Restart a search from other points while its residuals are not white noise, and return the best point.
+    """Restart a search from other points while its residuals are not white noise.
 
-    The reason is a false minimum of a discharge near the isothermal or the adiabatic limit, where the residuals are not
-    white. Conductance and wall conductance compensate each other there.
+    The result is the best point. `x` is the end point of the first search. The reason for restarts is a false minimum
+    of a discharge near the isothermal or the adiabatic limit, where the residuals are not white. Conductance and wall
+    conductance compensate each other there.
     """
     max_rounds = count_restart_rounds(settings, objective.experiments)
     if max_rounds == 0:

@@ -398,7 +398,7 @@ def _quantile(optimum: Optimum) -> float:
 
 
 def verdict(f: FreeParameter, value: float, half: float) -> Verdict:
-    """Return the verdict on the estimate of a parameter, such as `determined`.
+    """Return the verdict on the estimate of the parameter `f`, for example `determined`.
 
     `half` is half the width of the interval. For offsets and dimensionless parameters with finite bounds, it is
     compared with the range between the bounds. For other parameters it is compared with the value.

@@ -156,7 +156,8 @@ class FlowModel:
     def variances(self, x: FloatArray, extra: float = 0.0, inflation: float = 1.0) -> dict[str, FloatArray]:
         """Return the variance of the flow at each point that each instrument causes, by source [kg^2/s^2].
 
-        `extra` is a variance that is added to each point, and `inflation` a factor on the stated standard deviations.
+        `x` contains the scaled free parameters and common errors. `extra` is a variance that is added to each point,
+        and `inflation` a factor on the stated standard deviations.
         """
         meter = self.points.u_mass_flow_rate
         largest = float(np.max(self.points.mass_flow_rate))
@@ -360,7 +361,7 @@ def fit_flow(model: FlowModel) -> FlowFit:
 def _iterate_weights(
     model: FlowModel, x: FloatArray, *, adapt: str = "", extra: float = 0.0, inflation: float = 1.0
 ) -> FlowFit:
-    """Return the fit after alternating updates of weights and parameters.
+    """Return the fit after alternating updates of weights and parameters, starting from `x`.
 
     The keyword `adapt` is the name of the argument of `FlowModel.variances` that is adapted until chi-square equals its
     degrees of freedom. If `adapt` is empty, the variances are not adapted.

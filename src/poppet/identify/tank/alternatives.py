@@ -244,7 +244,7 @@ def _largest_step(plan: FitPlan, result: Result) -> float:
 
 
 def _fixed_value(f: FreeParameter) -> float:
-    """Return the value that an additional free parameter has in the original fit, in which it is fixed."""
+    """Return the value that the additional free parameter `f` has in the original fit, in which it is fixed."""
     if f.role in ("lag", "offset") or f.address == LEAK_ADDRESS:
         return 0.0
     return CONSTANT * f.start if f.address == "tank.wall_heat_capacity" else f.start

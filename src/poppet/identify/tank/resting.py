@@ -78,7 +78,8 @@ def _lagged_times(t: FloatArray, lag: float) -> tuple[FloatArray, FloatArray]:
 def _best_trial(t: FloatArray, y: FloatArray, trials: FloatArray, basis: Basis) -> tuple[float, float]:
     """Return the least chi-square of several trial values, and the trial value to which it belongs.
 
-    `basis` is a function that returns two functions of time for a trial value. They are fitted to `y`.
+    `basis` is a function that returns two functions of time for a trial value. They are fitted to the samples `y` at
+    the times `t`.
     """
     return min((_chi_square(*basis(t, trial), y), trial) for trial in trials.tolist())
 

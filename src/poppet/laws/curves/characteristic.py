@@ -297,7 +297,7 @@ class Characteristic:
         return clip(x, parameters["domain_start"], parameters["domain_end"]) if self._bounded else x
 
     def _operand(self, x: Any, name: str) -> Any:
-        """Check a stroke, and return it with lists and tuples converted to arrays.
+        """Check the stroke `x`, and return it; lists and tuples become arrays.
 
         NaN is rejected, and with the edge policy `error` also a stroke outside the domain. A symbol is not checked.
         `name` is the name of the curve for error messages.
@@ -354,7 +354,7 @@ def _under(prefix: str, values: Mapping[str, Any]) -> dict[str, Any]:
 
 
 def _millimetres(x: float) -> str:
-    """Return a stroke [m] as text in millimetres.
+    """Return the stroke `x` [m] as text in millimetres.
 
     The text has two decimals if they are exact, and otherwise up to 12 digits: 1.0001 mm must not appear as 1.00 mm.
     """

@@ -337,7 +337,7 @@ def interval_figure(parameters: Mapping[str, Estimate]) -> Figure:
 
 
 def interval_range(e: Estimate) -> tuple[float, float]:
-    """Return the limits of an axis for an estimate and its confidence interval.
+    """Return the limits of an axis for the estimate `e` and its confidence interval.
 
     The range includes zero. It also includes the value, the start value and the ends of the interval, unless they are
     far away.

@@ -111,7 +111,7 @@ def verdict_word(verdict: str) -> Markup:
 
 
 def estimate_text(e: Estimate) -> str:
-    """Return an estimate as text: value, standard error and readable unit."""
+    """Return the estimate `e` as text: value, standard error and readable unit."""
     unit = _unit_of(e)
     text = value_with_error(e.value, e.standard_error, e.unit, unit)
     return with_unit(text, unit) if math.isfinite(e.value) else text

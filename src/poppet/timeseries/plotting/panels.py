@@ -208,7 +208,7 @@ def thinned(time: FloatArray, values: FloatArray, columns: int) -> NDArray[np.in
 
 
 def draw_thinned(axes: Any, x: FloatArray, y: FloatArray, indices: NDArray[np.int64], **options: Any) -> None:
-    """Draw a line through the samples with the given indices.
+    """Draw a line `y` versus `x` through the samples with the given indices.
 
     The line object also stores all other samples, for figures that can be enlarged.
     """
