@@ -179,6 +179,33 @@ def test_structured_text_executes_the_steps(seed):
     check_target(run_evaluator, seed, "evaluator")
 
 
+@pytest.mark.parametrize("has_emergency", [False, True])
+def test_an_invalid_input_ends_in_the_safe_state(has_emergency):
+    """After the fault time, all outputs are 0, or the emergency step begins; a shorter fault has no effect."""
+    seed = next(k for k in range(20) if bool(random_sequence(k).program.form.emergency) == has_emergency)
+    program = case_of(seed)[1]
+    inputs = random_inputs(program, seed)
+    for k, item in enumerate(program.inputs):
+        if item.address.rpartition(".")[2] in ("halt", "reset", "emergency", "input_fault"):
+            inputs[:, k] = 0.0
+    pressure = next(k for k, item in enumerate(program.inputs) if item.address not in program.flags)
+    inputs[100:103, pressure] = inputs[200:240, pressure] = np.nan
+    outputs, status = run_evaluator(program, calls_of(program, inputs))
+    names = [output.address.partition(".")[2] for output in program.outputs]
+    commands = [k for k, name in enumerate(names) if name not in ("step", "elapsed", "cycles")]
+    # Four samples of 5 ms are the fault time.
+    assert np.array_equal(np.flatnonzero(status & SAFE), np.arange(204, 240))
+    assert np.array_equal(np.flatnonzero(status & HELD), [100, 101, 102, *range(200, 240)])
+    steps = outputs[204:240, names.index("step")]
+    if has_emergency:
+        last = len(case_of(seed)[0].parts["plc"].program.steps)
+        assert np.all(steps == last)
+    else:
+        assert np.all(outputs[204:240, commands] == 0.0)
+        assert np.all(steps == steps[0])
+    assert np.any(outputs[:200, commands] != 0.0)
+
+
 def test_a_restart_executes_the_first_step(tmp_path):
     """C and structured text start again at the same calls, and keep the last valid inputs."""
     circuit, program = case_of(0)

@@ -65,7 +65,8 @@ class RunComparison(NamedTuple):
     def max_differences(self, *, whole_run: bool = False) -> Array:
         """Return the largest difference of each output at its compared times, (n_outputs,).
 
-        If `whole_run` is True, the result refers to all times of the run. It is -1 for an output without such times.
+        If the keyword `whole_run` is True, all times of the run are compared. The result is -1 for an output that is
+        not compared at any time.
         """
         cells = self.is_available if whole_run else self.is_compared
         return np.asarray(np.where(cells, self.differences, -1.0).max(axis=1, initial=-1.0))
@@ -145,7 +146,7 @@ def rounding_changes(problem: Problem) -> list[Problem]:
 def tolerance_changes(problem: Problem, limit: float) -> list[Problem]:
     """Return copies of a problem with tolerances that are fractions of `limit`.
 
-    The errors of these runs represent those of another integration method.
+    The errors of these runs represent the errors of another integration method.
     """
     return [replace(problem, relative_tolerance=fraction * limit) for fraction in TOLERANCE_FRACTIONS]
 

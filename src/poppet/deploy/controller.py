@@ -54,7 +54,7 @@ def controller_program(circuit: BaseCircuit, parts: Sequence[str] = ()) -> Contr
 def select_controllers(circuit: BaseCircuit, parts: Sequence[str] = ()) -> dict[str, Part]:
     """Return selected controllers of a circuit by name.
 
-    The arguments and errors are those of `controller_program`.
+    The arguments and errors are the same as in `controller_program`.
     """
     controllers = find_controllers(circuit)
     if not controllers:
@@ -103,7 +103,8 @@ def circuit_of_controllers(
 ) -> BaseCircuit:
     """Return a circuit that consists only of selected controllers and their connections.
 
-    If `with_signals` is true, it has their signals, and the run of the circuit without its stop conditions.
+    If the keyword `with_signals` is True, the result also has the signals of the controllers, and the run options of
+    the circuit without its stop conditions.
     """
 
     def address_inside(address: str) -> str:

@@ -154,7 +154,7 @@ class Ode:
     def f(self, t: float, x: Array) -> Array:
         """Return the rates of a circuit without discrete states.
 
-        The arguments are those of `Stretch.f`.
+        The method `Stretch.f` describes the arguments.
 
         Raises
         ------
@@ -166,14 +166,14 @@ class Ode:
     def jac(self, t: float, x: Array) -> Array:
         """Return the Jacobian of `f` by the states.
 
-        The arguments are those of `Stretch.jac`.
+        The method `Stretch.jac` describes the arguments.
         """
         return self._at(t).jac(t, x)
 
     def outputs(self, t: ArrayLike, x: Array) -> dict[str, Any]:
         """Return the outputs by address.
 
-        The arguments are those of `Stretch.outputs`. The signals are evaluated at each time.
+        The method `Stretch.outputs` describes the arguments. The signals are evaluated at each time.
         """
         if not np.ndim(t):
             time = float(np.asarray(t))

@@ -122,7 +122,7 @@ class Compound(Part):
         return True
 
     def outside(self) -> dict[str, str]:
-        """Return a mapping from names of inputs and outputs of the compound to those of its members.
+        """Return a mapping from names of inputs and outputs of the compound to names in its members.
 
         For example, `setpoint` is mapped to `electronics.setpoint`. The inputs come first.
         """

@@ -161,6 +161,16 @@ class Condition:
         """Yield all comparisons in the order of the text."""
         yield from _relations(self.tree)
 
+    def compared_as_integers(self) -> set[str]:
+        """Return the addresses of the outputs that the condition compares by == or !=."""
+        return {
+            side.address
+            for relation in self.relations()
+            if relation.relation in ("==", "!=")
+            for side in (relation.left, relation.right)
+            if isinstance(side, Reading)
+        }
+
     def with_text(self, numbers: Mapping[str, Number]) -> str:
         """Return the text with other numbers; `numbers` maps the names of parameters to numbers."""
         text = self.text
@@ -277,7 +287,8 @@ def _compare(node: Relation, value: Callable[[Operand], Any]) -> Any:
 def read_literal(text: str, *, is_difference: bool = False) -> tuple[Number, Kind]:
     """Return a number with the SI unit that follows from its written unit, and the kind of its quantity.
 
-    A text without a unit is dimensionless. If `is_difference` is True, a pressure or temperature is a difference.
+    A text without a unit is dimensionless. If the keyword `is_difference` is True, a pressure or temperature is a
+    difference.
     """
     stripped = re.sub(r"^\s*[+-]?(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][+-]?\d+)?", "", text).strip()
     unit = next((si for si in _SI_UNITS if stripped and same_dimension(stripped, si)), "1")
@@ -546,7 +557,8 @@ class _Parser:
         units = [_unit_of(operand) for operand in (left, right, node.offset) if operand is not None]
         # A pressure compared with another pressure: the unit follows from the names.
         named = [_unit_of_name(operand) for operand in (left, right) if isinstance(operand, Reading)]
-        unit = next((unit for unit in (*units, *named) if unit), "")
+        # Integers have no unit.
+        unit = next((unit for unit in (*units, *named) if unit), "1" if node.relation in ("==", "!=") else "")
         if not unit:
             raise self._error("no_unit", first)
         wrong = next((unit_of for unit_of in units if unit_of and not same_dimension(unit_of, unit)), None)

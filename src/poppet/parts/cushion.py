@@ -54,8 +54,8 @@ class Cushion(MovingGasStore, Passage):
 
     It is a member part of `Cylinder`. The default of `closing_length` is a quarter of the spear diameter: at this
     distance, the gap between the spear and the edge of its bore has the area of the bore. The default of
-    `open_conductance` is that of an ideal nozzle with the area of the bore. The default initial pressure and
-    temperature are those of the chamber on the same side.
+    `open_conductance` is the conductance of an ideal nozzle with the area of the bore. The default initial pressure and
+    temperature are the same as in the chamber on the same side.
     """
 
     kind: ClassVar[str] = "cushion"

@@ -356,8 +356,8 @@ class Electronics(Controller):
     def _integral(self, scope: Scope, error: Any, excess: Any) -> Any:
         """Return the integral part of the outer loop after a sample, limited and with anti-windup [Pa].
 
-        `error` is the control error [Pa]. `excess` is the pilot setpoint after the limits minus that before them [Pa].
-        The result is zero if the integral time is zero.
+        `error` is the control error [Pa]. `excess` is the change of the pilot setpoint by its limits [Pa]. `scope`
+        contains parameters and states. The result is zero if the integral time is zero.
         """
         integral_time, time = scope["outer.integral_time"], scope["outer.sample_time"]
         band = scope["outer.integral_band"]

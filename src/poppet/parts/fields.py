@@ -142,8 +142,8 @@ def number(
 ) -> NumberLike:  # fmt: skip
     """Declare a field that is a number with the SI unit `unit`.
 
-    The number is required if `default` is None and `optional` is not set. `limits` contains further properties of
-    `NumberSpec`, such as limits.
+    The number is required if `default` is None and `optional` is not set. The keyword arguments are further properties
+    of `NumberSpec`, such as limits.
     """
     assert source in SOURCE_KINDS
     return _field(NumberSpec(unit, doc, default=default, source=source, note=note or "default", **limits), None)
@@ -173,7 +173,8 @@ def laminar_limit() -> NumberLike:
 def option(default: str, *choices: str, doc: str) -> str:
     """Declare a field whose value is one of several words.
 
-    `default` is the default, `choices` are the other valid words, and `doc` is the meaning of the field.
+    `default` is the default, and the further arguments are the other valid words. The keyword `doc` is the meaning of
+    the field.
     """
     return _field(OptionSpec(doc, (default, *choices)), default)
 
@@ -208,7 +209,8 @@ def group(kind: type, *, doc: str, optional: bool = False) -> Any:
 def member(kind: type, *, doc: str, inherited: Sequence[str], is_open: bool = False, optional: bool = False) -> Any:
     """Declare a field of a compound part that contains one of its member parts.
 
-    `kind` is the class of the member. The compound sets those fields of the member that `inherited` names.
+    `kind` is the class of the member. The keyword `inherited` contains the names of the fields of the member that the
+    compound sets.
     """
     return _field(MemberSpec(doc, kind, tuple(inherited), is_open, optional=optional), None)
 
@@ -229,7 +231,7 @@ def _field(spec: Spec, default: T) -> T:
 def specs(kind: Any) -> Mapping[str, Spec]:
     """Return the declarations of all fields of the part class `kind` by field name.
 
-    The names are those in a circuit file: `from`, not the Python attribute `from_`.
+    The names are the same as in a circuit file: `from`, not the Python attribute `from_`.
     """
     # A separate function: type checkers do not accept a class as an argument of a cached function.
     return _specs(kind)
@@ -245,7 +247,8 @@ def _specs(kind: Any) -> Mapping[str, Spec]:
 def declared(kind: Any, *types: type) -> tuple[tuple[str, str, Any], ...]:
     """Return name, Python attribute and declaration of each field of the part class `kind`.
 
-    If `types` contains classes of declarations, such as `NumberSpec`, only fields with these classes are included.
+    The further arguments are classes of declarations, such as `NumberSpec`. If there are any, only fields with these
+    classes are included.
     """
     # Cached: a changed number makes its part again, and a run reads every part.
     return tuple((n, attribute(n), spec) for n, spec in _specs(kind).items() if not types or isinstance(spec, types))

@@ -210,8 +210,8 @@ def iso_flow(
     """Return the ISO 6358 flow between two ports, and its outputs.
 
     `ports` and `gas` are the names and the gas states of the two ports. `size` contains sonic conductance and critical
-    pressure ratio of the flow path. `name` is the name of the output for the mass flow rate, and `regime` that of the
-    output for the flow regime.
+    pressure ratio of the flow path. `name` is the name of the output for the mass flow rate. The keyword `regime` is
+    the name of the output for the flow regime.
     """
     conductance, ratio = scope.surroundings.capacity_in_circuit_gas(*size)
     first, second = gas
@@ -230,8 +230,8 @@ def iso_flow(
 def single_flow(scope: Scope, gas: Mapping[str, GasState], size: tuple[Any, Any], **law: Any) -> PassageFlows:
     """Return the flow of a part whose ports are `from` and `to`, with its outputs.
 
-    `gas` contains the gas states at the ports, `size` contains sonic conductance and critical pressure ratio, and `law`
-    contains further arguments of `iso_flow`.
+    `gas` contains the gas states at the ports, `size` contains sonic conductance and critical pressure ratio, and the
+    keyword arguments are further arguments of `iso_flow`.
     """
     flow, outputs = iso_flow(scope, "mass_flow_rate", ("from", "to"), (gas["from"], gas["to"]), size, **law)
     return PassageFlows((flow,), outputs)
@@ -243,7 +243,8 @@ def named_flow(
     """Return one of several flows of a part, and its outputs.
 
     `gas` contains the gas states at all ports, `ends` the two ports of the flow, and `size` sonic conductance and
-    critical pressure ratio. The names of the outputs begin with `name`. `law` contains further arguments of `iso_flow`.
+    critical pressure ratio. The names of the outputs begin with `name`. The keyword arguments are further arguments of
+    `iso_flow`.
     """
     states = gas[ends[0]], gas[ends[1]]
     return iso_flow(scope, f"{name}_mass_flow_rate", ends, states, size, regime=f"{name}_regime", **law)

@@ -23,7 +23,7 @@ def initial_states(scope: Scope, volume: Any) -> dict[str, Any]:
 
 
 def gas_state(scope: Scope, volume: Any) -> GasState:
-    """Return pressure and temperature of the gas in a part from its states and its volume [m^3]."""
+    """Return pressure and temperature of the gas in a part, computed from its states and its volume [m^3]."""
     energy, mass, gas = scope.states["energy"], scope.states["mass"], scope.surroundings
     return GasState((gas.isentropic_exponent - 1.0) * energy / volume, energy / (mass * gas.heat_capacity_volume))
 

@@ -20,8 +20,8 @@ def flow_with_bypass(
     """Return the flow of a check valve with a bypass.
 
     `size` contains sonic conductance and critical pressure ratio of the free direction including the bypass, and
-    `bypass_size` those of the bypass alone. The flow is the larger one of both in the free direction, and that of the
-    bypass in the other direction.
+    `bypass_size` the same values of the bypass alone. In the free direction, the flow is the larger of the two flows.
+    In the other direction, it is the flow of the bypass.
     """
     free = single_flow(scope, gas, size, cracking_pressure=scope["cracking_pressure"], one_way=True)
     bypass = single_flow(scope, gas, bypass_size)

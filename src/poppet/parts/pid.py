@@ -396,8 +396,8 @@ class PID(SampledLoop):
     def _dead_zone(self, scope: Scope, gains: dict[str, Any]) -> tuple[Any, Any, Any]:
         """Return the dead zones of positive and negative commands, and the smoothing.
 
-        The command is the opening of the fill valve, but a negative one times the vent factor is that of the vent
-        valve.
+        A positive command is the opening of the fill valve. A negative command, multiplied by the vent factor, is the
+        opening of the vent valve.
         """
         return scope["fill_dead_zone"], scope["vent_dead_zone"] / gains["vent_factor"], scope["dead_zone_smoothing"]
 

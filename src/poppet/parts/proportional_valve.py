@@ -155,8 +155,8 @@ class ProportionalValve(Compound):
 def _first_note(code: str, is_true: Any, **series: Any) -> list[Note]:
     """Return a list with a note on the first row of a recording in which a condition is true.
 
-    `is_true` contains the condition for each row. The facts of the note are the values of `series` in this row. The
-    list is empty if the condition is never true.
+    `is_true` contains the condition for each row. The facts of the note are the values of the keyword arguments in this
+    row. The list is empty if the condition is never true.
     """
     return [Note(code, **{name: values[k] for name, values in series.items()}) for k in np.flatnonzero(is_true)[:1]]
 

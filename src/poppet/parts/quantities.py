@@ -119,8 +119,8 @@ def command_properties(part: Any) -> dict[str, Any]:
 def limit_properties(part: Any) -> dict[str, Any]:
     """Return the properties of a field for a limit of the command, such as its unit.
 
-    They are those of `command_properties` without the default, because a user must specify the limits. `part` is the
-    controller.
+    They are the properties from `command_properties` without the default, because a user must specify the limits.
+    `part` is the controller.
     """
     return {key: value for key, value in command_properties(part).items() if key != "default"}
 

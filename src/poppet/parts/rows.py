@@ -32,9 +32,9 @@ class NumberTable:
 
     @classmethod
     def column_specs(cls, *form: str) -> Mapping[str, NumberSpec]:
-        """Return the declaration of each column by name, that of the first column first.
+        """Return the declaration of each column by name, in the order of the columns.
 
-        `form` contains options that determine the columns, such as the commanded quantity.
+        The keyword arguments are options that determine the columns, such as the commanded quantity.
         """
         raise NotImplementedError
 
@@ -42,7 +42,7 @@ class NumberTable:
     def read(cls, table: Any, *form: str) -> Self:
         """Read and check a table from a mapping of column names to lists of values.
 
-        `form` contains options that determine the columns, such as the commanded quantity.
+        The keyword arguments are options that determine the columns, such as the commanded quantity.
         """
         if isinstance(table, cls):
             if table.form == form:

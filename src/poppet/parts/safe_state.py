@@ -49,7 +49,7 @@ def fault_state(scope: Scope, period: Any) -> tuple[Any, dict[str, Any]]:
 
 
 def recovers(scope: Scope, is_safe: Any) -> Any:
-    """Return 1 in the first sample after a safe state, otherwise 0."""
+    """Return 1 in the first sample after a safe state, and 0 in all other samples."""
     return where(is_safe > 0.5, 0.0, scope.memory["is_safe"])
 
 

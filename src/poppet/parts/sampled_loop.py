@@ -100,7 +100,7 @@ class SampledLoop(Controller):
     def _sensor_state(self) -> str:
         """Name of the state with the sensor reading, which lags behind the measured quantity.
 
-        An output has the same name.
+        The output of the circuit with the sensor reading has the same name.
         """
         return f"sensor_{self.controls}"
 

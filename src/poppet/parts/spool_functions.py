@@ -69,9 +69,9 @@ SETPOINTS = {name: scale for name, scale in SCALES.items() if name != "pressure"
 
 
 def used_field(name: str) -> Callable[[Any], Mapping[str, Any]]:
-    """Return a function that removes the default of a field if the function of the valve does not use it.
+    """Return a callable that removes the default of a field if the selected valve function does not use the field.
 
-    `name` is the name of the field in `FIELDS`. The result is for `NumberSpec.varies`.
+    `name` is the name of the field in `FIELDS`. The callable is a value of `NumberSpec.varies`.
     """
     return lambda part: {} if part.function in FIELDS[name] else UNUSED
 

@@ -209,7 +209,7 @@ def switched_valve(positions: int, open_at_centre: str, pilots: tuple[bool, bool
     """Return the schematic symbol of a valve with five ports and two or three positions.
 
     `open_at_centre` is "supply", "exhaust" or empty. `pilots` contains True for each side with a pneumatic pilot
-    instead of a solenoid, that for a first. `has_spring` is True if a spring replaces the actuation of the second side.
+    instead of a solenoid, side a first. `has_spring` is True if a spring replaces the actuation of the second side.
     """
     names = ("a", open_at_centre, "b") if positions == 3 else ("a", "b")
     left = 0.5 - 0.5 * _SIDE * positions

@@ -121,7 +121,7 @@ class TubeSegment(Passage):
 
 
 def _computed(value: Any, unit: str) -> Any:
-    """Return a computed value of a member; a symbol becomes a number with the SI unit `unit`."""
+    """Return a computed value of a member. A symbol becomes a number with the SI unit `unit`."""
     return Number(value, unit, Source("given")) if is_symbolic(value) else value
 
 

@@ -31,7 +31,7 @@ def switching_rate(position: Any, drive: Any, switching_time: Any) -> Any:
 def switching_target(position: Any, drive: Any) -> Any:
     """Return the position towards which an element that switches between the positions 0 and 1 moves.
 
-    The arguments are those of `switching_rate`. Beyond the hysteresis, the result is 0 or 1.
+    The function `switching_rate` describes the arguments. Beyond the hysteresis, the result is 0 or 1.
     """
     return clip(position + DRIVE_GAIN * (drive + 2.0 * position - 1.0), 0.0, 1.0)
 

@@ -145,7 +145,7 @@ def enum_members(prefix: str, rows: Sequence[tuple[str, str]]) -> str:
 def comment_rows(quantities: Iterable[Any], *, with_value: bool = False) -> list[tuple[str, str]]:
     """Return an identifier and a comment for each quantity.
 
-    The comment contains address, unit and, if `with_value` is True, the value.
+    The comment contains address and unit. If the keyword `with_value` is True, it also contains the value.
     """
     rows = []
     for q in quantities:

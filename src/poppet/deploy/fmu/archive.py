@@ -26,7 +26,7 @@ _INTERFACES = ("CoSimulation", "ModelExchange", "ScheduledExecution")
 
 @contextmanager
 def open_archive(path: Path) -> Iterator[zipfile.ZipFile]:
-    """Open an FMU archive for reading; a file that is no archive raises an error."""
+    """Open an FMU archive for reading; a file that is not an archive raises an error."""
     try:
         with open_input(path) as stream, zipfile.ZipFile(stream) as archive:
             yield archive
@@ -44,7 +44,7 @@ def check_archive(path: Path) -> int:
     Raises
     ------
     InputError
-        If the file cannot be read, is no FMU, or is not safe.
+        If the file cannot be read, is not an FMU, or is not safe.
     """
     with open_archive(path) as archive:
         check_entries(archive, path.name)

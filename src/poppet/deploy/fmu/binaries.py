@@ -62,7 +62,7 @@ def kernel_code(model: Model, functions: Mapping[str, casadi.Function]) -> str:
 def compile_object(module: Any, triple: str, **settings: Any) -> bytes:
     """Compile an LLVM module to optimised object code for one platform.
 
-    `triple` is the LLVM name of the platform. `settings` are arguments of
+    `triple` is the LLVM name of the platform. The keyword arguments are arguments of
     `llvmlite.binding.Target.create_target_machine`.
     """
     import llvmlite.binding as llvm

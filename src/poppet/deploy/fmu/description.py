@@ -187,7 +187,7 @@ def nominal_sizes(layout: FmuLayout) -> list[float]:
 def base_unit(name: str) -> dict[str, str]:
     """Return the attributes of the XML element `BaseUnit` of a unit.
 
-    FMI and SSP have integer exponents only; for any other unit, the result is empty.
+    FMI and SSP have integer exponents only. The result is empty for a unit with another exponent.
     """
     unit = unmarked_unit(name)
     if any(exponent.denominator != 1 for exponent in unit.dimension):

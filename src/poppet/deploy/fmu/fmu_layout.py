@@ -35,7 +35,7 @@ TIME_REFERENCE, FOLLOWS_REFERENCE, FIRST_REFERENCE = range(3)
 
 
 class Variable(NamedTuple):
-    """Variable of an FMU, as in its model description.
+    """Variable of an FMU, with the attributes of its model description.
 
     `start` is the start value, or None if the FMU calculates the value.
     """
@@ -357,7 +357,7 @@ class FmuLayout:
         return variables
 
     def _state_variables(self, k: int, names: set[str]) -> list[Variable]:
-        """Return the variable of the state with index `k`, and that of its derivative.
+        """Return the variable of the state with index `k`, and the variable of its derivative.
 
         `names` are the names of the variables so far.
         """

@@ -56,7 +56,7 @@ _INPUT_UNITS = {
 def export_live(circuit: BaseCircuit, source: CircuitSource, *, parameters: Sequence[str] = ()) -> Export:
     """Export a circuit as a live page: an HTML page that simulates the circuit.
 
-    `parameters` contains the texts of the option `--parameter`.
+    The keyword `parameters` contains the texts of the option `--parameter`.
     """
     page = printable(live_page(circuit, parameters=parameters)).encode()
     return Export({"page.html": page}, f"{len(page) / 1000:.0f} kB; runs in any browser, without a network connection.")
@@ -120,8 +120,8 @@ def page_content(
 ) -> dict[str, Any]:
     """Return the data of a live page, except the compiled model.
 
-    Curves and bars refer to outputs by index. A bar shows the codes of an output over time, such as a flow regime; then
-    it also has the index of the flow.
+    Curves and bars refer to outputs by index. A bar shows the codes of an output over time, such as a flow regime. The
+    bar of a flow regime also has the index of the flow.
     """
     ambient = circuit.surroundings.pressure
     sheet = Sheet({"": recording}, None, None, "", inner=False)
@@ -217,7 +217,8 @@ def _schematic_of_page(export_model: ExportModel, circuit: BaseCircuit) -> dict[
 def _empty_figure(content: dict[str, Any], duration: float) -> str:
     """Return the HTML of the figure of a live page, without curves and bars.
 
-    The script of the page adds them. `content` is the result of `page_content`, and `duration` that of the run [s].
+    The script of the page adds them. `content` is the result of `page_content`, and `duration` the duration of the run
+    [s].
     """
     name, size = content["time"]
     x: dict[str, Any] = {"label": f"time [{name}]", "range": [0.0, duration / size]}

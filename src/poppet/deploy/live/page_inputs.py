@@ -157,7 +157,7 @@ def _is_continuous(circuit: BaseCircuit, slider: Slider) -> bool:
 
 
 def changed_circuit(circuit: BaseCircuit, slider: Slider, value: float) -> BaseCircuit:
-    """Return the circuit with another value of a slider, in SI units as in the slider."""
+    """Return a copy of the circuit with another value of a slider, in SI units."""
     number = Number(value, slider.si, Source("given"), circuit.numbers()[slider.address].reference)
     return circuit.with_values({slider.address: number})
 
@@ -173,7 +173,8 @@ def _is_valid(circuit: BaseCircuit, slider: Slider, value: float) -> bool:
 def _within_valid_range(circuit: BaseCircuit, slider: Slider) -> Slider:
     """Return the slider with a range in which the circuit accepts all values.
 
-    Other parameters can narrow the range, for example the bore that of the rod diameter. Its limits then follow.
+    Other parameters can limit the range. For example, the bore of a cylinder limits its rod diameter. The ends of the
+    range are then changed to these limits.
     """
 
     def last_valid(end: float) -> float:
@@ -304,7 +305,7 @@ def _slider(export_model: ExportModel, circuit: BaseCircuit, address: str) -> Sl
 
 
 def _is_field(circuit: BaseCircuit, address: str) -> bool:
-    """Return True if an address is that of a field of a part or of a section of the circuit file."""
+    """Return True if an address belongs to a field of a part, or to a field of a section of the circuit file."""
     name, *path = address.split(".")
     owner = circuit.parts.get(name) or {"run": circuit.run, "gas": circuit.gas}.get(name)
     for field in path:
@@ -317,7 +318,7 @@ def _is_field(circuit: BaseCircuit, address: str) -> bool:
 def _signal_and_delay(export_model: ExportModel, circuit: BaseCircuit, index: int) -> dict[str, Any]:
     """Return the signal and the delay of the input with the given index.
 
-    The keys of the result are `course` and `delay`, as in the fields of a slider.
+    The keys of the result are `course` and `delay`, the names of fields of a slider.
     """
     item, signal = export_model.model.inputs[index], circuit.signals.get(export_model.inputs[index].address)
     course: dict[str, Any] = {"kind": "steps", "times": [], "values": []}

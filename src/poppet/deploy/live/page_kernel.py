@@ -136,8 +136,8 @@ def run_in_node(
 ) -> tuple[dict[str, Any], NDArray[np.float64]]:
     """Run the WebAssembly model in Node.js, and return the outcome and the outputs.
 
-    The outcome includes the computing time [s], and the outputs have shape (n_outputs, n_times). `values` are those of
-    the sliders that `mapping` contains.
+    The outcome includes the computing time [s], and the outputs have shape (n_outputs, n_times). `values` contains the
+    values of the sliders in `mapping`.
     """
     script, table = folder / "run.js", folder / "table.bin"
     kernel = (files("poppet.deploy.live") / "kernel.js").read_text(encoding="utf-8")

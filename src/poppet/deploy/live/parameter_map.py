@@ -45,7 +45,7 @@ class ParameterMap:
 
     The function has one argument, the values of the sliders in the order of `addresses`. Its result contains the
     elements of p with the indices `places`, then the thresholds of the stop conditions with the indices `conditions`.
-    Values are in SI units as in the circuit file: a gauge pressure stays a gauge value.
+    Values are in SI units. A gauge pressure in the circuit file remains a gauge value.
     """
 
     function: casadi.Function

@@ -88,7 +88,7 @@ class KernelReference:
 
     @cached_property
     def unfused_problem(self) -> Problem:
-        """Definition of the run with a kernel without fused operations (FMA), as in the targets."""
+        """Definition of the run with a kernel without fused operations (FMA), which the targets do not use either."""
         return without_fused_operations(self.problem)
 
     @cached_property
@@ -131,7 +131,8 @@ class KernelReference:
 def _with_next_row(points: Array) -> Array:
     """Return increasing times, followed by one later time.
 
-    With the later time, the values at the last given time are those after an event, as in importers.
+    Because of the later time, the values at the last given time are the values after an event. Importers return the
+    same values.
     """
     return np.append(points, 2.0 * points[-1] - points[-2])
 

@@ -147,7 +147,7 @@ class Parity:
 def all_checks() -> dict[str, ParityCheck]:
     """Return all parity checks by name.
 
-    Checks of poppet's own integrator come first, then those of the export targets.
+    Checks of poppet's own integrator come first, followed by checks of the export targets.
     """
     checks = [*kernel_checks(), *(check for target in TARGETS.values() for check in target.parity_checks())]
     return {check.name: check for check in checks}
@@ -262,7 +262,7 @@ def _run_check(check: ParityCheck, reference: KernelReference, folder: Path) -> 
 def results_table(parity: Parity, *, is_long: bool = False) -> ReportTable:
     """Return a table with one row for each parity check.
 
-    If `is_long` is True, the rows also contain the descriptions and the compared outputs.
+    If the keyword `is_long` is True, the rows also contain the descriptions and the compared outputs.
     """
     columns = [
         Column("target"), Column("time [ms]", ".4g"), Column("greatest difference", ".2e"), Column("of"),

@@ -94,7 +94,7 @@ class BlockNames:
 def export_st(circuit: BaseCircuit, source: CircuitSource, *, part: str | None = None) -> Export:
     """Export sampled controllers as structured text.
 
-    `part` is the value of the option --part, with the names of the controllers.
+    The keyword `part` is the value of the option --part, with the names of the controllers.
     """
     if not part:
         controllers = [*find_controllers(circuit)]
@@ -243,7 +243,7 @@ def function_block(program: ControllerProgram) -> str:
 def _declaration(name: str, kind: str, start: str, unit: str, *texts: str) -> str:
     """Return the declaration of one variable in structured text, with a comment.
 
-    `kind` is its type and `start` its start value. The comment contains the unit and `texts`.
+    `kind` is its type and `start` its start value. The comment contains the unit and all further arguments.
     """
     comment = "; ".join(comment_text(text) for text in (unit if unit != "1" else "", *texts) if text)
     return f"  {name} : {kind}{f' := {start}' if start else ''};{f' (* {comment} *)' if comment else ''}"
