@@ -131,6 +131,7 @@ class BaseCircuit(HtmlMixin):
             if not is_same:
                 check_wiring(errors, self._wiring)
                 check_bodies(errors, self._wiring)
+            if not is_same or not has_same_signals:
                 check_connections(
                     errors, self.connections, self.parts, self.inputs, self.signals, self._declared
                 )  # fmt: skip
@@ -382,10 +383,14 @@ class BaseCircuit(HtmlMixin):
         Raises
         ------
         InputError
-            If the recording lacks the series of a state.
+            If the recording lacks the series of a state, or the circuit has a discrete state that a recording does not
+            contain, for example a counter of a step sequence.
         """
         if not hasattr(recording, "names"):
             raise InputError("circuit.no_recording", value=recording)
+        for name, part in self.parts.items():
+            if counters := part.lost_at_resume():
+                raise InputError("sequence.no_resume", name, counters=list(counters))
         # Only parts with states or discrete states have initial values.
         targets = {
             f"{name}.{output}": (name, target)

@@ -349,6 +349,8 @@ class _Tracer:
                     if input_unit and not same_dimension(unit, input_unit):
                         facts = {"source": self._shown(source), "unit": unit, "given": input_unit}
                         errors.add("wiring.condition_unit", self._place(target), **facts)
+                    elif self.declared[target].is_integer and not self._is_integer(source):
+                        errors.add("wiring.no_integer", self._place(target), source=self._shown(source))
                 elif unit != input_unit:
                     facts = {"source": self._shown(source), "unit": unit, "wanted": input_unit}
                     errors.add("wiring.other_unit", self._place(target), **facts)
@@ -380,6 +382,12 @@ class _Tracer:
                 "wiring.unknown_step", address, step=step, owner=owner, suggestion=NameSuggestion(step, steps)
             )
         return InputError("wiring.unknown_output", address, source=source, suggestion=near)
+
+    def _is_integer(self, address: str) -> bool:
+        """Return True if all values of an output are integers."""
+        name, _, output = address.rpartition(".")
+        # `plc.step:clamp` is 1 during the step `clamp` of the sequence `plc`.
+        return ":" in output or (name in self.parts and output in self.parts[name].integer_outputs())
 
     def _place(self, target: str) -> str:
         """Return the address of the connection to an input: in its part, or in the table of connections."""

@@ -161,6 +161,16 @@ class Condition:
         """Yield all comparisons in the order of the text."""
         yield from _relations(self.tree)
 
+    def compared_as_integers(self) -> set[str]:
+        """Return the addresses of the outputs that the condition compares by == or !=."""
+        return {
+            side.address
+            for relation in self.relations()
+            if relation.relation in ("==", "!=")
+            for side in (relation.left, relation.right)
+            if isinstance(side, Reading)
+        }
+
     def with_text(self, numbers: Mapping[str, Number]) -> str:
         """Return the text with other numbers; `numbers` maps the names of parameters to numbers."""
         text = self.text
@@ -546,10 +556,9 @@ class _Parser:
             raise self._error("constant", first)
         units = [_unit_of(operand) for operand in (left, right, node.offset) if operand is not None]
         # A pressure compared with another pressure: the unit follows from the names.
-        readings = [operand for operand in (left, right) if isinstance(operand, Reading)]
-        quantities = [re.split(r"[._:]", reading.address)[-1] for reading in readings]
-        named = [QUANTITIES[name].unit for name in quantities if name in QUANTITIES]
-        unit = next((unit for unit in (*units, *named) if unit), "")
+        named = [_unit_of_name(operand) for operand in (left, right) if isinstance(operand, Reading)]
+        # Integers have no unit.
+        unit = next((unit for unit in (*units, *named) if unit), "1" if node.relation in ("==", "!=") else "")
         if not unit:
             raise self._error("no_unit", first)
         wrong = next((unit_of for unit_of in units if unit_of and not same_dimension(unit_of, unit)), None)
@@ -582,6 +591,12 @@ def _unit_of(operand: Operand) -> str:
         case Internal(name="elapsed"):
             return "s"
     return "1"
+
+
+def _unit_of_name(reading: Reading) -> str:
+    """Return the unit that follows from the name of an output, such as `tank.pressure`; empty if it is not known."""
+    name = re.split(r"[._:]", reading.address)[-1]
+    return QUANTITIES[name].unit if name in QUANTITIES else ""
 
 
 def _is_integer(operand: Operand) -> bool:

@@ -207,11 +207,13 @@ class ControlOutputs:
 class PartConnection:
     """Output of the circuit with the address `source` that drives an input of a part.
 
-    `place` is the address of the field of the part that names this output.
+    `place` is the address of the field of the part that names this output. If `is_integer` is True, only an output
+    whose values are integers is valid.
     """
 
     source: str
     place: str
+    is_integer: bool = False
 
 
 @dataclass(frozen=True)
@@ -515,6 +517,14 @@ class Part(ABC):
         """Return the names of the bodies within the part."""
         return ()
 
+    def integer_outputs(self) -> tuple[str, ...]:
+        """Return the names of the outputs whose values are always integers."""
+        return tuple(item.name for item in self.inputs() if item.is_flag)
+
+    def lost_at_resume(self) -> tuple[str, ...]:
+        """Return the names of discrete states that a resumed run cannot continue."""
+        return ()
+
     def list_internal_outputs(self) -> tuple[str, ...]:
         """Return the names of the outputs that plots omit by default."""
         return self.internal_outputs
@@ -650,6 +660,9 @@ class Passage(Part):
         codes = float(min(REGIMES)), float(max(REGIMES))
         return super().output_ranges() | dict.fromkeys(self.regimes, codes)
 
+    def integer_outputs(self) -> tuple[str, ...]:
+        return (*super().integer_outputs(), *self.regimes)
+
     @abstractmethod
     def flows(self, scope: Scope, gas: Mapping[str, GasState]) -> PassageFlows:
         """Return the gas flows and outputs of the flow path, and the time derivatives of its states.
@@ -708,6 +721,9 @@ class Controller(Part):
         Exported programs declare them as Booleans.
         """
         return ()
+
+    def integer_outputs(self) -> tuple[str, ...]:
+        return (*super().integer_outputs(), *self.flags())
 
     def sensors(self) -> dict[str, tuple[str, str]]:
         """Return the measured input and the parameter group of each sensor, by the name of its state.

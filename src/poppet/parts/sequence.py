@@ -167,9 +167,16 @@ class Sequence(Controller):
     def structure(self) -> Hashable:
         return super().structure(), self.program.structure()
 
+    def integer_outputs(self) -> tuple[str, ...]:
+        return (*super().integer_outputs(), "step", "cycles")
+
+    def lost_at_resume(self) -> tuple[str, ...]:
+        return tuple(f'count("{name}")' for name in self.program.counted())
+
     def connections(self) -> dict[str, PartConnection]:
+        integers = self.program.compared_as_integers()
         return {
-            name: PartConnection(reading.address, f"steps.{place}")
+            name: PartConnection(reading.address, f"steps.{place}", reading.address in integers)
             for name, (reading, place) in self.program.readings().items()
         }
 
@@ -277,7 +284,9 @@ class Sequence(Controller):
         scope.label("new_step", new_step, "number of the step after this sample")
         values = self._output_values(scope, new_step)
         if not form.emergency:
-            values = {name: where(is_safe > 0.5, 0.0, value) for name, value in values.items()}
+            # A halt also holds outputs that a safe state before it has set to 0.
+            held = {name: where(halts, memory[name], value) for name, value in values.items()}
+            values = {name: where(is_safe > 0.5, 0.0, value) for name, value in held.items()}
         result = {"step": new_step, "is_held": is_held, **values, **fault}
         continued = where(is_held > 0.5, memory["elapsed_samples"], samples)
         result["elapsed_samples"] = where(is_entered, 0.0, continued)

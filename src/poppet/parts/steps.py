@@ -207,6 +207,11 @@ class SequenceProgram:
                 result[name] = operand, place
         return result
 
+    def compared_as_integers(self) -> set[str]:
+        """Return the addresses of the outputs that a condition compares by == or !=."""
+        transitions = (transition for step in self.steps for transition in step.transitions)
+        return set().union(*(transition.condition.compared_as_integers() for transition in transitions))
+
     def counted(self) -> tuple[str, ...]:
         """Return the steps whose entries a condition counts, in the order of declaration."""
         names = {operand.step for operand in self.operands() if isinstance(operand, Internal) and operand.step}
@@ -275,13 +280,17 @@ class _Reader:
             if not self.form.start:
                 errors.add("sequence.no_start", "start", example=next(iter(self.table)))
             for name, key in ((self.form.start, "start"), (self.form.emergency, "emergency")):
-                if name and name not in self.table:
+                if name and not self._is_step(name):
                     self._unknown_step(key, name)
             steps = tuple(self._step(name, table) for name, table in self.table.items())
-            if self.form.start in self.table:
+            if self._is_step(self.form.start):
                 self._check_reached(steps)
             self._check_units(steps)
         return SequenceProgram(steps, self.form, self.values, dict(self.table))
+
+    def _is_step(self, name: Any) -> bool:
+        # A file can contain a list or a table instead of a name.
+        return isinstance(name, str) and name in self.table
 
     def _unknown_step(self, address: str, name: Any) -> None:
         near = NameSuggestion(str(name), self.table)
@@ -361,7 +370,7 @@ class _Reader:
             example = '{ after = "3 s", to = "stop" }'
             self.errors.add("sequence.no_mapping", address, value=value, example=example)
             return None
-        if value["to"] not in self.table:
+        if not self._is_step(value["to"]):
             self._unknown_step(f"{address}.to", value["to"])
         with self.errors.collecting():
             place = f"{address.partition('.')[2]}.after"
@@ -378,9 +387,9 @@ class _Reader:
             following = table.get("next") if isinstance(table, Mapping) else None
             timeout = table.get("timeout") if isinstance(table, Mapping) else None
             targets[name] = {key for key in following if key in self.table} if isinstance(following, Mapping) else set()
-            if isinstance(timeout, Mapping) and timeout.get("to") in self.table:
+            if isinstance(timeout, Mapping) and self._is_step(timeout.get("to")):
                 targets[name].add(timeout["to"])
-        reached = {self.form.start} | ({self.form.emergency} & {*self.table})
+        reached = {self.form.start} | ({self.form.emergency} if self._is_step(self.form.emergency) else set())
         while added := {target for name in reached for target in targets[name]} - reached:
             reached |= added
         # A misspelt target is one error: the similar step counts as reached.

@@ -142,6 +142,15 @@ def test_input_fault_sets_the_outputs_to_zero_after_its_time():
     assert steps_of(recording) == [1, 1, 2, 2, 2, *[3] * 8]
 
 
+def test_a_halt_holds_the_outputs_of_the_safe_state():
+    # The fault ends at 0.042 s during a halt, which ends at 0.061 s.
+    plc = two_steps(fault_time="10 ms")
+    signals = {"plc.input_fault": pulse(0.012, 0.042), "plc.halt": pulse(0.032, 0.061)}
+    recording = run({"plc": plc}, signals, 0.08)
+    assert recording["plc.a"].tolist() == [1, 1, 1, 1, 1, *[0] * 8, 1, 1, 1, 1]
+    assert steps_of(recording) == [1] * 17
+
+
 def test_values_of_outputs():
     steps = {"one": {"set": {"v": -1, "w": 0.5}, "next": {"two": "elapsed >= 10 ms"}}, "two": {"on": ["v"]}}
     circuit = Circuit(plant(plc=Sequence(outputs=["v", "w"], steps=steps, start="one")))
@@ -445,6 +454,23 @@ def test_resumed_run_continues_the_step():
         assert second[f"plc.{name}"] == pytest.approx(whole[f"plc.{name}"][-second.time.size :])
 
 
+def test_a_run_with_counters_cannot_be_resumed():
+    steps = {"one": {"next": {"two": 'count("one") < 3'}}, "two": {"next": {"one": "elapsed > 10 ms"}}}
+    circuit = Circuit(plant(plc=Sequence(steps=steps, start="one")))
+    with pytest.raises(InputError) as caught:
+        circuit.resumed(circuit.simulate(0.1, output_step=T))
+    assert (caught.value.code, caught.value.address) == ("sequence.no_resume", "plc")
+    assert 'count("one")' in str(caught.value)
+
+
+def test_a_signal_cannot_replace_a_connection_that_a_part_declares():
+    steps = {"one": {"next": {"one": "supply.pressure > 1 bar"}}}
+    circuit = Circuit(plant(plc=Sequence(steps=steps, start="one")))
+    with pytest.raises(InputError) as caught:
+        circuit.with_signals({"plc.supply_pressure": ON})
+    assert caught.value.code == "wiring.driven_twice"
+
+
 # --- Invalid input ---
 
 INVALID = """
@@ -534,6 +560,9 @@ steps.one.next = { two = "supply.pressure > 3 bar and low.state and line.pressur
         ({"steps": {str(k): {} for k in range(501)}}, "sequence.too_many", "steps"),
         ({"start": None}, "sequence.no_start", "start"),
         ({"start": "three"}, "sequence.unknown_step", "start"),
+        ({"start": ["one"]}, "sequence.unknown_step", "start"),
+        ({"emergency": {"one": 1}}, "sequence.unknown_step", "emergency"),
+        ({"steps": {"one": {"timeout": {"after": 1, "to": ["one"]}}}}, "sequence.unknown_step", "steps.one.timeout.to"),
         ({"emergency": "three"}, "sequence.unknown_step", "emergency"),
         ({"outputs": "a"}, "sequence.no_list", "outputs"),
         ({"outputs": ["a", "b", "go"]}, "sequence.name_twice", "outputs"),
@@ -588,10 +617,14 @@ def test_conditions_on_unknown_outputs_and_parts():
         "supply.presure > 1 bar": "wiring.unknown_output",
         'plc.step == "tow"': "wiring.unknown_step",
         "supply.pressure > 1 mm": "wiring.condition_unit",
+        "vent.opening == 1": "wiring.no_integer",
+        "not vent.opening != plc.step": "wiring.no_integer",
     }.items():
         with pytest.raises(InputError) as caught:
             circuit_of(condition)
         assert (caught.value.code, caught.value.address) == (code, "parts.plc.steps.one.next.one")
+    for condition in ("vent.regime == 1", "plc.step != 1", "plc.cycles == 2", "plc.halt == 0", 'plc.step == "one"'):
+        assert circuit_of(condition).parts["plc"].program.compared_as_integers()
 
 
 def test_example_of_two_cylinders():
