@@ -556,7 +556,8 @@ class _Parser:
             raise self._error("constant", first)
         units = [_unit_of(operand) for operand in (left, right, node.offset) if operand is not None]
         # A pressure compared with another pressure: the unit follows from the names.
-        named = [_unit_of_name(operand) for operand in (left, right) if isinstance(operand, Reading)]
+        names = (re.split(r"[._:]", item.address)[-1] for item in (left, right) if isinstance(item, Reading))
+        named = [QUANTITIES[name].unit for name in names if name in QUANTITIES]
         # Integers have no unit.
         unit = next((unit for unit in (*units, *named) if unit), "1" if node.relation in ("==", "!=") else "")
         if not unit:
@@ -591,12 +592,6 @@ def _unit_of(operand: Operand) -> str:
         case Internal(name="elapsed"):
             return "s"
     return "1"
-
-
-def _unit_of_name(reading: Reading) -> str:
-    """Return the unit that follows from the name of an output, such as `tank.pressure`; empty if it is not known."""
-    name = re.split(r"[._:]", reading.address)[-1]
-    return QUANTITIES[name].unit if name in QUANTITIES else ""
 
 
 def _is_integer(operand: Operand) -> bool:

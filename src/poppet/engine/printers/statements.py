@@ -221,15 +221,13 @@ class Statements:
             and instruction.place[0] < len(self.selections)
             and instruction.place[1] > 0
         }
+        n_vectors = len(self.selections) + len(self.outputs)
+        results = {k for k, item in enumerate(function) if item.operation == "output" and item.place[0] < n_vectors}
         for k in reversed(range(len(function))):
-            needing = [consumer for consumer in consumers[k] if consumer in candidates or consumer in in_cases
-                       or self._is_result(function[consumer])]  # fmt: skip
+            needing = [c for c in consumers[k] if c in candidates or c in in_cases or c in results]
             if k in candidates and needing and all(consumer in in_cases for consumer in needing):
                 in_cases.add(k)
         return in_cases
-
-    def _is_result(self, instruction: Instruction) -> bool:
-        return instruction.operation == "output" and instruction.place[0] < len(self.selections) + len(self.outputs)
 
     def _add_selection(self, selection: CaseStatement, values: Sequence[Value]) -> None:
         """Add the statement of a selection.
