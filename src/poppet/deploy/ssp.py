@@ -68,7 +68,15 @@ def export_ssp(
     circuit.run.grid()  # raises the error of a missing duration
     platforms = [entry.strip() for entry in (platform or "").split(",") if entry.strip()] or ["linux64"]
     system = divide_circuit(circuit)
-    starts = _start_values(circuit, system.connections)
+    starts = dict[str, float]()
+    if system.connections:
+        # Values of the connected inputs at the start of the run of the whole circuit.
+        problem, model = circuit.problem(circuit.run), circuit.model
+        first = problem.coefficients[problem.courses[0]]
+        u = first[:, 0] + first[:, 2] * np.sin(first[:, 5])
+        y = trace_functions(model)["outputs"](0.0, problem.x0, u[: len(model.inputs)], problem.p)
+        index_of = {name: k for k, (name, _) in enumerate(model.outputs)}
+        starts = {target: float(y[index_of[source]]) for target, source in system.connections.items()}
     content: dict[str, bytes] = {}
     layouts: dict[str, FmuLayout] = {}
     notes = (
@@ -94,18 +102,6 @@ def export_ssp(
 def _sampled(circuit: BaseCircuit) -> dict[str, Part]:
     """Return the sampled controllers of a circuit by name; those inside compound parts are omitted."""
     return {name: part for name, part in circuit.parts.items() if isinstance(part, Controller) and part.timers()}
-
-
-def _start_values(circuit: BaseCircuit, connections: Mapping[str, str]) -> dict[str, float]:
-    """Return the values of connected inputs at the start of the run of the whole circuit, by address."""
-    if not connections:
-        return {}
-    problem, model = circuit.problem(circuit.run), circuit.model
-    first = problem.coefficients[problem.courses[0]]
-    u = first[:, 0] + first[:, 2] * np.sin(first[:, 5])
-    y = trace_functions(model)["outputs"](0.0, problem.x0, u[: len(model.inputs)], problem.p)
-    index_of = {name: k for k, (name, _) in enumerate(model.outputs)}
-    return {target: float(y[index_of[source]]) for target, source in connections.items()}
 
 
 def divide_circuit(circuit: BaseCircuit) -> System:

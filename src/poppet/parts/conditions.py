@@ -407,24 +407,21 @@ class _Parser:
             kind = match.lastgroup
             start, end = match.span(kind)
             if kind == "number":
-                end = self._end_of_number(end)
+                # The unit of a number can contain spaces and brackets.
+                depth, unit = 0, end
+                while end < len(self.text):
+                    character = self.text[end]
+                    if character in '<>=!"' or (depth == 0 and (character == ")" or _NEXT_WORD.match(self.text, end))):
+                        break
+                    depth += {"(": 1, ")": -1}.get(character, 0)
+                    end += 1
+                end = unit + len(self.text[unit:end].rstrip())
             content = self.text[start:end]
             if kind == "text":  # with its quotes
                 start, end = start - 1, end + 1
             yield _Token(kind, content, start, end)
             position = end
         yield _Token("end", "", len(self.text), len(self.text))
-
-    def _end_of_number(self, position: int) -> int:
-        """Return the end of a number with its unit, which can contain spaces and brackets."""
-        depth, end = 0, position
-        while end < len(self.text):
-            character = self.text[end]
-            if character in '<>=!"' or (depth == 0 and (character == ")" or _NEXT_WORD.match(self.text, end))):
-                break
-            depth += {"(": 1, ")": -1}.get(character, 0)
-            end += 1
-        return position + len(self.text[position:end].rstrip())
 
     @property
     def token(self) -> _Token:

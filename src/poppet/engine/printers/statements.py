@@ -197,16 +197,6 @@ class Statements:
         k = vector - len(self.selections)
         return self.outputs[k][element] if 0 <= k < len(self.outputs) else None
 
-    def _variable_of(self, vector: int, element: int) -> ResultVariable | None:
-        """Return the variable of a result or of a result in a case.
-
-        The output is None for a label.
-        """
-        if vector < len(self.selections):
-            results = self.selections[vector].results
-            return results[(element - 1) % len(results)]
-        return self._result(vector, element)
-
     def _instructions_in_cases(
         self, function: Sequence[Instruction], consumers: Sequence[Sequence[int]], candidates: set[int]
     ) -> set[int]:
@@ -318,7 +308,12 @@ class Statements:
             instruction = function[k]
             vector, element = instruction.place
             if instruction.operation == "output":
-                if (result := self._variable_of(vector, element)) is not None:
+                if vector < len(self.selections):
+                    results = self.selections[vector].results
+                    result: ResultVariable | None = results[(element - 1) % len(results)]
+                else:
+                    result = self._result(vector, element)  # None for a label
+                if result is not None:
                     owners[k] = re.split(r"\W+", result.name)[-1]
                     needed.add(k)
                 continue
