@@ -178,6 +178,17 @@ def test_command_of_a_stroke_is_that_of_the_sequence():
         assert names[int(recording["plc.step"][row]) - 1] == step + ("+" if stroke.travel > 0.0 else "-")
 
 
+def test_command_of_a_bistable_valve_is_the_one_that_is_set():
+    """Check strokes at instants at which one command of the valve becomes 1 and the other one 0."""
+    machine = poppet.load(Path(poppet.__file__).parent / "cli" / "templates" / "machine.toml")
+    recording = machine.simulate(1.5)
+    strokes = [stroke for stroke in recording.figures.strokes if stroke.body == "slideB"]
+    assert [stroke.command for stroke in strokes] == ["valveB.command_a", "valveB.command_b"]
+    # With few rows, the peak speed is at least the mean speed.
+    for stroke in machine.simulate(1.5, output_step=0.2).figures.strokes:
+        assert stroke.peak_speed >= stroke.mean_speed
+
+
 def test_arrival_belongs_to_the_move_that_met_the_stop():
     side = {"dead_volume": "1 m^3"}
     hollow = Cylinder(body="slide", bore="1 mm", stroke_length="10 m", offset="5 m", cap=side, rod=side)
