@@ -45,6 +45,7 @@ def either(*values: Any) -> Draw:
 
 CONDUCTANCE, RATIO, BAR = logarithmic(1e-10, 3e-8), uniform(0.05, 0.6), 1e5
 SIZE: Fields = {"sonic_conductance": CONDUCTANCE, "critical_ratio": RATIO}
+BOOSTER_FRICTION: Fields = {"kind": "viscous", "viscous_coefficient": logarithmic(50.0, 1000.0)}
 OPEN, SWITCHED = uniform(0.0, 1.0), either(0.0, 1.0)
 CRACKING = either(0.0, logarithmic(1e3, 1e5))
 SWITCHING: Fields = {"switching_pressure": logarithmic(5e2, 2e4), "switching_time": logarithmic(1e-3, 2e-2)}
@@ -60,6 +61,7 @@ class PassageKind:
     inputs: Fields
     pilots: tuple[str, ...] = ()  # ports without flow
     options: tuple[Fields, ...] = ({},)  # part of the shape
+    is_driven: bool = False  # one flow does work on another
 
     @property
     def ports(self) -> tuple[str, ...]:
@@ -74,6 +76,8 @@ _SPOOL = {
     "exhaust_a_mass_flow_rate": ("a", "exhaust_a"),
     "exhaust_b_mass_flow_rate": ("b", "exhaust_b"),
 }
+_SWITCHED_SPOOL: Fields = {"switching_time": logarithmic(2e-3, 5e-2), "closing_time": logarithmic(2e-3, 5e-2)}
+_EJECTOR = {"supply_mass_flow_rate": ("supply", "exhaust"), "vacuum_mass_flow_rate": ("vacuum", "exhaust")}
 _TWO_INLETS = {"a_mass_flow_rate": ("a", "outlet"), "b_mass_flow_rate": ("b", "outlet")}
 _QUICK_EXHAUST = {"inlet_mass_flow_rate": ("inlet", "outlet"), "exhaust_mass_flow_rate": ("outlet", "exhaust")}
 PASSAGES = (
@@ -87,7 +91,36 @@ PASSAGES = (
         "spool_valve", _SPOOL, SIZE | {"leak_conductance": either(0.0, 1e-11)}, {"command": uniform(-1.0, 1.0)},
         options=({}, {"overlap": 0.1}, {"overlap": -0.1}, {"dynamics": "second_order"}),
     ),
-    PassageKind("main_stage", _THREE_WAY, {"data": "varga2012"}, {"pilot_pressure": uniform(1 * BAR, 6 * BAR)}),
+    PassageKind(
+        "spool_valve", _SPOOL, SIZE | _SWITCHED_SPOOL, {"command": SWITCHED}, options=({"function": "5/2 monostable"},)
+    ),
+    PassageKind(
+        "spool_valve", _SPOOL, SIZE | _SWITCHED_SPOOL, {"command_a": SWITCHED, "command_b": SWITCHED},
+        options=tuple(
+            {"function": name} for name in ("5/2 bistable", "5/3 closed", "5/3 exhausted", "5/3 pressurised")
+        ),
+    ),
+    PassageKind(
+        "spool_valve", _SPOOL, SIZE | _SWITCHED_SPOOL | {"pilot_pressure": uniform(2.2 * BAR, 5 * BAR)}, {},
+        pilots=("pilot_a", "pilot_b"), options=({"function": "5/2 bistable"}, {"function": "5/3 closed"}),
+    ),
+    PassageKind(
+        "main_stage", _THREE_WAY, {"data": "varga2012", "leak_conductance": either(0.0, logarithmic(1e-12, 1e-9))},
+        {"pilot_pressure": uniform(1 * BAR, 6 * BAR)},
+    ),
+    PassageKind(
+        "pressure_regulator", _THREE_WAY,
+        SIZE | {"exhaust_conductance": CONDUCTANCE, "droop": logarithmic(5e3, 1e5), "hysteresis": either(0.0, 5e3)},
+        {"setpoint": uniform(1.5 * BAR, 7 * BAR)},
+    ),
+    PassageKind(
+        "vacuum_ejector", _EJECTOR,
+        {
+            "nozzle_conductance": logarithmic(3e-11, 3e-9), "max_suction_flow": logarithmic(1e-5, 1e-2),
+            "max_vacuum": uniform(3e4, 9e4),
+        },
+        {}, options=({}, {"check_valve": "true"}), is_driven=True,
+    ),
     PassageKind("shuttle_valve", _TWO_INLETS, SIZE | SWITCHING, {}),
     PassageKind("two_pressure_valve", _TWO_INLETS, SIZE | SWITCHING, {}),
     PassageKind("quick_exhaust_valve", _QUICK_EXHAUST, SIZE | SWITCHING | {"exhaust_conductance": CONDUCTANCE}, {}),
@@ -113,10 +146,13 @@ _CHAMBERS: tuple[Fields, ...] = (
 
 @dataclass(frozen=True)
 class RandomCircuit:
-    """A circuit, its flows as (output, first node, second node), and its gas nodes with a mass."""
+    """A circuit, its flows as (output, first node, second node), and its gas nodes with a mass.
+
+    The flows are in groups: only the total entropy production of a group is not negative.
+    """
 
     circuit: Circuit
-    flows: tuple[tuple[str, str, str], ...]
+    groups: tuple[tuple[tuple[str, str, str], ...], ...]
     stores: tuple[str, ...]
     duration: float
     is_closed: bool
@@ -143,7 +179,7 @@ def random_circuit(shape: np.random.Generator, numbers: np.random.Generator) -> 
     builder.add_volumes()
     for k in range(int(shape.integers(3, 9))):
         item = PASSAGES[shape.integers(len(PASSAGES))]
-        if len(item.ports) <= len(builder.nodes) + 1:
+        if len(item.ports) <= len(builder.nodes):
             builder.add_passage(f"{item.kind}{k}", item)
     builder.add_links()
     return builder.circuit()
@@ -158,8 +194,7 @@ class _Builder:
         self.parts: dict[str, Any] = {}
         self.stores: list[str] = []
         self.signals: dict[str, Draw] = {}
-        self.flows: list[tuple[str, str, str]] = []
-        self.kinds: set[str] = set()
+        self.groups: list[tuple[tuple[str, str, str], ...]] = []
 
     def add(self, name: str, kind: str, stores: tuple[str, ...] = (), **fields: Any) -> None:
         self.parts[name] = KINDS[kind](**draw_fields(fields, self.numbers))
@@ -170,7 +205,9 @@ class _Builder:
 
     @property
     def nodes(self) -> list[str]:
-        return [*self.stores, *([] if self.is_closed else ["supply", "ambient"])]
+        # No other part connects to the chambers of a booster.
+        stores = [name for name in self.stores if not name.startswith("booster.")]
+        return [*stores, *([] if self.is_closed else ["supply", "ambient"])]
 
     def add_volumes(self) -> None:
         for k in range(int(self.shape.integers(2, 5))):
@@ -179,8 +216,19 @@ class _Builder:
             self.add("supply", "reservoir", pressure=uniform(3 * BAR, 9 * BAR), temperature=uniform(280, 310))
             if self.is_drawn(0.15):
                 self._add_muscle()
-        if self.is_drawn(0.4):
-            self._add_cylinder()
+            if self.is_drawn(0.2):
+                self._add_compressor()
+            if self.is_drawn(0.2):
+                self._add_cup()
+        for probability, add in (
+            (0.4, self._add_cylinder),
+            (0.15, self._add_gripper),
+            (0.15, self._add_rotary_actuator),
+        ):
+            if self.is_drawn(probability):
+                add()
+        if self.is_drawn(0.15) and len(self.nodes) >= 3:
+            self._add_booster()
         if self.is_drawn(0.25):
             end = self.stores[self.shape.integers(len(self.stores))]
             sizes = {"length": uniform(0.3, 3.0), "bore": uniform(3e-3, 8e-3)}
@@ -189,8 +237,8 @@ class _Builder:
         if self.is_drawn(0.15):
             ends = dict(zip(("supply", "exhaust"), _pick(self.shape, self.nodes, 2), strict=True))
             self.add("pilot", "pilot_stage", ("pilot",), data="vppm_6l", wall_conductance=0.0, **ends)
-            self.flows += [("pilot.fill_mass_flow_rate", ends["supply"], "pilot")]
-            self.flows += [("pilot.vent_mass_flow_rate", "pilot", ends["exhaust"])]
+            self.groups.append((("pilot.fill_mass_flow_rate", ends["supply"], "pilot"),))
+            self.groups.append((("pilot.vent_mass_flow_rate", "pilot", ends["exhaust"]),))
             self.signals |= {"pilot.fill_duty": OPEN, "pilot.vent_duty": OPEN}
 
     def _add_chamber(self, name: str) -> None:
@@ -214,30 +262,90 @@ class _Builder:
         )  # fmt: skip
         self.signals["slide.load_force"] = uniform(-2e5 * area, 2e5 * area)
 
+    def _add_gripper(self) -> None:
+        side = {"dead_volume": logarithmic(1e-6, 1e-4), "initial_pressure": uniform(1 * BAR, 6 * BAR)}
+        self.add(
+            "gripper", "gripper", ("gripper.cap", "gripper.rod"), bore=uniform(0.01, 0.04), cap=side, rod=side,
+            jaws={"mass": uniform(0.1, 1.0), "friction": {"kind": "viscous", "viscous_coefficient": 50.0}},
+            jaw_stroke=uniform(2e-3, 2e-2), workpiece={"width": 5e-3},
+        )  # fmt: skip
+        self.signals |= {"gripper.workpiece": SWITCHED, "gripper.jaws.load_force": uniform(-10.0, 10.0)}
+
+    def _add_rotary_actuator(self) -> None:
+        side = {"dead_volume": logarithmic(1e-6, 1e-4), "initial_pressure": uniform(1 * BAR, 6 * BAR)}
+        friction = {"kind": "viscous", "viscous_coefficient": uniform(0.05, 1.0)}
+        self.add(
+            "rotary", "rotary_actuator", ("rotary.forward", "rotary.backward"), displacement=logarithmic(1e-6, 3e-5),
+            swivel_angle=uniform(0.5, 4.0), shaft={"inertia": logarithmic(1e-3, 1e-1), "friction": friction},
+            forward=side, backward=side,
+        )  # fmt: skip
+        self.signals["rotary.shaft.load_torque"] = uniform(-1.0, 1.0)
+
+    def _add_booster(self) -> None:
+        ends = dict(zip(("supply", "outlet", "exhaust"), _pick(self.shape, self.nodes, 3), strict=True))
+        valve = {"sonic_conductance": logarithmic(1e-9, 3e-8), "critical_ratio": RATIO}
+        self.add(
+            "booster", "pressure_booster", (), pressure_ratio=uniform(1.5, 4.0), bore=uniform(0.02, 0.06),
+            stroke_length=uniform(0.02, 0.1), piston={"mass": uniform(0.5, 3.0), "friction": BOOSTER_FRICTION},
+            valve=valve, checks=valve, **ends,
+        )  # fmt: skip
+        for side in "ab":
+            drive, boost = f"booster.drive_{side}", f"booster.boost_{side}"
+            self.stores += [drive, boost]
+            flows = {
+                "supply": (ends["supply"], drive), "exhaust": (drive, ends["exhaust"]),
+                "intake": (ends["supply"], boost), "delivery": (boost, ends["outlet"]),
+            }  # fmt: skip
+            self.groups += [((f"booster.{name}_{side}_mass_flow_rate", *nodes),) for name, nodes in flows.items()]
+
     def _add_muscle(self) -> None:
         stop = {"position": 0.0}
         self.add("weight", "mass", mass=uniform(5.0, 40.0), inclination="90 deg", lower_stop=stop)
         self.add("muscle", "muscle", ("muscle",), body="weight", data="dmsp_20_300", dead_volume=5e-6, damping=200.0)
 
+    def _add_compressor(self) -> None:
+        limits = {"start_pressure": uniform(4 * BAR, 6 * BAR), "stop_pressure": uniform(7 * BAR, 9 * BAR)}
+        cooling = "aftercooler" if self.is_drawn(0.5) else "none"
+        self.add("compressor", "compressor", outlet="tank0", free_air_delivery=logarithmic(1e-4, 1e-2), cooling=cooling,
+                 efficiency=uniform(0.4, 1.0), **limits)  # fmt: skip
+
+    def _add_cup(self) -> None:
+        end = self.stores[self.shape.integers(len(self.stores))]
+        fields = {"volume": logarithmic(1e-6, 1e-4), "diameter": uniform(0.01, 0.08)}
+        self.add(
+            "cup", "suction_cup", ("cup",), port=end, leak_conductance=either(0.0, logarithmic(1e-12, 1e-9)), **fields
+        )
+        self.groups += [(("cup.port_mass_flow_rate", end, "cup"),), (("cup.leak_mass_flow_rate", "ambient", "cup"),)]
+        self.signals |= {"cup.sealed": SWITCHED, "cup.load_force": uniform(0.0, 100.0)}
+
+    def _add_void(self, name: str) -> str:
+        """Add a small volume that an ejector can evacuate, with a leak."""
+        pressure = uniform(0.3 * BAR, 1.1 * BAR)
+        self.add(name, "chamber", (name,), volume=logarithmic(1e-5, 1e-3), initial_pressure=pressure)
+        leak = SIZE | {"sonic_conductance": logarithmic(1e-10, 1e-7)}
+        self.add(f"{name}_leak", "orifice", from_="ambient", to=name, **leak)
+        self.groups.append(((f"{name}_leak.mass_flow_rate", "ambient", name),))
+        return name
+
     def add_passage(self, name: str, item: PassageKind) -> None:
         ends = dict(zip(item.ports, _pick(self.shape, self.nodes, len(item.ports)), strict=True))
+        if item.is_driven and not self.is_closed and self.is_drawn(0.8):
+            ends = {"supply": "supply", "vacuum": self._add_void(f"void_{name}"), "exhaust": "ambient"}
         option = item.options[self.shape.integers(len(item.options))]
         self.add(name, item.kind, **ends, **item.fields, **option)
-        self.flows += [
-            (f"{name}.{output}", ends[first], ends[second]) for output, (first, second) in item.flows.items()
-        ]
-        self.kinds.add(item.kind)
+        flows = [(f"{name}.{output}", ends[first], ends[second]) for output, (first, second) in item.flows.items()]
+        self.groups += [tuple(flows)] if item.is_driven else [(flow,) for flow in flows]
         self.signals |= {f"{name}.{address}": draw for address, draw in item.inputs.items()}
 
     def add_links(self) -> None:
         """Connect the gas nodes that no flow path uses."""
-        used = {node for flow in self.flows for node in flow[1:]}
+        used = {node for group in self.groups for flow in group for node in flow[1:]}
         link = next(item for item in PASSAGES if item.kind == "orifice")
         for node in (node for node in self.nodes if node not in used and node != "ambient"):
             other = next(_pick(self.shape, [name for name in self.nodes if name != node], 1))
             name = f"link_{node.replace('.', '_')}"
             self.add(name, "orifice", from_=node, to=other, **link.fields)
-            self.flows.append((f"{name}.mass_flow_rate", node, other))
+            self.groups.append(((f"{name}.mass_flow_rate", node, other),))
 
     def circuit(self) -> RandomCircuit:
         volumes = [float(part.volume) for part in self.parts.values() if part.kind == "chamber"]
@@ -247,8 +355,12 @@ class _Builder:
         signals = {address: Steps(times, [draw(self.numbers) for _ in times]) for address, draw in self.signals.items()}
         gas = GASES[sorted(GASES)[self.numbers.integers(len(GASES))]]
         circuit = Circuit(self.parts, signals, gas=gas)
-        flows, stores, kinds = tuple(self.flows), tuple(self.stores), frozenset(self.kinds)
-        return RandomCircuit(circuit, flows, stores, duration, self.is_closed, kinds)
+        groups, stores, kinds = (
+            tuple(self.groups),
+            tuple(self.stores),
+            frozenset(part.kind for part in self.parts.values()),
+        )
+        return RandomCircuit(circuit, groups, stores, duration, self.is_closed, kinds)
 
 
 def _pick(shape: np.random.Generator, nodes: list[str], count: int) -> Iterator[str]:

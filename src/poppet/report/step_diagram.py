@@ -173,17 +173,23 @@ def _bodies_of(circuit: BaseCircuit, address: str) -> Iterator[str]:
     part = circuit.parts.get(name)
     if isinstance(part, Body):
         yield name
+    elif part is not None and part.kind in _COMPOUNDS:
+        yield f"{name}.{_COMPOUNDS[part.kind][0]}"
     elif part is not None and getattr(part, "body", None):
         yield str(part.body)  # type: ignore[attr-defined]
     elif part is not None and f"{name}.measurement" in circuit.connections:
         yield from _bodies_of(circuit, circuit.connections[f"{name}.measurement"])
 
 
+_COMPOUNDS = {"gripper": ("jaws", "jaw_stroke"), "rotary_actuator": ("shaft", "swivel_angle")}
+"""Body in a compound part by its kind, and the field with its stroke."""
+
+
 def _displacement(circuit: BaseCircuit, recording: Recording, body: str) -> tuple[str, FloatArray]:
     """Return the label of a body and its displacement as a fraction of its stroke.
 
-    The stroke is that of the first cylinder of the body. Without a cylinder, it is the distance of its stops, or the
-    range of the recorded positions.
+    The stroke is that of the first cylinder of the body, or of the compound part that contains the body. Without both,
+    it is the distance of the stops, or the range of the recorded positions.
     """
     cylinders = [
         (name, part) for name, part in circuit.parts.items() if isinstance(part, Cylinder) and part.body == body
@@ -192,7 +198,10 @@ def _displacement(circuit: BaseCircuit, recording: Recording, body: str) -> tupl
         name, cylinder = cylinders[0]
         position, stroke = recording[f"{name}.piston_position"], float(cylinder.stroke_length)  # type: ignore[arg-type]
         return name if len(cylinders) == 1 else body, position / stroke
-    position = recording[f"{body}.position"]
+    position, owner = recording[f"{body}.position"], body.partition(".")[0]
+    if owner != body:
+        stroke = float(getattr(circuit.parts[owner], _COMPOUNDS[circuit.parts[owner].kind][1]))
+        return owner, position / stroke
     stops = [getattr(circuit.parts[body], f"{side}_stop", None) for side in ("lower", "upper")]
     low, high = float(np.min(position)), float(np.max(position))
     if None not in stops:

@@ -132,6 +132,22 @@ def test_a_body_without_cylinder_uses_its_stops_or_its_range(circuit: poppet.Cir
     assert [run.displacements["table"][k] for k in (0, -1)] == pytest.approx([0.0, 1.0])
 
 
+def test_a_gripper_uses_the_stroke_of_its_jaws() -> None:
+    text = TEXT.replace("slideB.position > 48 mm", "gripper.jaws.position > 4 mm")
+    text = text.replace("slideB.position < 2 mm", "elapsed > 1 s")
+    text += '[parts.gripper]\nkind = "gripper"\nbore = "20 mm"\njaw_stroke = "5 mm"\njaws = {mass = "0.2 kg"}\n'
+    text += 'cap = {dead_volume = "2 cm^3"}\nrod = {dead_volume = "2 cm^3"}\n'
+    for side in ("cap", "rod"):
+        text += f'[parts.{side}_hole]\nkind = "orifice"\nfrom = "gripper.{side}"\nto = "ambient"\n'
+        text += "sonic_conductance = 1e-9\ncritical_ratio = 0.3\n"
+    result = recording(*STARTS)
+    moved = np.vstack([result.values, np.linspace(0.0, 0.004, result.time.size)])
+    names, units = (*result.names, "gripper.jaws.position"), ("1", "1", "1", "m", "m", "m")
+    run = step_run(poppet.loads(text), Recording(result.time, names, units, moved))
+    assert list(run.displacements) == ["cylinderA", "gripper"]
+    assert run.displacements["gripper"][-1] == pytest.approx(0.8)
+
+
 def test_rejected_input(circuit: poppet.Circuit) -> None:
     with pytest.raises(InputError) as error:
         draw_step_diagram(poppet.load(TWO_TANKS), recording(*STARTS))
