@@ -237,7 +237,7 @@ class LoadData:
             begins = (table.slope[1:] != 0.0) & (table.slope[:-1] == 0.0)
             moments = table.start[1:][table.jump[1:] | begins]
             changes += [(float(moment), address if is_command else None) for moment in moments]
-        # The sort is stable: of two commands that change at once, the one that is set comes before the one that is reset.
+        # The sort is stable: of two commands that change at once, the one that is set comes first.
         return sorted([*changes, *resets], key=lambda change: change[0])
 
     def stops(self) -> Iterator[tuple[str, str, str]]:
