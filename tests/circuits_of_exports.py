@@ -17,7 +17,7 @@ CONTROLLERS = {
     "pressure_regulator": (),
     "position_control": (),
     "muscle_joint": ("valve", "position", "inverse"),
-    "two_cylinders": (),
+    "two_cylinders": ("plc", "pressed"),
 }
 """Exported controllers: name of the example, and of its controllers if there are several."""
 

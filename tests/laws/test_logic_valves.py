@@ -16,7 +16,7 @@ from poppet.timeseries.recording import Recording
 sys.path.insert(0, str(Path(__file__).parent))
 from seeded_logic import random_logic
 
-MAX_STEPS = 200_000
+MAX_STEPS = 500_000
 """Steps of one run; an element with a switching pressure of a millibar can move to and fro for the whole run."""
 REPEATED = 0.005
 """Fraction of runs that are repeated with a smaller tolerance."""

@@ -167,7 +167,11 @@ def describe_system(system: System, layouts: Mapping[str, FmuLayout], title: str
     units = sorted({v.unit for group in connectors.values() for v in group if base_unit(v.unit or "1")})
     elements = []
     for component in system.components:
-        children = [_connector_element(variable) for variable in connectors[component.name]]
+        children = []
+        for variable in connectors[component.name]:
+            unit = {"unit": variable.unit} if base_unit(variable.unit or "1") else {}
+            fields = {"name": variable.name, "kind": variable.causality}
+            children.append(element("ssd:Connector", fields, [element("ssc:Real", unit, depth=6)], 5))
         attributes = {"name": component.name, "type": FMU_TYPE}
         attributes["source"] = component.file
         listed = [element("ssd:Connectors", {}, children, 4)] if children else []
@@ -204,9 +208,3 @@ def _connectors(layout: FmuLayout, connections: Mapping[str, str]) -> Sequence[V
     inputs = layout.export_model.inputs
     connected = {layout.input_reference(k) for k, item in enumerate(inputs) if item.address in connections}
     return [v for v in layout.variables if v.causality == "output" or v.reference in connected]
-
-
-def _connector_element(variable: Variable) -> str:
-    unit = {"unit": variable.unit} if base_unit(variable.unit or "1") else {}
-    attributes = {"name": variable.name, "kind": variable.causality}
-    return element("ssd:Connector", attributes, [element("ssc:Real", unit, depth=6)], 5)

@@ -435,8 +435,19 @@ def complete(part: Any, library: Mapping[str, Number]) -> None:
 
 
 def _complete(part: Any, library: Mapping[str, Number], path: str, errors: ErrorCollector, owner: Any) -> None:
+    # The declarations of numbers depend on options, which can have any value until they are read.
+    unread: dict[str, Any] = {}
+    for _, attribute_name, spec in declared(part.__class__, OptionSpec):
+        argument = getattr(part, attribute_name)
+        if not isinstance(argument, str):
+            unread[attribute_name] = argument
+            is_switch = isinstance(argument, bool) and spec.choices == OFF_ON
+            object.__setattr__(part, attribute_name, spec.choices[argument if is_switch else 0])
     for name, attribute_name, spec in declared(part.__class__):
-        argument, address = getattr(part, attribute_name), f"{path}{name}"
+        argument = unread.get(attribute_name, getattr(part, attribute_name))
+        if _is_final(argument, spec, library):
+            continue
+        address = f"{path}{name}"
         try:
             value = _read_field(argument, spec, address, library, errors, owner)
         except InputError as error:
@@ -444,6 +455,16 @@ def _complete(part: Any, library: Mapping[str, Number], path: str, errors: Error
             continue
         if value is not argument:
             object.__setattr__(part, attribute_name, value)
+
+
+def _is_final(argument: Any, spec: Spec, library: Mapping[str, Number]) -> bool:
+    """Return True if an argument is evidently the final value of its field; this makes copies of parts fast."""
+    kind = type(spec)
+    if kind is NumberSpec:
+        return argument is None and spec.optional and spec.default is None and spec.varies is None and not library  # type: ignore[union-attr]
+    if kind is OptionSpec:
+        return type(argument) is str and argument in spec.choices  # type: ignore[union-attr]
+    return kind is ReferenceSpec or (kind is PortSpec and type(argument) is str)
 
 
 def _read_field(

@@ -52,6 +52,9 @@ class LogicValve(FlowPath):
     def caption(self, numbers: CaptionNumbers) -> list[str]:
         return [*super().caption(numbers), f"switches at {numbers.text(self.switching_pressure)}"]
 
+    def output_ranges(self) -> dict[str, tuple[str | float, str | float]]:
+        return super().output_ranges() | {"position": (0.0, 1.0)}
+
     def states(self) -> tuple[State, ...]:
         return (State("position", "1", 1.0, floor=1.0),)
 
@@ -62,7 +65,8 @@ class LogicValve(FlowPath):
         """Return the flows of both flow paths, all outputs, and the speed of the closing element."""
         position = scope.states["position"]
         drive = self.pressure_difference(gas) / scope["switching_pressure"]
-        outputs: Quantities = {"position": (position, "1")}
+        # The integrator can exceed the seats by its tolerance.
+        outputs: Quantities = {"position": (clip(position, 0.0, 1.0), "1")}
         for _, path_outputs in paths:
             outputs |= path_outputs
         rate = gradual_switching_rate(position, drive, scope["switching_time"])

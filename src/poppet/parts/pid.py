@@ -341,7 +341,8 @@ class PID(SampledLoop):
         unlimited = without_integral + integral
         scope.label("unlimited", unlimited, f"command before its limits [{self.command_unit}]")
         is_automatic = scope.inputs["automatic"] > 0.5
-        compensated = self._command_of_valves(scope, gains, unlimited)
+        dead_zone = self._dead_zone(scope, gains) if _has_dead_zone(self) else None
+        compensated = unlimited if dead_zone is None else add_dead_zone(unlimited, *dead_zone)
         requested = where(is_automatic, compensated, scope.inputs["manual_command"])
         scope.label("requested", requested, f"automatic or manual command before the limits [{self.command_unit}]")
         command = where(is_safe > 0.5, safe, clip(requested, low, high))
@@ -400,10 +401,6 @@ class PID(SampledLoop):
         opening of the vent valve.
         """
         return scope["fill_dead_zone"], scope["vent_dead_zone"] / gains["vent_factor"], scope["dead_zone_smoothing"]
-
-    def _command_of_valves(self, scope: Scope, gains: dict[str, Any], command: Any) -> Any:
-        """Return the command that compensates the dead zones for a command of the law."""
-        return add_dead_zone(command, *self._dead_zone(scope, gains)) if _has_dead_zone(self) else command
 
     def _command_of_law(self, scope: Scope, gains: dict[str, Any], command: Any) -> Any:
         """Return the command of the law for a command of the valves."""

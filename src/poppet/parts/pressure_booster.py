@@ -43,10 +43,8 @@ EDGES = {
 }
 """Mapping from each edge of the reversing valve to its ports, and 1 if it is open at position 0, -1 at position 1."""
 CHECKS = {
-    "intake_a": ("supply", "boost_a"),
-    "intake_b": ("supply", "boost_b"),
-    "delivery_a": ("boost_a", "outlet"),
-    "delivery_b": ("boost_b", "outlet"),
+    **{f"intake_{side}": ("supply", f"boost_{side}") for side in "ab"},
+    **{f"delivery_{side}": (f"boost_{side}", "outlet") for side in "ab"},
 }
 """Mapping from each check valve to its ports."""
 TRIP_FRACTION = 0.05
@@ -143,8 +141,11 @@ class BoosterChecks(FlowPath):
             )
             flows.append(flow)
             outputs |= check_outputs
-        for total, names in {"intake": ("intake_a", "intake_b"), "outlet": ("delivery_a", "delivery_b")}.items():
-            outputs[f"{total}_mass_flow_rate"] = sum(outputs[f"{name}_mass_flow_rate"][0] for name in names), "kg/s"
+        for total, name in (("intake", "intake"), ("outlet", "delivery")):
+            outputs[f"{total}_mass_flow_rate"] = (
+                sum(outputs[f"{name}_{side}_mass_flow_rate"][0] for side in "ab"),
+                "kg/s",
+            )
         return PassageFlows(tuple(flows), outputs)
 
 
@@ -248,9 +249,13 @@ class PressureBooster(MovingCompound):
     piston: Any = member(Mass, doc="mass of the pistons", inherited=("inclination", "lower_stop", "upper_stop"))
     valve: Any = member(
         ReversingValve, doc="reversing valve",
-        inherited=("supply", "drive_a", "drive_b", "exhaust", "body", "stroke_length", "trip_distance"),
+        inherited=(
+            "supply", "drive_a", "drive_b", "exhaust", "body", "stroke_length", "trip_distance", "characteristic"
+        ),
     )  # fmt: skip
-    checks: Any = member(BoosterChecks, doc="check valves", inherited=("supply", "outlet", "boost_a", "boost_b"))
+    checks: Any = member(
+        BoosterChecks, doc="check valves", inherited=("supply", "outlet", "boost_a", "boost_b", "characteristic")
+    )
     drive_a: Any = member(CylinderChamber, doc="drive chamber a", inherited=_GEOMETRY)
     drive_b: Any = member(CylinderChamber, doc="drive chamber b", inherited=_GEOMETRY)
     boost_a: Any = member(CylinderChamber, doc="boost chamber a", inherited=_GEOMETRY)
@@ -314,9 +319,11 @@ class PressureBooster(MovingCompound):
                     "drive_b": ".drive_b",
                 }
                 trip = {"stroke_length": self.stroke_length, "trip_distance": values.get("trip_distance", 1.0)}
-                return ends | trip | {"body": ".piston"}
+                # Without a stroke, the valves have no characteristic.
+                return ends | trip | {"body": ".piston", "characteristic": None}
             case "checks":
-                return {"supply": self.supply, "outlet": self.outlet, "boost_a": ".boost_a", "boost_b": ".boost_b"}
+                ends = {"supply": self.supply, "outlet": self.outlet}
+                return ends | {"boost_a": ".boost_a", "boost_b": ".boost_b", "characteristic": None}
             case _:
                 names = {name: getattr(self, name) for name in ("seal_friction", "leakage")}
                 sizes = {"bore": self.bore, "drive_bore": values.get("drive_bore"), "body": ".piston"}
@@ -331,11 +338,10 @@ class PressureBooster(MovingCompound):
         trip = [TRIP_FRACTION * stroke] if self.trip_distance is None else values_of(self.trip_distance)
         drive_bore = bore * (ratio - 1.0) ** 0.5
         swept = 0.25 * math.pi * bore**2 * stroke
-        values = {
-            "bore": (bore, "m"),
-            "drive_bore": (drive_bore, "m"),
-            "boost_dead_volume": (fraction * swept, "m^3"),
-            "drive_dead_volume": (fraction * (ratio - 1.0) * swept, "m^3"),
+        lengths = {"bore": bore, "drive_bore": drive_bore} | ({} if trip is None else {"trip_distance": trip[0]})
+        dead = {"boost_dead_volume": fraction * swept, "drive_dead_volume": fraction * (ratio - 1.0) * swept}
+        return {
+            name: Number(value, unit, Source("given"))
+            for unit, sizes in {"m": lengths, "m^3": dead}.items()
+            for name, value in sizes.items()
         }
-        values |= {} if trip is None else {"trip_distance": (trip[0], "m")}
-        return {name: Number(value, unit, Source("given")) for name, (value, unit) in values.items()}

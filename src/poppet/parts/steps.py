@@ -31,6 +31,8 @@ NAME = re.compile(r"[A-Za-z][A-Za-z0-9_]{0,63}")
 """Form of the name of an output or an input of a sequence."""
 STEP_NAME = re.compile(r"[A-Za-z0-9](?:[A-Za-z0-9 _+-]{0,62}[A-Za-z0-9_+-])?")
 """Form of the name of a step."""
+COUNTER = re.compile(r"count_[0-9]+")
+"""Form of the names of counters in the memory of a sequence."""
 MAX_STEPS = 500
 """Maximum number of steps of a sequence."""
 BUILT_IN_INPUTS = ("halt", "reset", "emergency", "input_fault")
@@ -256,7 +258,7 @@ def read_names(errors: ErrorCollector, value: Any, address: str, taken: Collecti
             errors.add("sequence.no_name", address, name=name)
         elif name in names or name in taken:
             errors.add("sequence.name_twice", address, name=name)
-        elif name in _RESERVED:
+        elif name in _RESERVED or COUNTER.fullmatch(name):
             errors.add("sequence.reserved", address, name=name)
         else:
             names[name] = None

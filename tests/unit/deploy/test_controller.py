@@ -32,7 +32,7 @@ CASES = {
     "position": ("position_control", (), POSITION, 0.5),
     "dead zone": ("position_dead_zone", (), POSITION, 0.5),
     "electronics": ("pressure_regulator", (), OUTLET, 0.5),
-    "sequence": ("two_cylinders", (), {}, 2.0),
+    "sequence": ("two_cylinders", ("plc", "pressed"), {}, 2.0),
     "cascade": ("muscle_joint", ("position", "inverse", "valve"), {**ANGLE, **OUTLET}, 1.2),
 }
 """File, parts, what their sensors show, and length of the run [s]."""

@@ -124,7 +124,7 @@ def test_a_sequence_is_a_component(tmp_path: Path) -> None:
     """With two communication steps in a sample time, its steps are those of the run."""
     count = 200
     circuit = circuit_of("two_cylinders", 1.0)
-    assert [component.name for component in divide_circuit(circuit).components] == ["plc", "plant"]
+    assert [component.name for component in divide_circuit(circuit).components] == ["plc", "pressed", "plant"]
     half = float(circuit.parameters["plc.sample_time"]) / 2.0
     outputs = ("plant", "slideA.position"), ("plc", "plc.step")
     points = [k * half for k in range(2 * count + 1)]

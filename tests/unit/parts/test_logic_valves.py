@@ -161,6 +161,15 @@ class TestQuickExhaustValve:
         assert all(residual.is_kept for residual in recording.residuals)
 
 
+def test_recorded_position_is_between_the_seats():
+    """Also where the state exceeds a seat by the tolerance, so that a run can continue from any row."""
+    ramp = Points([0.0, 0.2, 0.4, 0.6, 0.8, 1.0], [1e5, 6e5, 1e5, 6e5, 1e5, 6e5])
+    recording = reservoirs(ShuttleValve(**INLETS, **SIZE), Points([0.0, 1.0], [3e5, 3e5]), ramp, duration=1.0)
+    position = recording["valve.position"]
+    assert 0.0 <= position.min() < 1e-6
+    assert 1.0 - 1e-6 < position.max() <= 1.0
+
+
 def test_run_continues_with_the_position():
     valve = ShuttleValve(**INLETS, **SIZE)
     parts = {"left": Reservoir(pressure="2 bar"), "right": Reservoir(pressure="3 bar"), "valve": valve}

@@ -567,6 +567,7 @@ steps.one.next = { two = "supply.pressure > 3 bar and low.state and line.pressur
         ({"outputs": "a"}, "sequence.no_list", "outputs"),
         ({"outputs": ["a", "b", "go"]}, "sequence.name_twice", "outputs"),
         ({"inputs": ["go", "halt"]}, "sequence.reserved", "inputs"),
+        ({"outputs": ["a", "b", "count_1"]}, "sequence.reserved", "outputs"),
         ({"outputs": ["a", "b", "1a"]}, "sequence.no_name", "outputs"),
         ({"initial_step": 3}, "sequence.no_initial_step", "initial_step"),
         ({"steps": {"one": 5}}, "sequence.no_table", "steps.one"),
