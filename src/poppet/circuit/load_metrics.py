@@ -224,10 +224,12 @@ class LoadData:
         """
         end = float(self.raw.time[-1])
         changes: list[tuple[float, str | None]] = []
+        resets: list[tuple[float, str | None]] = []
         for address, is_command in self.drives.get(body, {}).items():
             if address not in self.signals:  # the output of a sequence or a switch, known at the output times
-                jumps = np.flatnonzero(np.diff(self[address]))
-                changes += [(float(self.raw.time[k + 1]), address) for k in jumps]
+                jumps = np.diff(self[address])
+                changes += [(float(self.raw.time[k + 1]), address) for k in np.flatnonzero(jumps > 0.0)]
+                resets += [(float(self.raw.time[k + 1]), address) for k in np.flatnonzero(jumps < 0.0)]
                 continue
             table = self.signals[address].table(end)
             if isinstance(self.signals[address], Pwm) or table.amplitude.any():
@@ -235,7 +237,8 @@ class LoadData:
             begins = (table.slope[1:] != 0.0) & (table.slope[:-1] == 0.0)
             moments = table.start[1:][table.jump[1:] | begins]
             changes += [(float(moment), address if is_command else None) for moment in moments]
-        return sorted(changes, key=lambda change: change[0])
+        # The sort is stable: of two commands that change at once, the one that is set comes first.
+        return sorted([*changes, *resets], key=lambda change: change[0])
 
     def stops(self) -> Iterator[tuple[str, str, str]]:
         """Yield the output name of each end-stop force, with its part and a prefix.
