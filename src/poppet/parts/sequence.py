@@ -64,6 +64,7 @@ class Sequence(Controller):
 
     After `fault_time` with an input fault, the sequence changes to the emergency step. Without such a step, all outputs
     are 0, and the sequence continues with the first valid sample. In a steady state, the sequence holds its step.
+    Comparisons of the time in a step have a relative tolerance of 1e-6.
     """
 
     kind: ClassVar[str] = "sequence"
