@@ -113,11 +113,11 @@ def run_page(
             table = ReportTable(("parameter", "as written", Column("SI", "s"), "source"), rows, css_class="numbers")
             parameters += folded(f"{kind} ({len(rows)})", table, is_open=kind == "assumed")
         start = head(title, lead) + paragraph(recording.outcome, bold=True) + findings(recording.remarks)
-        diagrams = "".join(
-            picture(draw_step_diagram(circuit, recording, sequence=name), f"steps-{name}", f"The step sequence {name}.",
-                    is_still=True)
-            for name in sequences_of(circuit) if recording.time.size
-        )  # fmt: skip
+        diagrams = ""
+        for name in sequences_of(circuit) if recording.time.size else []:
+            figure = draw_step_diagram(circuit, recording, sequence=name)
+            figure.texts[0].set_visible(not circuit.title)  # the page shows the title
+            diagrams += picture(figure, f"steps-{name}", f"The step sequence {name}.", is_still=True)
         sections = [
             Section("", start),
             Section("Strokes and energy", loads),
