@@ -198,12 +198,15 @@ class Chamber(Store):
             if self.heat_transfer == "constant":
                 conductance = scope["wall_conductance"]
             elif self.heat_transfer == "natural":
-                vessel += scope["wall_area"], scope["height"], scope["nusselt_prefactor"]
-                conductance = heat_transfer.natural_conductance(*vessel, **properties)
+                sizes = scope["wall_area"], scope["height"]
+                conductance = heat_transfer.natural_conductance(
+                    *vessel, *sizes, scope["nusselt_prefactor"], **properties
+                )
             else:
                 inflow = sum(maximum(mass, 0.0) for mass, _ in flows)
-                vessel += scope["wall_area"], scope["height"], inflow, scope["inlet_diameter"]
-                conductance = heat_transfer.charging_conductance(*vessel, **properties)
+                sizes = scope["wall_area"], scope["height"]
+                diameter = scope["inlet_diameter"]
+                conductance = heat_transfer.charging_conductance(*vessel, *sizes, inflow, diameter, **properties)
             heat = conductance * (wall - gas.temperature)
             if self._has_wall_state:
                 outer_heat = scope["outer_conductance"] * (scope["ambient_temperature"] - wall)
