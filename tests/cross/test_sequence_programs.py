@@ -109,6 +109,23 @@ def case_of(seed: int):
     return circuit, controller_program(circuit, ["plc"])
 
 
+def test_names_of_the_program_itself_are_free(tmp_path):
+    names = ["in", "param", "is_started", "is_late", "fired", "z", "new_a", "a"]
+    steps = {
+        "one": {"on": names[::2], "next": {"two": 'run and count("one") < 90'}},
+        "two": {"on": names[1::2], "next": {"one": "not run"}},
+    }
+    circuit = circuit_with(Sequence(names, steps, "one", ["run"], sample_time=T))
+    program = controller_program(circuit, ("plc",))
+    calls = calls_of(program, random_inputs(program, 1))
+    expected = run_program(program, calls)
+    assert np.all(np.ptp(expected[0][:, : len(names)], axis=0) == 1.0)
+    library = compile_c_export(circuit, ("plc",), tmp_path, "double")
+    for results in (run_evaluator(program, calls), run_library(library, program, calls)):
+        assert np.array_equal(results[0], expected[0])
+        assert np.array_equal(results[1], expected[1])
+
+
 @pytest.mark.parametrize("seed", range(20))
 def test_program_executes_the_steps_of_the_simulation(seed):
     program = case_of(seed)[1]

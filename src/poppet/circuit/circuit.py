@@ -286,6 +286,12 @@ class BaseCircuit(HtmlMixin):
                     item = self.inputs[address]
                     value = self.parameters[f"{name}.{item.default}"] if isinstance(item.default, str) else item.default
                     notes.append(Note("circuit.uncontrolled", address, value=value, unit=item.unit))
+        # Commands that drive nothing. A controller without a circuit has no connections.
+        sources = set(self.connections.values())
+        is_machine = not all(isinstance(part, Controller) for part in self.parts.values())
+        for name, part in self.parts.items() if is_machine else ():
+            unused = [f"{name}.{local}" for local in part.commands()] if isinstance(part, Controller) else []
+            notes += [Note("sequence.unused_output", address) for address in unused if address not in sources]
         # Connected outputs whose range exceeds the limits of the input.
         for target, source, low, high in self._limited_connections():
             lowest, highest = self._output_range(source) or (low, high)

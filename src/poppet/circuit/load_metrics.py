@@ -224,10 +224,12 @@ class LoadData:
         """
         end = float(self.raw.time[-1])
         changes: list[tuple[float, str | None]] = []
+        resets: list[tuple[float, str | None]] = []
         for address, is_command in self.drives.get(body, {}).items():
             if address not in self.signals:  # the output of a sequence or a switch, known at the output times
-                jumps = np.flatnonzero(np.diff(self[address]))
-                changes += [(float(self.raw.time[k + 1]), address) for k in jumps]
+                jumps = np.diff(self[address])
+                changes += [(float(self.raw.time[k + 1]), address) for k in np.flatnonzero(jumps > 0.0)]
+                resets += [(float(self.raw.time[k + 1]), address) for k in np.flatnonzero(jumps < 0.0)]
                 continue
             table = self.signals[address].table(end)
             if isinstance(self.signals[address], Pwm) or table.amplitude.any():
@@ -235,7 +237,8 @@ class LoadData:
             begins = (table.slope[1:] != 0.0) & (table.slope[:-1] == 0.0)
             moments = table.start[1:][table.jump[1:] | begins]
             changes += [(float(moment), address if is_command else None) for moment in moments]
-        return sorted(changes, key=lambda change: change[0])
+        # The sort is stable: of two commands that change at once, the one that is set comes first.
+        return sorted([*changes, *resets], key=lambda change: change[0])
 
     def stops(self) -> Iterator[tuple[str, str, str]]:
         """Yield the output name of each end-stop force, with its part and a prefix.
@@ -301,8 +304,8 @@ def _strokes(
             float(t[k] + (t[k + 1] - t[k]) * (level - fraction[k]) / (fraction[k + 1] - fraction[k]))
             for k, level in ((start_row, STROKE_START), (end_row - 1, STROKE_END))
         )
-        peak = float(speed[first : last + 1].max())
         mean = (STROKE_END - STROKE_START) * abs(travel) / (end - start)
+        peak = max(float(speed[first : last + 1].max()), mean)  # few rows can miss the peak
         # Only a body that turns without a standstill can do so because of a command before it arrived.
         earliest = since if first == previous_last else arrival
         causes = [change for change in changes if change[1] is not None and earliest < change[0] <= start]

@@ -347,7 +347,9 @@ class _Tracer:
                 if target in self.declared:
                     # The unit of the input follows from a written unit, which can have another name (J, N m).
                     if input_unit and not same_dimension(unit, input_unit):
-                        facts = {"source": self._shown(source), "unit": unit, "given": input_unit}
+                        is_bare = input_unit == "1"
+                        facts: dict[str, Any] = {"source": self._shown(source), "unit": unit, "is_bare": is_bare}
+                        facts["given"] = "" if is_bare else input_unit
                         errors.add("wiring.condition_unit", self._place(target), **facts)
                     elif self.declared[target].is_integer and not self._is_integer(source):
                         errors.add("wiring.no_integer", self._place(target), source=self._shown(source))
@@ -370,6 +372,8 @@ class _Tracer:
 
         `outputs` contains the public addresses of all outputs.
         """
+        # The inputs that conditions declare have similar names, but a condition cannot read them.
+        outputs = [name for name in outputs if name not in self.declared]
         address, near = self._place(target), NameSuggestion(source, outputs)
         if target not in self.declared:
             return InputError("fields.not_an_option", address, value=source, meaning="output", suggestion=near)

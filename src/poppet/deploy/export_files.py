@@ -9,7 +9,7 @@ import os
 import re
 import shutil
 import uuid
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from contextlib import suppress
 from pathlib import Path, PurePosixPath
 
@@ -58,15 +58,17 @@ def identifier(text: str) -> str:
     return f"{name}_v" if name.lower() in _RESERVED else name
 
 
-def identifiers(texts: Sequence[str]) -> list[str]:
+def identifiers(texts: Sequence[str], taken: Iterable[str] = ()) -> list[str]:
     """Convert texts to identifiers that differ from each other, even without regard to case.
+
+    The identifiers in `taken` are not available.
 
     Examples
     --------
     >>> identifiers(["a.b_c", "a_b.c", "A.b.c"])
     ['a_b_c', 'a_b_c_2', 'A_b_c_3']
     """
-    lower_names: set[str] = set()
+    lower_names = {name.lower() for name in taken}
     names = []
     for text in texts:
         name = base = identifier(text)

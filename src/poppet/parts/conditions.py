@@ -239,6 +239,11 @@ def never_true(relation: Relation) -> str:
     return "" if any(_compare(relation, value_at(state)) > 0.5 for state in (0.0, 1.0)) else flag.name
 
 
+def _shown_unit(unit: str) -> str:
+    """Return a unit for a message; the text is empty for a value without a unit."""
+    return "" if unit == "1" else unit
+
+
 def _evaluate(node: Node, value: Callable[[Operand], Any], is_negated: bool) -> Any:
     """Return 1 if a condition is true, otherwise 0; or the opposite if `is_negated` is True.
 
@@ -563,7 +568,8 @@ class _Parser:
             raise self._error("no_unit", first)
         wrong = next((unit_of for unit_of in units if unit_of and not same_dimension(unit_of, unit)), None)
         if wrong is not None:
-            raise self._error("other_unit", second, unit=unit, other=wrong)
+            units_of = {"unit": _shown_unit(unit), "other": _shown_unit(wrong)}
+            raise self._error("other_unit", second, **units_of, is_bare=wrong == "1", is_other_bare=unit == "1")
         if node.relation in ("==", "!=") and not (unit == "1" and all(map(_is_integer, (left, right)))):
             raise self._error("no_integers", first)
         left, right = (replace(o, unit=unit) if isinstance(o, Reading) else o for o in (left, right))

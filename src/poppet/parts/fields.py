@@ -435,8 +435,16 @@ def complete(part: Any, library: Mapping[str, Number]) -> None:
 
 
 def _complete(part: Any, library: Mapping[str, Number], path: str, errors: ErrorCollector, owner: Any) -> None:
-    for name, attribute_name, spec in declared(part.__class__):
+    # The declarations of numbers depend on options, which can have any value until they are read.
+    unread: dict[str, Any] = {}
+    for _, attribute_name, spec in declared(part.__class__, OptionSpec):
         argument = getattr(part, attribute_name)
+        if not isinstance(argument, str):
+            unread[attribute_name] = argument
+            is_switch = isinstance(argument, bool) and spec.choices == OFF_ON
+            object.__setattr__(part, attribute_name, spec.choices[argument if is_switch else 0])
+    for name, attribute_name, spec in declared(part.__class__):
+        argument = unread.get(attribute_name, getattr(part, attribute_name))
         if _is_final(argument, spec, library):
             continue
         address = f"{path}{name}"

@@ -715,6 +715,10 @@ class Controller(Part):
         """
         return ()
 
+    def commands(self) -> tuple[str, ...]:
+        """Return the names of the outputs that have no effect unless another part reads them."""
+        return ()
+
     def flags(self) -> tuple[str, ...]:
         """Return the names of the outputs and discrete states that are 0 or 1.
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Hashable, Mapping
+from collections.abc import Callable, Hashable, Mapping
 from dataclasses import dataclass, replace
 from typing import Any, ClassVar
 
@@ -64,6 +64,7 @@ class Sequence(Controller):
 
     After `fault_time` with an input fault, the sequence changes to the emergency step. Without such a step, all outputs
     are 0, and the sequence continues with the first valid sample. In a steady state, the sequence holds its step.
+    Comparisons of the time in a step have a relative tolerance of 1e-6.
     """
 
     kind: ClassVar[str] = "sequence"
@@ -147,6 +148,34 @@ class Sequence(Controller):
             if (name := never_true(relation))
         ]
         return *(Note("sequence.no_exit", f"steps.{name}", name=name) for name in dead_ends), *never
+
+    def commands(self) -> tuple[str, ...]:
+        return tuple(self.outputs)
+
+    def remarks(self, name: str, series: Callable[[str], Any]) -> tuple[Note, ...]:
+        steps, program, time = series(f"{name}.step"), self.program, series("time")
+        first_step = program.number(program.form.start) if self.initial_step is None else self.initial_step
+        if (steps == float(first_step)).all():  # type: ignore[arg-type]
+            active = program.steps[int(steps[0]) - 1]
+            has_exit = active.transitions and active.timeout is None and active.name != self.emergency
+            return (Note("sequence.waiting", "step", name=active.name),) if has_exit else ()
+        elapsed, found = series(f"{name}.elapsed"), []
+        emergency = series(f"{name}.emergency") if self.emergency else 0.0 * steps
+        numbers = program.numbers()
+        for k in (steps[1:] != steps[:-1]).nonzero()[0]:
+            before, after = (program.steps[int(number) - 1] for number in (steps[k], steps[k + 1]))
+            timeout = before.timeout
+            if timeout is None or timeout.target != after.name or emergency[k + 1] > 0.5:
+                continue
+            duration = float(numbers[timeout.place].value)
+            is_over = elapsed[k] + time[k + 1] - time[k] >= duration * (1.0 - _ROUNDING)
+            if is_over and after.name not in [transition.target for transition in before.transitions]:
+                found.append((float(time[k + 1]), before.name, after.name, duration))
+        if not found:
+            return ()
+        first, step, target, duration = found[0]
+        facts = {"time": first, "name": step, "target": target, "after": duration}
+        return (Note("sequence.timed_out", "step", **facts, count=len(found) if len(found) > 1 else None),)
 
     def caption(self, numbers: CaptionNumbers) -> list[str]:
         return [f"sequence of {len(self.program.steps)} steps", f"sampled every {numbers.text(self.sample_time)}"]

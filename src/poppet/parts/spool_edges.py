@@ -8,7 +8,7 @@ from typing import Any, ClassVar
 
 from poppet.core.errors import ErrorCollector
 from poppet.core.provenance import Number
-from poppet.core.symbolic import clip
+from poppet.core.symbolic import clip, is_symbolic
 from poppet.laws.curves import Characteristic
 from poppet.parts.captions import CaptionNumbers
 from poppet.parts.fields import NumberLike, NumberSpec, number, option, reference, specs
@@ -89,7 +89,8 @@ class MeteringEdges(FlowPath):
                 for name in _IN_TABLES:
                     value, spec = getattr(self, name), specs(type(self))[name]
                     assert isinstance(spec, NumberSpec)
-                    if value is not None and value not in possible_defaults(name, spec):
+                    is_default = value is None or is_symbolic(value.value) or value in possible_defaults(name, spec)
+                    if not is_default:
                         errors.add("spool.idle_with_curves", name)
 
     @property

@@ -31,6 +31,8 @@ NAME = re.compile(r"[A-Za-z][A-Za-z0-9_]{0,63}")
 """Form of the name of an output or an input of a sequence."""
 STEP_NAME = re.compile(r"[A-Za-z0-9](?:[A-Za-z0-9 _+-]{0,62}[A-Za-z0-9_+-])?")
 """Form of the name of a step."""
+COUNTER = re.compile(r"count_[0-9]+")
+"""Form of the names of counters in the memory of a sequence."""
 MAX_STEPS = 500
 """Maximum number of steps of a sequence."""
 BUILT_IN_INPUTS = ("halt", "reset", "emergency", "input_fault")
@@ -256,7 +258,7 @@ def read_names(errors: ErrorCollector, value: Any, address: str, taken: Collecti
             errors.add("sequence.no_name", address, name=name)
         elif name in names or name in taken:
             errors.add("sequence.name_twice", address, name=name)
-        elif name in _RESERVED:
+        elif name in _RESERVED or COUNTER.fullmatch(name):
             errors.add("sequence.reserved", address, name=name)
         else:
             names[name] = None
@@ -366,7 +368,10 @@ class _Reader:
         if "timeout" not in table:
             return None
         value, address = table["timeout"], f"{address}.timeout"
-        if not isinstance(value, Mapping) or {*value} != {"after", "to"}:
+        if isinstance(value, Mapping) and {*value} != {"after", "to"}:
+            self.errors.add("sequence.no_timeout", address, value=dict(value))
+            return None
+        if not isinstance(value, Mapping):
             example = '{ after = "3 s", to = "stop" }'
             self.errors.add("sequence.no_mapping", address, value=value, example=example)
             return None
@@ -403,17 +408,26 @@ class _Reader:
 
     def _check_units(self, steps: Sequence[SequenceStep]) -> None:
         """Collect an error for each output that two conditions read with different units."""
-        units: dict[str, str] = {}
+        first: dict[str, tuple[str, str]] = {}
+        reported: set[str] = set()
         for step in steps:
             for transition in step.transitions:
+                place = f"steps.{step.name}.next.{transition.target}"
                 for operand in transition.condition.operands():
-                    if isinstance(operand, Reading):
-                        first = units.setdefault(operand.address, operand.unit)
-                        if first != operand.unit:
-                            place = f"steps.{step.name}.next.{transition.target}"
-                            self.errors.add(
-                                "sequence.two_units", place, output=operand.address, unit=operand.unit, other=first
-                            )
+                    if not isinstance(operand, Reading) or operand.address in reported:
+                        continue
+                    other, other_place = first.setdefault(operand.address, (operand.unit, place))
+                    if other == operand.unit:
+                        continue
+                    reported.add(operand.address)
+                    # A missing unit is the probable error.
+                    (unit, wrong), (other, _) = (
+                        ((other, other_place), (operand.unit, place))
+                        if other == "1"
+                        else ((operand.unit, place), (other, other_place))
+                    )
+                    facts = {"unit": "" if unit == "1" else unit, "is_bare": unit == "1", "other": other}
+                    self.errors.add("sequence.two_units", wrong, output=operand.address, **facts)
 
 
 def stated_conditions(table: Mapping[str, Any]) -> Iterator[tuple[str, Condition]]:

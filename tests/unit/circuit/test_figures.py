@@ -178,6 +178,20 @@ def test_command_of_a_stroke_is_that_of_the_sequence():
         assert names[int(recording["plc.step"][row]) - 1] == step + ("+" if stroke.travel > 0.0 else "-")
 
 
+def test_command_of_a_bistable_valve_is_the_one_that_is_set():
+    template = Path(poppet.__file__).parent / "cli" / "templates" / "machine.toml"
+    strokes = [s for s in poppet.load(template).simulate(1.5).figures.strokes if s.body == "slideB"]
+    # Both commands of the valve change at the beginning of the return stroke.
+    assert [stroke.command for stroke in strokes] == ["valveB.command_a", "valveB.command_b"]
+
+
+def test_peak_speed_of_few_rows_is_at_least_the_mean_speed():
+    path = Path(poppet.__file__).parent / "cli" / "templates" / "machine.toml"
+    strokes = poppet.load(path).simulate(1.5, output_step=0.2).figures.strokes
+    assert len(strokes) >= 4
+    assert all(stroke.peak_speed >= stroke.mean_speed for stroke in strokes)
+
+
 def test_arrival_belongs_to_the_move_that_met_the_stop():
     side = {"dead_volume": "1 m^3"}
     hollow = Cylinder(body="slide", bore="1 mm", stroke_length="10 m", offset="5 m", cap=side, rod=side)

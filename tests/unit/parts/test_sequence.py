@@ -567,6 +567,7 @@ steps.one.next = { two = "supply.pressure > 3 bar and low.state and line.pressur
         ({"outputs": "a"}, "sequence.no_list", "outputs"),
         ({"outputs": ["a", "b", "go"]}, "sequence.name_twice", "outputs"),
         ({"inputs": ["go", "halt"]}, "sequence.reserved", "inputs"),
+        ({"outputs": ["a", "b", "count_1"]}, "sequence.reserved", "outputs"),
         ({"outputs": ["a", "b", "1a"]}, "sequence.no_name", "outputs"),
         ({"initial_step": 3}, "sequence.no_initial_step", "initial_step"),
         ({"steps": {"one": 5}}, "sequence.no_table", "steps.one"),
@@ -574,12 +575,17 @@ steps.one.next = { two = "supply.pressure > 3 bar and low.state and line.pressur
         ({"steps": {"one": {"nxt": {}}}}, "fields.unknown", "steps.one.nxt"),
         ({"steps": {"one": {"next": "go"}}}, "sequence.no_mapping", "steps.one.next"),
         ({"steps": {"one": {"timeout": "3 s"}}}, "sequence.no_mapping", "steps.one.timeout"),
+        ({"steps": {"one": {"timeout": {"after": "3 s"}}}}, "sequence.no_timeout", "steps.one.timeout"),
         ({"steps": {"one": {"on": "a"}}}, "sequence.no_list", "steps.one.on"),
         ({"steps": {"one": {"on": ["a"], "set": {"a": 1}}}}, "sequence.set_twice", "steps.one.set"),
         ({"steps": {"one": {"set": {"a": 2}}}}, "fields.out_of_range", "steps.one.set.a"),
         (
             {"steps": {"one": {"next": {"one": "x.y > 3 mm", "two": "x.y > 3 bar"}}, "two": {}}},
             "sequence.two_units", "steps.one.next.two",
+        ),
+        (
+            {"steps": {"one": {"next": {"one": "x.y > 3", "two": "x.y > 3 bar"}}, "two": {}}},
+            "sequence.two_units", "steps.one.next.one",
         ),
     ],
 )  # fmt: skip
@@ -605,6 +611,75 @@ def test_comparison_that_is_never_true_is_a_note():
         assert notes_of(condition) == [("sequence.never_true", "steps.one.next.one")]
     for condition in ("go", "go >= 1", "0 < go", "go != 1", "elapsed > 1 s"):
         assert notes_of(condition) == []
+
+
+def test_output_that_drives_nothing_is_a_note():
+    def notes_of(connections, **parts):
+        circuit = Circuit(plant(plc=two_steps(), **parts), connections=connections)
+        return [(note.code, note.address) for note in circuit.static_notes if note.code == "sequence.unused_output"]
+
+    unused = [("sequence.unused_output", f"plc.{name}") for name in ("a", "b")]
+    assert notes_of({}) == unused
+    assert notes_of({"vent.opening": "plc.a"}) == unused[1:]
+    reader = Sequence(steps={"one": {"next": {"one": "plc.b"}}}, start="one")
+    assert notes_of({"vent.opening": "plc.a"}, reader=reader) == []
+    # Alone, as for an export, all outputs belong to the host program.
+    assert not any(note.code == "sequence.unused_output" for note in Circuit({"plc": two_steps()}).static_notes)
+
+
+def test_timeouts_in_a_run_are_a_note():
+    steps = {
+        "one": {"next": {"two": "elapsed > 20 ms"}, "timeout": {"after": "1 s", "to": "fault"}},
+        "two": {"next": {"one": "supply.pressure > 6 bar"}, "timeout": {"after": "50 ms", "to": "fault"}},
+        "fault": {"next": {"one": "elapsed > 20 ms"}},
+    }  # fmt: skip
+    plc = Sequence(steps=steps, start="one", emergency="fault")
+    circuit = Circuit(plant(plc=plc))
+
+    def timeouts(circuit, duration):
+        notes = circuit.simulate(duration, output_step=1e-3).remarks
+        return [(note.address, note.facts) for note in notes if note.code == "sequence.timed_out"]
+
+    facts = {"name": "two", "target": "fault", "after": pytest.approx(0.05), "count": None}
+    # Step one lasts 25 ms, so step two ends at 75 ms.
+    assert timeouts(circuit, 0.07) == []
+    assert timeouts(circuit, 0.1) == [("plc.step", {"time": pytest.approx(0.075, abs=1e-3), **facts})]
+    assert timeouts(circuit, 0.25)[0][1]["count"] == 2
+    later = circuit.with_values({"plc.steps.two.timeout.after": "80 ms"})
+    assert timeouts(later, 0.12)[0][1]["after"] == pytest.approx(0.08)
+    # The same transition by a condition, or by the input emergency, is no timeout.
+    stopped = Circuit(plant(plc=plc), {"plc.emergency": pulse(0.072, 0.2)})
+    assert timeouts(stopped, 0.1) == []
+
+
+def test_run_without_a_transition_is_a_note():
+    def waiting(condition, **fields):
+        steps = {"one": {"next": {"two": condition}, **fields}, "two": {"next": {"one": "elapsed > 1 s"}}}
+        notes = Circuit(plant(plc=Sequence(steps=steps, start="one"))).simulate(0.1).remarks
+        return [(note.address, note.facts) for note in notes if note.code == "sequence.waiting"]
+
+    assert waiting("supply.pressure > 6 bar") == [("plc.step", {"name": "one"})]
+    assert waiting("supply.pressure > 4 bar") == []
+    assert waiting("supply.pressure > 6 bar", timeout={"after": "1 s", "to": "two"}) == []
+
+
+def test_values_without_a_unit_are_named():
+    for condition, text in {
+        "supply.pressure > 5": "supply.pressure in Pa cannot be compared with a value without a unit.",
+        "elapsed > 50": "50 has no unit, but the other value has the unit s.",
+        'count("one") > 5 s': "5 s has the unit s, but the other value has no unit.",
+    }.items():
+        with pytest.raises(InputError) as caught:
+            Circuit(plant(plc=Sequence(steps={"one": {"next": {"one": condition}}}, start="one")))
+        assert text in str(caught.value)
+
+
+def test_inputs_of_conditions_are_not_suggested():
+    steps = {"one": {"next": {"one": "supply.pressur > 1 bar"}}}
+    with pytest.raises(InputError) as caught:
+        Circuit(plant(plc=Sequence(steps=steps, start="one")))
+    assert caught.value.facts["suggestion"].names[0] == "supply.pressure"
+    assert not any(name.startswith("plc.supply") for name in caught.value.facts["suggestion"].names)
 
 
 def test_conditions_on_unknown_outputs_and_parts():

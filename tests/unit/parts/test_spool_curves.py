@@ -192,3 +192,14 @@ def test_schema_accepts_tables_and_setpoints():
     assert fields["lag"]["default"] == "5 ms"
     for name in ("characteristic", "exhaust_b_characteristic"):
         assert set(TABLE) <= set(fields[name]["anyOf"][1]["properties"])
+
+
+def test_an_idle_field_can_be_symbolic():
+    from dataclasses import replace
+
+    from poppet.core.symbolic import new_symbol
+
+    part = valve()
+    symbol = new_symbol("overlap")
+    changed = replace(part, overlap=replace(part.overlap, value=symbol))
+    assert changed.parameters(AIR)["overlap"] is symbol

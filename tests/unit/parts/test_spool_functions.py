@@ -112,6 +112,8 @@ def test_pilot_must_release_above_the_ambient_pressure():
     ("fields", "code"),
     [
         ({"function": "5/3"}, "fields.not_an_option"),
+        ({"function": ["5/3"]}, "fields.not_an_option"),
+        ({"setpoint_type": {}}, "fields.not_an_option"),
         ({"function": "5/2 monostable", "command": -1.0}, "fields.out_of_range"),
         ({"function": "5/2 bistable", "command_a": 2.0}, "fields.out_of_range"),
         ({"function": "5/2 bistable", "closing_time": "0 s"}, "fields.out_of_range"),

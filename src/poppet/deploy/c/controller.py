@@ -11,7 +11,7 @@ import numpy as np
 from poppet.core.version import __version__
 from poppet.deploy.c.c_model import fill_template, number_list, number_rows
 from poppet.deploy.controller import controller_program
-from poppet.deploy.controller_program import SIGNATURES, STATUS, ControllerProgram, ProgramRun
+from poppet.deploy.controller_program import FLAGS, SIGNATURES, STATUS, ControllerProgram, ProgramRun
 from poppet.deploy.export_files import c_string, comment_text, identifier, identifiers
 from poppet.engine.model_evaluation import Array
 from poppet.engine.printers.c import DOUBLE, SINGLE, Precision, statement_helpers, statement_language
@@ -117,7 +117,9 @@ def _structs(program: ControllerProgram, kind: Precision) -> dict[str, list[Memb
         names = [""] * len(items)
         for owner in set(owners):
             indices = [k for k, other in enumerate(owners) if other == owner]
-            for k, member_name in zip(indices, identifiers([texts[k] for k in indices]), strict=True):
+            # The struct of the state has further members besides the memory.
+            taken = ("in", "param", *FLAGS) if group == "memory" else ()
+            for k, member_name in zip(indices, identifiers([texts[k] for k in indices], taken), strict=True):
                 names[k] = member_name
         members = []
         for owner, member_name, (address, unit, is_flag) in zip(owners, names, items, strict=True):
@@ -213,7 +215,7 @@ def _function_bodies(program: ControllerProgram, structs: dict[str, list[Member]
         statements.read(instructions(function))
         names = {"dt": "dt", "u": "in", "p": "param", "z": "z", "fired": "fired"}
         text = "\n".join(statements.lines)
-        read = set(re.findall(r"[A-Za-z_]\w*", text))
+        read = set(re.findall(r"(?<![\w.])(?<!->)[A-Za-z_]\w*", text))  # without the members of structs
         ignored = [
             f"  (void){names[argument]};" for argument in inputs if argument in names and names[argument] not in read
         ]
