@@ -99,8 +99,7 @@ def test_the_error_edge_says_so(printed):
     with pytest.raises(OutOfRangeError) as caught:
         strict.sonic_conductance_at(1.2e-3)
     assert str(caught.value) == (
-        "stroke = 1.20 mm is outside the valid range of the curve, 0 ... 1.00 mm "
-        "(C(x) was fitted: varga2012, Table 1). "
+        "stroke = 1.20 mm is outside the range 0 ... 1.00 mm, in which C(x) was fitted (varga2012, Table 1). "
         'At this stroke, the polynomial would give C = -1.16e-08 m^3/(s Pa). Limit the stroke, or set edge = "hold" '
         "to use the value at the nearest end of the range."
     )

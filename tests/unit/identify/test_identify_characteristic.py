@@ -233,7 +233,7 @@ def test_gaps_repeats_extrapolation_and_missing_b_are_reported():
     assert "1 of 13 tests (t3) do not determine b" in text
     assert "the curves C(x) and b(x) are interpolated" in text
     assert "The repeated tests t5 and again at" in text
-    assert "between 0.05 mm, the last tested stroke, and 0 mm, the end of the domain" in text
+    assert "from 0.05 mm, the tested stroke nearest to this end of the domain, to 0 mm" in text
 
 
 # Recordings --------------------------------------------------------------------------------------------------------
@@ -264,12 +264,12 @@ def test_points_among_recordings_are_reported():
     sentences = [
         sentence
         for sentence in mixed.findings
-        if sentence.startswith("1 of 4 tests") and "contribute only their values of C and b" in sentence
+        if sentence.startswith("For 1 of 4 tests") and "the fit uses only the values of C and b" in sentence
     ]
     assert len(sentences) == 1
     assert "(flow bench)" in sentences[0]
     recordings_only = identify_characteristic(tests, degree_conductance=1, degree_ratio=0, joint=False)
-    assert not any("enter through C and b" in sentence for sentence in recordings_only.findings)
+    assert not any("the fit uses only the values of C and b" in sentence for sentence in recordings_only.findings)
 
 
 def test_joint_fit_shares_bench_parameters():

@@ -162,8 +162,7 @@ def test_error_edge_names_value_limit_source_and_cure():
     with pytest.raises(OutOfRangeError) as caught:
         strict.sonic_conductance_at(1.2 * MILLIMETRE)
     assert str(caught.value) == (
-        "stroke = 1.20 mm is outside the valid range of the curve, 0 ... 1.00 mm "
-        "(C(x) was fitted: varga2012, Table 1). "
+        "stroke = 1.20 mm is outside the range 0 ... 1.00 mm, in which C(x) was fitted (varga2012, Table 1). "
         'At this stroke, the polynomial would give C = 3.94e-08 m^3/(s Pa). Limit the stroke, or set edge = "hold" '
         "to use the value at the nearest end of the range."
     )
@@ -220,7 +219,7 @@ def test_outside_says_what_was_held():
     note = characteristic().outside(0.0, 1.2 * MILLIMETRE)
     assert note.code == "curves.left_domain"
     assert (note.facts["strokes_mm"], note.facts["beyond_mm"]) == (pytest.approx((1.2,)), pytest.approx(0.2))
-    assert (note.facts["domain"], note.facts["known"]) == ("0 ... 1.00 mm", "C(x) was fitted: bench")
+    assert (note.facts["domain"], note.facts["known"]) == ("0 ... 1.00 mm", "C(x) was fitted (bench)")
 
 
 def test_outside_on_both_sides_says_by_how_much_the_farther_one_is_beyond():

@@ -321,7 +321,7 @@ class Characteristic:
 
     def _known(self, name: str) -> str:
         where_from = ", ".join(part for part in (self.name, self.source.locator) if part)
-        return f"{_CURVES[name][0]}(x) {self._curve(name).known}: {where_from}"
+        return f"{_CURVES[name][0]}(x) {self._curve(name).known} ({where_from})"
 
     def _form_problems(self) -> Iterable[InputError]:
         low, high = self.domain

@@ -87,9 +87,9 @@ def _joint_table(design: Design) -> ReportTable:
 def _candidate_table(design: Design, n_max: int) -> ReportTable:
     """Return a table of the expected errors of the parameters after each single test.
 
-    The relative error of a parameter is half its 95 % interval divided by its value. The table contains its geometric
-    mean over all assumed values and samples of the priors, and the criterion that is computed from these means. `n_max`
-    is the maximum number of tests.
+    The relative error of a parameter is half the width of the 95 % interval, divided by the value of the parameter. The
+    table contains geometric means of this error over all assumed values and samples of the priors, and the criterion
+    that is computed from these means. `n_max` is the maximum number of tests.
     """
     names, ranked_by = next(iter(design.tests.values())).keys(), design.ranked_by()
     rows = [
