@@ -70,18 +70,14 @@ def describe_plan(plan: EnsemblePlan) -> dict[str, Any]:
     }
 
 
-def versions() -> dict[str, str]:
+@cache  # each look-up takes milliseconds
+def versions() -> Mapping[str, str]:
     """Return the versions of all software that can affect the results, by name."""
-    python = ".".join(map(str, sys.version_info[:3]))
-    return {"poppet": __version__, "python": python, **_packages(), "kernel": kernel_of_this_machine()}
-
-
-@cache
-def _packages() -> dict[str, str]:
-    # Each look-up takes milliseconds.
     from importlib.metadata import version
 
-    return {name: version(name) for name in ("numpy", "scipy", "casadi", "llvmlite", "pyarrow")}
+    python = ".".join(map(str, sys.version_info[:3]))
+    packages = {name: version(name) for name in ("numpy", "scipy", "casadi", "llvmlite", "pyarrow")}
+    return {"poppet": __version__, "python": python, **packages, "kernel": kernel_of_this_machine()}
 
 
 @dataclass(frozen=True)
