@@ -73,7 +73,6 @@ class Series:
         is_change = np.diff(self.values) != 0.0
         return bool(is_change.any() and not np.any(is_change[1:] & is_change[:-1]) and is_change.size > 1)
 
-
     @property
     def is_count(self) -> bool:
         """True for a number without unit that takes only whole values, some of them above 1, such as a step."""
