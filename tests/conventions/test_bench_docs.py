@@ -30,9 +30,9 @@ def test_limits_of_definitions_equal_those_of_the_program():
 
 
 def test_parts_of_the_standard_are_documented():
-    for standard in {d.standard for d in DEFINITIONS.values()}:
-        (names,) = re.findall(rf"^- (.*): {re.escape(standard)}\.$", TEXT, re.MULTILINE)
-        tests = dict.fromkeys(f"`{d.of.name}`" for d in DEFINITIONS.values() if d.standard == standard)
+    for part in {d.of.part for d in DEFINITIONS.values()}:
+        (names,) = re.findall(rf"^- (.*): {re.escape(part)}\.$", TEXT, re.MULTILINE)
+        tests = dict.fromkeys(f"`{d.of.name}`" for d in DEFINITIONS.values() if d.of.part == part)
         assert sorted(names.split(", ")) == sorted(tests)
 
 

@@ -84,6 +84,6 @@ def test_the_control_engineer_takes_a_tuned_loop_along(empty):
 
 
 def test_the_researcher_sees_the_joint_follow(empty):
-    moved = run("soft_robotics")["moved"]
-    assert moved["arm.position"][590] == pytest.approx(0.698, abs=0.01)  # 40 degrees, before the last step
+    recording = run("soft_robotics")["recording"]
+    assert recording["arm.position"][590] == pytest.approx(0.698, abs=0.01)  # 40 degrees, before the last step
     assert (empty / "joint.html").stat().st_size < 400_000

@@ -70,12 +70,6 @@ def trace_program(
     return TracedProgram(tracer.model(), tracer.labels, tuple(tracer.selections))
 
 
-def _values_of(selection: Selection) -> list[Any]:
-    """Return the selector and the results of all cases, case by case."""
-    results = (case.values.get(name, 0.0) for case in selection.cases for name in selection.symbols)
-    return [selection.selector, *results]
-
-
 class TracedSelection(NamedTuple):
     """Selection (`Scope.select`) in the equations of a program.
 
@@ -460,7 +454,11 @@ class _Tracer:
             labels = scopes[name].labels if self.has_relative_time else {}
             selections = scopes[name].selections if self.has_relative_time else []
             named = [value for value, _ in labels.values()]
-            selected = [value for selection in selections for value in _values_of(selection)]
+            selected = list[Any]()
+            for item in selections:
+                # The selector, then the results of all cases, case by case.
+                results = (case.values.get(result, 0.0) for case in item.cases for result in item.symbols)
+                selected += [item.selector, *results]
             values = self._substitute(ca.vertcat(*new.values(), *named, *selected), connected)
             if not timer.is_simultaneous:
                 values = ca.substitute([values], [self.z], [now])[0]

@@ -5,7 +5,7 @@ Each sampled controller is one component, and all other parts are the component 
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import replace
 from typing import TYPE_CHECKING, NamedTuple
 
@@ -16,7 +16,7 @@ from poppet.core.codes import Note
 from poppet.core.version import __version__
 from poppet.deploy.export_files import identifier, identifiers
 from poppet.deploy.fmu.description import base_unit, element
-from poppet.deploy.fmu.fmu_layout import FmuLayout, Variable
+from poppet.deploy.fmu.fmu_layout import FmuLayout
 from poppet.deploy.fmu.package import build_fmu, free_inputs, zip_bytes
 from poppet.deploy.targets import CircuitSource, Export
 from poppet.engine.printers.instructions import trace_functions
@@ -71,7 +71,15 @@ def export_ssp(
     circuit.run.grid()  # raises the error of a missing duration
     platforms = [entry.strip() for entry in (platform or "").split(",") if entry.strip()] or ["linux64"]
     system = divide_circuit(circuit)
-    starts = _start_values(circuit, system.connections)
+    starts = dict[str, float]()
+    if system.connections:
+        # Values of the connected inputs at the start of the run of the whole circuit.
+        problem, model = circuit.problem(circuit.run), circuit.model
+        first = problem.coefficients[problem.courses[0]]
+        u = first[:, 0] + first[:, 2] * np.sin(first[:, 5])
+        y = trace_functions(model)["outputs"](0.0, problem.x0, u[: len(model.inputs)], problem.p)
+        index_of = {name: k for k, (name, _) in enumerate(model.outputs)}
+        starts = {target: float(y[index_of[source]]) for target, source in system.connections.items()}
     content: dict[str, bytes] = {}
     layouts: dict[str, FmuLayout] = {}
     notes = (
@@ -97,18 +105,6 @@ def export_ssp(
 def _sampled(circuit: BaseCircuit) -> dict[str, Part]:
     """Return the sampled controllers of a circuit by name; those inside compound parts are omitted."""
     return {name: part for name, part in circuit.parts.items() if isinstance(part, Controller) and part.timers()}
-
-
-def _start_values(circuit: BaseCircuit, connections: Mapping[str, str]) -> dict[str, float]:
-    """Return the values of connected inputs at the start of the run of the whole circuit, by address."""
-    if not connections:
-        return {}
-    problem, model = circuit.problem(circuit.run), circuit.model
-    first = problem.coefficients[problem.courses[0]]
-    u = first[:, 0] + first[:, 2] * np.sin(first[:, 5])
-    y = trace_functions(model)["outputs"](0.0, problem.x0, u[: len(model.inputs)], problem.p)
-    index_of = {name: k for k, (name, _) in enumerate(model.outputs)}
-    return {target: float(y[index_of[source]]) for target, source in connections.items()}
 
 
 def divide_circuit(circuit: BaseCircuit) -> System:
@@ -139,7 +135,12 @@ def divide_circuit(circuit: BaseCircuit) -> System:
     between = {target: source for target, source in circuit.connections.items() if group_of(target) != group_of(source)}
     components = []
     for (group, parts), file in zip(groups.items(), identifiers(list(groups)), strict=True):
-        partial = circuit if len(groups) == 1 else _circuit_of_parts(circuit, parts)
+        partial = circuit
+        if len(groups) > 1:
+            inner = {t: s for t, s in circuit.connections.items() if group_of(t) == group and group_of(s) == group}
+            signals = {address: signal for address, signal in circuit.signals.items() if group_of(address) == group}
+            kept, run = {name: circuit.parts[name] for name in parts}, replace(circuit.run, stop_when=None)
+            partial = BaseCircuit(kept, signals, run, circuit.ambient, circuit.gas, connections=inner, is_excerpt=True)
         inputs = [target for target in between if group_of(target) == group]
         if group in controllers:
             inputs = free_inputs(partial)
@@ -148,25 +149,17 @@ def divide_circuit(circuit: BaseCircuit) -> System:
     return System(tuple(components), between)
 
 
-def _circuit_of_parts(circuit: BaseCircuit, parts: Collection[str]) -> BaseCircuit:
-    """Return a circuit with some parts of another, with their signals and connections."""
-
-    def has(address: str) -> bool:
-        return address.partition(".")[0] in parts
-
-    connections = {target: source for target, source in circuit.connections.items() if has(target) and has(source)}
-    signals = {address: signal for address, signal in circuit.signals.items() if has(address)}
-    kept = {name: part for name, part in circuit.parts.items() if name in parts}
-    run = replace(circuit.run, stop_when=None)
-    return BaseCircuit(kept, signals, run, circuit.ambient, circuit.gas, connections=connections, is_excerpt=True)
-
-
 def describe_system(system: System, layouts: Mapping[str, FmuLayout], title: str) -> str:
     """Return the text of `SystemStructure.ssd`.
 
     `layouts` contains the layout of the FMU of each component by name.
     """
-    connectors = {name: _connectors(layout, system.connections) for name, layout in layouts.items()}
+    # Other inputs follow a signal of the circuit, or have their start values.
+    connectors = {}
+    for name, layout in layouts.items():
+        inputs = enumerate(layout.export_model.inputs)
+        connected = {layout.input_reference(k) for k, item in inputs if item.address in system.connections}
+        connectors[name] = [v for v in layout.variables if v.causality == "output" or v.reference in connected]
     units = sorted({v.unit for group in connectors.values() for v in group if base_unit(v.unit or "1")})
     elements = []
     for component in system.components:
@@ -201,13 +194,3 @@ def describe_system(system: System, layouts: Mapping[str, FmuLayout], title: str
     ]
     head = {**NAMESPACES, "version": "1.0", "name": title, "generationTool": f"poppet {__version__}"}
     return '<?xml version="1.0" encoding="UTF-8"?>\n' + element("ssd:SystemStructureDescription", head, children) + "\n"
-
-
-def _connectors(layout: FmuLayout, connections: Mapping[str, str]) -> Sequence[Variable]:
-    """Return the variables of a component that are connectors: its connected inputs and its outputs.
-
-    Other inputs follow a signal of the circuit, or have their start values.
-    """
-    inputs = layout.export_model.inputs
-    connected = {layout.input_reference(k) for k, item in enumerate(inputs) if item.address in connections}
-    return [v for v in layout.variables if v.causality == "output" or v.reference in connected]

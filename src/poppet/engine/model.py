@@ -11,7 +11,7 @@ it: ``z+ = h(t, x, u, p)``.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 from itertools import count
@@ -145,12 +145,8 @@ class Model:
         # Only inputs with a value at rest decide whether a state is held.
         resting = {k: u[k] for k, item in enumerate(self.inputs) if item.at_rest is not None and len(u)}
         key = tuple(resting.values())
-        if key not in self._counting:
-            self._counting[key] = self._find_counting(resting)
-        return self._counting[key]
-
-    def _find_counting(self, resting: Mapping[int, float]) -> tuple[bool, ...]:
-        """Return the mask of `counting`; `resting` contains the constant values of inputs by index."""
+        if key in self._counting:
+            return self._counting[key]
         import casadi as ca
 
         first, update = len(self.parameters), self.expressions["update"]
@@ -168,7 +164,8 @@ class Model:
         # Also elements that depend on driven elements, in any number of steps.
         while added_rows := {row for row, columns in dependencies.items() if columns & driven} - driven:
             driven |= added_rows
-        return tuple(k not in driven for k in dependencies)
+        self._counting[key] = tuple(k not in driven for k in dependencies)
+        return self._counting[key]
 
     @cached_property
     def columns(self) -> tuple[tuple[str, ...], tuple[str, ...]]:

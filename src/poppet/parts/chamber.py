@@ -193,7 +193,21 @@ class Chamber(Store):
         }
         if self.thermal == "energy":
             wall = (scope.states if self._has_wall_state else scope)["wall_temperature"]
-            heat = self._conductance(scope, gas, wall, flows) * (wall - gas.temperature)
+            vessel = gas.pressure, gas.temperature, wall
+            properties = {name: getattr(surroundings, name) for name in ("gas_constant", "isentropic_exponent")}
+            if self.heat_transfer == "constant":
+                conductance = scope["wall_conductance"]
+            elif self.heat_transfer == "natural":
+                sizes = scope["wall_area"], scope["height"]
+                conductance = heat_transfer.natural_conductance(
+                    *vessel, *sizes, scope["nusselt_prefactor"], **properties
+                )
+            else:
+                inflow = sum(maximum(mass, 0.0) for mass, _ in flows)
+                sizes = scope["wall_area"], scope["height"]
+                diameter = scope["inlet_diameter"]
+                conductance = heat_transfer.charging_conductance(*vessel, *sizes, inflow, diameter, **properties)
+            heat = conductance * (wall - gas.temperature)
             if self._has_wall_state:
                 outer_heat = scope["outer_conductance"] * (scope["ambient_temperature"] - wall)
                 rates["wall_temperature"] = (outer_heat - heat) / scope["wall_heat_capacity"]
@@ -206,13 +220,3 @@ class Chamber(Store):
             heat, energy = internal_rate - enthalpy_rate, None
         outputs["heat_flow_rate"] = (heat, "W")
         return GasBalance(outputs, rates, heat, energy)
-
-    def _conductance(self, scope: Scope, gas: GasState, wall: Any, flows: tuple[tuple[Any, Any], ...]) -> Any:
-        if self.heat_transfer == "constant":
-            return scope["wall_conductance"]
-        properties = {name: getattr(scope.surroundings, name) for name in ("gas_constant", "isentropic_exponent")}
-        vessel = gas.pressure, gas.temperature, wall, scope["wall_area"], scope["height"]
-        if self.heat_transfer == "natural":
-            return heat_transfer.natural_conductance(*vessel, scope["nusselt_prefactor"], **properties)
-        inflow = sum(maximum(mass, 0.0) for mass, _ in flows)
-        return heat_transfer.charging_conductance(*vessel, inflow, scope["inlet_diameter"], **properties)

@@ -135,7 +135,10 @@ class Compound(Part):
             member, _, local = inner.partition(".")
             member_ranges = self.members[member].output_ranges()
             if local in member_ranges:
-                low, high = (_within(member, end) for end in member_ranges[local])
+                low, high = (
+                    end if isinstance(end, float) else f"{'-' * end.startswith('-')}{member}.{end.removeprefix('-')}"
+                    for end in member_ranges[local]
+                )
                 ranges[name] = low, high
         return ranges
 
@@ -248,10 +251,3 @@ def expand_compounds(
             outer.setdefault(f"{name}.{inner_name}", f"{name}.{outer_name}")
     flat_connections |= {inner.get(target, target): inner.get(source, source) for target, source in connections.items()}
     return flat, flat_connections, outer
-
-
-def _within(member: str, limit: str | float) -> str | float:
-    """Return a limit of a range of outputs with the complete name of its parameter."""
-    if isinstance(limit, float):
-        return limit
-    return f"-{member}.{limit[1:]}" if limit.startswith("-") else f"{member}.{limit}"

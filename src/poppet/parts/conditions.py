@@ -412,24 +412,21 @@ class _Parser:
             kind = match.lastgroup
             start, end = match.span(kind)
             if kind == "number":
-                end = self._end_of_number(end)
+                # The unit of a number can contain spaces and brackets.
+                depth, unit = 0, end
+                while end < len(self.text):
+                    character = self.text[end]
+                    if character in '<>=!"' or (depth == 0 and (character == ")" or _NEXT_WORD.match(self.text, end))):
+                        break
+                    depth += {"(": 1, ")": -1}.get(character, 0)
+                    end += 1
+                end = unit + len(self.text[unit:end].rstrip())
             content = self.text[start:end]
             if kind == "text":  # with its quotes
                 start, end = start - 1, end + 1
             yield _Token(kind, content, start, end)
             position = end
         yield _Token("end", "", len(self.text), len(self.text))
-
-    def _end_of_number(self, position: int) -> int:
-        """Return the end of a number with its unit, which can contain spaces and brackets."""
-        depth, end = 0, position
-        while end < len(self.text):
-            character = self.text[end]
-            if character in '<>=!"' or (depth == 0 and (character == ")" or _NEXT_WORD.match(self.text, end))):
-                break
-            depth += {"(": 1, ")": -1}.get(character, 0)
-            end += 1
-        return position + len(self.text[position:end].rstrip())
 
     @property
     def token(self) -> _Token:
@@ -561,7 +558,8 @@ class _Parser:
             raise self._error("constant", first)
         units = [_unit_of(operand) for operand in (left, right, node.offset) if operand is not None]
         # A pressure compared with another pressure: the unit follows from the names.
-        named = [_unit_of_name(operand) for operand in (left, right) if isinstance(operand, Reading)]
+        names = (re.split(r"[._:]", item.address)[-1] for item in (left, right) if isinstance(item, Reading))
+        named = [QUANTITIES[name].unit for name in names if name in QUANTITIES]
         # Integers have no unit.
         unit = next((unit for unit in (*units, *named) if unit), "1" if node.relation in ("==", "!=") else "")
         if not unit:
@@ -597,12 +595,6 @@ def _unit_of(operand: Operand) -> str:
         case Internal(name="elapsed"):
             return "s"
     return "1"
-
-
-def _unit_of_name(reading: Reading) -> str:
-    """Return the unit that follows from the name of an output, such as `tank.pressure`; empty if it is not known."""
-    name = re.split(r"[._:]", reading.address)[-1]
-    return QUANTITIES[name].unit if name in QUANTITIES else ""
 
 
 def _is_integer(operand: Operand) -> bool:

@@ -41,11 +41,6 @@ def _has_dead_zone(part: Any) -> bool:
     return any(getattr(part, name) is not None for name in _DEAD_ZONES)
 
 
-def _smoothing_properties(part: Any) -> dict[str, Any]:
-    """Return the properties of the field for the smoothing, which has a default if there is a dead zone."""
-    return {} if _has_dead_zone(part) else {"default": None, "optional": True}
-
-
 @dataclass(frozen=True)
 class PID(SampledLoop):
     r"""Sampled PID controller of a pressure, a position, a force or another quantity.
@@ -134,7 +129,8 @@ class PID(SampledLoop):
     )
     dead_zone_smoothing: NumberLike = number(
         "1", 0.01, doc="smoothing h of the compensation", above=0.0, high=1.0, note="one percent of the command",
-        varies=_smoothing_properties,
+        # The field has a default only if there is a dead zone.
+        varies=lambda part: {} if _has_dead_zone(part) else {"default": None, "optional": True},
     )  # fmt: skip
     vent_factor: NumberLike = number("1", optional=True, doc="vent factor phi of commands to vent", above=0.0)
     initial_integral: NumberLike = number(
@@ -154,7 +150,15 @@ class PID(SampledLoop):
         missing = [name for name in _LIMITS if getattr(self, name) is None]
         if missing and not self.is_of_openings:
             raise InputError("pid.no_limits", missing[0], command=command_of(self), unit=self.command_unit)
-        self._check_additions()
+        dead_zones = [name for name in _DEAD_ZONES if getattr(self, name) is not None]
+        if dead_zones and not self.is_of_openings:
+            raise InputError("pid.other_dead_zone", dead_zones[0], command=command_of(self))
+        if self.dead_zone_smoothing is not None and not dead_zones:
+            raise InputError("pid.no_dead_zone", "dead_zone_smoothing", missing=_DEAD_ZONES)
+        if self.acceleration_time is not None and self.controls not in _MOVING:
+            raise InputError("pid.no_acceleration", "acceleration_time", quantity=self.controls, valid=_MOVING)
+        if self.acceleration_input == "true" and self.acceleration_time is None:
+            raise InputError("pid.unused_acceleration", "acceleration_input")
         if self.schedule is not None:
             form = self.controls, command_of(self)
             object.__setattr__(self, "schedule", GainSchedule.read(self.schedule, *form))
@@ -165,18 +169,6 @@ class PID(SampledLoop):
             raise InputError("pid.no_gain", "gain")
         elif not (self.integral_time and float(self.integral_time)) and float(self.setpoint_weight) < 1.0:  # type: ignore[arg-type]
             raise InputError("pid.lasting_error", "setpoint_weight", value=float(self.setpoint_weight))  # type: ignore[arg-type]
-
-    def _check_additions(self) -> None:
-        """Raise `InputError` if the fields of the dead zone or of the acceleration contradict other fields."""
-        dead_zones = [name for name in _DEAD_ZONES if getattr(self, name) is not None]
-        if dead_zones and not self.is_of_openings:
-            raise InputError("pid.other_dead_zone", dead_zones[0], command=command_of(self))
-        if self.dead_zone_smoothing is not None and not dead_zones:
-            raise InputError("pid.no_dead_zone", "dead_zone_smoothing", missing=_DEAD_ZONES)
-        if self.acceleration_time is not None and self.controls not in _MOVING:
-            raise InputError("pid.no_acceleration", "acceleration_time", quantity=self.controls, valid=_MOVING)
-        if self.acceleration_input == "true" and self.acceleration_time is None:
-            raise InputError("pid.unused_acceleration", "acceleration_input")
 
     def replaced_fields(self, fields: Iterable[str]) -> tuple[str, ...]:
         return _SCHEDULED if "schedule" in fields else ("schedule",) if "gain" in fields else ()

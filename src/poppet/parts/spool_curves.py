@@ -50,16 +50,15 @@ def read_edge_curve(argument: Any, address: str, setpoint_type: str) -> Characte
     try:
         return characteristic_from_mapping({"kind": "table", "stroke": positions} | table, name=address)
     except InputError as error:
-        raise_errors([_at_position(problem) for problem in error.problems])
+        problems = list(error.problems)
+        for k, problem in enumerate(problems):
+            if problem.code == "curves.impossible_value":
+                # The message contains the position of the spool in place of a stroke.
+                facts = {key: problem.facts[key] for key in ("value", "unit", "symbol", "limits")}
+                facts["position"] = 1e-3 * problem.facts["stroke_mm"]
+                problems[k] = InputError("spool.impossible_value", problem.address, **facts)
+        raise_errors(problems)
         raise
-
-
-def _at_position(error: InputError) -> InputError:
-    """Return an error of a characteristic with the position of the spool in place of a stroke."""
-    if error.code != "curves.impossible_value":
-        return error
-    facts = {key: error.facts[key] for key in ("value", "unit", "symbol", "limits")}
-    return InputError("spool.impossible_value", error.address, position=1e-3 * error.facts["stroke_mm"], **facts)
 
 
 def _read_positions(table: Mapping[str, Any], address: str, setpoint_type: str) -> list[float]:

@@ -248,8 +248,16 @@ class SpoolValve(MeteringEdges):
             flow, edge_outputs = named_flow(scope, gas, edge, (first, second), self.edge_size(scope, edge))
             flows.append(flow)
             outputs.update(edge_outputs)
-        rates = self._switched_rates(scope, gas) if self._is_switched else self._proportional_rates(scope)
-        return PassageFlows(tuple(flows), outputs, rates)
+        if not self._is_switched:
+            return PassageFlows(tuple(flows), outputs, self._proportional_rates(scope))
+        signals = [*self._signals(scope.inputs)]
+        for k, pilot in enumerate(PILOTS):
+            if pilot in gas:
+                pressures = scope["pilot_pressure"], scope["pilot_hysteresis"]
+                signals[k] = maximum(signals[k], pilot_signal(gas[pilot].pressure, *pressures))
+        times = scope["switching_time"], scope["closing_time"]
+        speed = switched_speed(self.spool_function, scope.states["position"], signals[0], signals[1], *times)
+        return PassageFlows(tuple(flows), outputs, {"position": speed})
 
     # Motion of the spool -----------------------------------------------------------------------------------------
 
@@ -268,17 +276,6 @@ class SpoolValve(MeteringEdges):
         omega, velocity = math.tau * scope["natural_frequency"], scope.states["velocity"]
         rate = omega * omega * error - 2.0 * scope["damping"] * omega * velocity
         return {"position": clip(velocity, min_speed, max_speed), "velocity": rate}
-
-    def _switched_rates(self, scope: Scope, gas: Mapping[str, GasState]) -> dict[str, Any]:
-        signals = [*self._signals(scope.inputs)]
-        for k, pilot in enumerate(PILOTS):
-            if pilot in gas:
-                pressures = scope["pilot_pressure"], scope["pilot_hysteresis"]
-                signals[k] = maximum(signals[k], pilot_signal(gas[pilot].pressure, *pressures))
-        times = scope["switching_time"], scope["closing_time"]
-        return {
-            "position": switched_speed(self.spool_function, scope.states["position"], signals[0], signals[1], *times)
-        }
 
     def _signals(self, commands: Mapping[str, Any]) -> tuple[Any, Any]:
         """Return the signals towards a and b of a switched valve for its commands by name."""

@@ -185,24 +185,6 @@ _PATHS = {
 }  # fmt: skip
 
 
-def _five_port_square(left: float, position: str) -> Symbol:
-    """Return a square of a valve with five ports.
-
-    `left` is the coordinate of its left side, and `position` a key of `_PATHS`.
-    """
-    ends = {port: (left + x, 0.24) for port, x in _BOTTOM.items()} | {
-        port: (left + x, 0.76) for port, x in _TOP.items()
-    }
-    symbol = rectangle(left, 0.24, _SIDE, _SIDE)
-    for start, end in _PATHS[position]:
-        symbol += arrow(ends[start], ends[end], 0.11)
-    for port in ends.keys() - {port for path in _PATHS[position] for port in path}:
-        x, y = ends[port]
-        stop = y + (0.1 if port in _BOTTOM else -0.1)
-        symbol += line((x, y), (x, stop)) + line((x - 0.05, stop), (x + 0.05, stop))
-    return symbol
-
-
 def _pilot(tip: float, direction: float) -> Symbol:
     """Return the schematic symbol of a pneumatic pilot, whose triangle touches a valve at `tip`."""
     base = tip - 0.16 * direction
@@ -222,7 +204,16 @@ def switched_valve(positions: int, open_at_centre: str, pilots: tuple[bool, bool
     right = 0.5 + 0.5 * _SIDE * positions
     symbol: Symbol = ()
     for k, name in enumerate(names):
-        symbol += _five_port_square(left + k * _SIDE, name)
+        square = left + k * _SIDE  # coordinate of its left side
+        ends = {port: (square + x, 0.24) for port, x in _BOTTOM.items()}
+        ends |= {port: (square + x, 0.76) for port, x in _TOP.items()}
+        symbol += rectangle(square, 0.24, _SIDE, _SIDE)
+        for start, end in _PATHS[name]:
+            symbol += arrow(ends[start], ends[end], 0.11)
+        for port in ends.keys() - {port for path in _PATHS[name] for port in path}:
+            x, y = ends[port]
+            stop = y + (0.1 if port in _BOTTOM else -0.1)
+            symbol += line((x, y), (x, stop)) + line((x - 0.05, stop), (x + 0.05, stop))
     symbol += _pilot(left, 1.0) if pilots[0] else coil(left - 0.22, 0.5)
     if not has_spring:
         symbol += _pilot(right, -1.0) if pilots[1] else coil(right, 0.5)

@@ -18,7 +18,7 @@ from poppet import Chamber, Circuit, Orifice
 from poppet.core.codes import Note
 from poppet.core.errors import InputError, MissingDependencyError, OutOfRangeError, UnitError
 from poppet.timeseries.plotting.figures import PALETTE
-from poppet.timeseries.plotting.panels import bands_of, readable, spans_of, thinned
+from poppet.timeseries.plotting.panels import bands_of, panels_of, readable, shown_series, spans_of, thinned
 from poppet.timeseries.plotting.plots import COLUMNS, LINE_STYLES, MOST_RECORDINGS, home_colours, plot_recordings
 from poppet.timeseries.recording import Recording
 
@@ -519,3 +519,17 @@ def test_motion_is_the_first_panel_and_friction_is_on_the_timeline():
     assert (spans["slips"].x0, spans["slips"].x1) == pytest.approx((0.51, 0.75), abs=0.011)
     complete = plot_recordings({"": moving_load()}, inner=True)
     assert "temperature" in [axes.get_ylabel().partition("\n")[0] for axes in complete.axes]
+
+
+def test_steps_and_cycles_have_a_panel_beside_that_of_flags():
+    from poppet import Reservoir, Sequence
+
+    steps = {"one": {"on": ["a"], "next": {"two": "elapsed > 30 ms"}}, "two": {"next": {"one": "elapsed > 30 ms"}}}
+    plc = Sequence(outputs=["a"], start="one", steps=steps)
+    vent = Orifice(from_="supply", to="ambient", sonic_conductance=1e-9, critical_ratio=0.3)
+    parts = {"plc": plc, "supply": Reservoir(pressure="5 bar"), "vent": vent}
+    recording = Circuit(parts, connections={"vent.opening": "plc.a"}).simulate(0.2, output_step=5e-3)
+    panels, _ = panels_of(shown_series([recording], None, None))
+    names = {panel.quantity: panel.names for panel in panels}
+    assert names["number"] == ("plc.step", "plc.cycles")
+    assert "plc.a" in names["ratio"]

@@ -45,32 +45,32 @@ class SmoothedSeries:
         return replace(self, **cut)
 
     def peak(self) -> tuple[float, Uncertainty]:
-        """Return the largest value and its uncertainty, from a polynomial fitted to the peak."""
-        return _first_agreeing_estimate([self._peak_in_window(flank) for flank in FLANKS])
+        """Return the largest value and its uncertainty, from a polynomial fitted to the peak.
 
-    def _peak_in_window(self, part: float) -> tuple[float, Uncertainty]:
-        """Return the largest value of a polynomial near the peak, with its uncertainty.
-
-        The polynomial is fitted where the overshoot above 1 exceeds the fraction `part` of the largest overshoot.
+        The polynomial is fitted where the overshoot above 1 exceeds a fraction of the largest overshoot.
         """
-        k = int(np.argmax(self.values))
-        flank = 1.0 + part * (float(self.values[k]) - 1.0)
-        window = unmasked_section(self.values < flank, k, k)
-        count = window.stop - window.start
-        if count < 5:
-            a, b, c = np.interp([k - 1, k, k + 1], np.arange(self.values.size), self.values).tolist()
-            bend = 2.0 * b - a - c
-            excess = (c - a) ** 2 / (8.0 * bend) if bend > 0.0 else 0.0
-            return b + min(excess, 0.125 * bend), Uncertainty(float(self.errors[k]), common=0.05 * abs(bend))
-        inverse = np.linalg.pinv(np.vander(np.linspace(-1.0, 1.0, count), 5 if count > 6 else 3))
-        fine = np.vander(np.linspace(-0.5, 0.5, 101), inverse.shape[0])
-        curve = fine @ (inverse @ self.raw[window])
-        top = int(np.argmax(curve))
-        # Additional noise of the same kind shows the bias of the largest value of a noisy curve.
-        random = np.random.default_rng(SEED)
-        samples = fine @ inverse @ random.normal(0.0, self.noise.spread, (count, DRAWS))
-        bias = float(np.mean(np.max(curve[:, None] + samples, axis=0))) - float(curve[top])
-        return float(curve[top]) - bias, Uncertainty(WIDER * self.noise.of(fine[top] @ inverse))
+        k, estimates = int(np.argmax(self.values)), list[tuple[float, Uncertainty]]()
+        for fraction in FLANKS:
+            flank = 1.0 + fraction * (float(self.values[k]) - 1.0)
+            window = unmasked_section(self.values < flank, k, k)
+            count = window.stop - window.start
+            if count < 5:
+                a, b, c = np.interp([k - 1, k, k + 1], np.arange(self.values.size), self.values).tolist()
+                bend = 2.0 * b - a - c
+                excess = (c - a) ** 2 / (8.0 * bend) if bend > 0.0 else 0.0
+                uncertainty = Uncertainty(float(self.errors[k]), common=0.05 * abs(bend))
+                estimates.append((b + min(excess, 0.125 * bend), uncertainty))
+                continue
+            inverse = np.linalg.pinv(np.vander(np.linspace(-1.0, 1.0, count), 5 if count > 6 else 3))
+            fine = np.vander(np.linspace(-0.5, 0.5, 101), inverse.shape[0])
+            curve = fine @ (inverse @ self.raw[window])
+            top = int(np.argmax(curve))
+            # Additional noise of the same kind shows the bias of the largest value of a noisy curve.
+            random = np.random.default_rng(SEED)
+            samples = fine @ inverse @ random.normal(0.0, self.noise.spread, (count, DRAWS))
+            bias = float(np.mean(np.max(curve[:, None] + samples, axis=0))) - float(curve[top])
+            estimates.append((float(curve[top]) - bias, Uncertainty(WIDER * self.noise.of(fine[top] @ inverse))))
+        return _first_agreeing_estimate(estimates)
 
     def crossing(self, level: float, extra: float, *, last: bool = False) -> tuple[float, Uncertainty]:
         """Return the time at which the series crosses a level [s], with its uncertainty.

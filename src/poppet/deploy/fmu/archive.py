@@ -50,7 +50,21 @@ def check_archive(path: Path) -> int:
         check_entries(archive, path.name)
         if DESCRIPTION not in archive.namelist():
             raise InputError("deploy.fmu.no_fmu", name=path.name)
-        return _check_description(archive.read(DESCRIPTION), path.name)
+        content = archive.read(DESCRIPTION)
+    try:
+        parser = expat.ParserCreate()
+        parser.StartDoctypeDeclHandler = _reject_entities
+        parser.Parse(content, True)
+        root = ElementTree.fromstring(content)
+        version = {"2": 2, "3": 3}[root.attrib["fmiVersion"].partition(".")[0]]
+    except (KeyError, ValueError, LookupError, expat.ExpatError, ElementTree.ParseError) as problem:
+        raise InputError("deploy.fmu.no_fmu", name=path.name) from problem
+    for interface in _INTERFACES:
+        for element in root.iter(interface):
+            identifier = element.get("modelIdentifier", "")
+            if not _IDENTIFIER.fullmatch(identifier):
+                raise InputError("deploy.fmu.identifier", name=path.name, identifier=identifier)
+    return version
 
 
 def check_entries(archive: zipfile.ZipFile, name: str) -> None:
@@ -83,24 +97,6 @@ def check_entries(archive: zipfile.ZipFile, name: str) -> None:
                     pass
         except (zipfile.BadZipFile, zlib.error, EOFError, RuntimeError, ValueError) as problem:
             raise InputError("deploy.fmu.damaged", name=name, entry=entry.filename, why=str(problem)) from problem
-
-
-def _check_description(content: bytes, name: str) -> int:
-    """Check the model identifiers in a model description, and return the FMI version."""
-    try:
-        parser = expat.ParserCreate()
-        parser.StartDoctypeDeclHandler = _reject_entities
-        parser.Parse(content, True)
-        root = ElementTree.fromstring(content)
-        version = {"2": 2, "3": 3}[root.attrib["fmiVersion"].partition(".")[0]]
-    except (KeyError, ValueError, LookupError, expat.ExpatError, ElementTree.ParseError) as problem:
-        raise InputError("deploy.fmu.no_fmu", name=name) from problem
-    for interface in _INTERFACES:
-        for element in root.iter(interface):
-            identifier = element.get("modelIdentifier", "")
-            if not _IDENTIFIER.fullmatch(identifier):
-                raise InputError("deploy.fmu.identifier", name=name, identifier=identifier)
-    return version
 
 
 def _reject_entities(*_: object) -> None:

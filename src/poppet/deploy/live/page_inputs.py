@@ -99,7 +99,11 @@ def select_sliders(
                     slider = _within_valid_range(circuit, slider)
                 if slider.number >= 0:
                     _check_continuity(circuit, slider)
-                sliders[slider.address] = replace(slider, is_settable=_is_settable(circuit, slider))
+                try:
+                    circuit.with_values({slider.address: slider.value})
+                except InputError:  # an input that is not also a parameter
+                    slider = replace(slider, is_settable=False)
+                sliders[slider.address] = slider
     # The value of an input with a signal is also a parameter, on which the start of the run can depend.
     own = [s.address for s in sliders.values() if s.number >= 0 or s.address in circuit.numbers()]
     mapping = trace_parameters(export_model, circuit, own)
@@ -136,7 +140,12 @@ def _default_addresses(export_model: ExportModel, circuit: BaseCircuit, displaye
     places = [outputs.index(address) for address in displayed] or list(range(len(outputs)))
     ranks = influences(circuit, [_neighbours(circuit, slider) for slider in sliders], places)
     order = sorted(range(len(sliders)), key=lambda k: -ranks[k])  # stable: equal ranks have the order of the file
-    addresses = [sliders[k].address for k in order if ranks[k] > 0.0 and _is_continuous(circuit, sliders[k])]
+    addresses = []
+    for k in order:
+        if ranks[k] > 0.0:
+            with suppress(InputError):
+                _check_continuity(circuit, _within_valid_range(circuit, sliders[k]))
+                addresses.append(sliders[k].address)
     return [*driven, *addresses[: DEFAULT_COUNT - len(driven)]]
 
 
@@ -146,14 +155,6 @@ def _neighbours(circuit: BaseCircuit, slider: Slider) -> Iterator[BaseCircuit]:
     for value in (slider.value + step, slider.value - step):
         with suppress(InputError):
             yield changed_circuit(circuit, slider, value)
-
-
-def _is_continuous(circuit: BaseCircuit, slider: Slider) -> bool:
-    try:
-        _check_continuity(circuit, _within_valid_range(circuit, slider))
-    except InputError:
-        return False
-    return True
 
 
 def changed_circuit(circuit: BaseCircuit, slider: Slider, value: float) -> BaseCircuit:
@@ -219,18 +220,6 @@ def _check_map(circuit: BaseCircuit, mapping: ParameterMap, slider: Slider) -> N
         for k, (old, new) in enumerate(zip(conditions, changed.problem(changed.run).stop_conditions, strict=True)):
             if old.weights != new.weights and k not in mapping.conditions:
                 raise InputError("deploy.live.condition", slider.address)
-
-
-def _is_settable(circuit: BaseCircuit, slider: Slider) -> bool:
-    """Return True if the circuit accepts a value at the address of the slider.
-
-    It is False for an input that is not also a parameter.
-    """
-    try:
-        circuit.with_values({slider.address: slider.value})
-    except InputError:
-        return False
-    return True
 
 
 def _is_guided(export_model: ExportModel, address: str) -> bool:

@@ -197,16 +197,6 @@ class Statements:
         k = vector - len(self.selections)
         return self.outputs[k][element] if 0 <= k < len(self.outputs) else None
 
-    def _variable_of(self, vector: int, element: int) -> ResultVariable | None:
-        """Return the variable of a result or of a result in a case.
-
-        The output is None for a label.
-        """
-        if vector < len(self.selections):
-            results = self.selections[vector].results
-            return results[(element - 1) % len(results)]
-        return self._result(vector, element)
-
     def _instructions_in_cases(
         self, function: Sequence[Instruction], consumers: Sequence[Sequence[int]], candidates: set[int]
     ) -> set[int]:
@@ -221,15 +211,13 @@ class Statements:
             and instruction.place[0] < len(self.selections)
             and instruction.place[1] > 0
         }
+        n_vectors = len(self.selections) + len(self.outputs)
+        results = {k for k, item in enumerate(function) if item.operation == "output" and item.place[0] < n_vectors}
         for k in reversed(range(len(function))):
-            needing = [consumer for consumer in consumers[k] if consumer in candidates or consumer in in_cases
-                       or self._is_result(function[consumer])]  # fmt: skip
+            needing = [c for c in consumers[k] if c in candidates or c in in_cases or c in results]
             if k in candidates and needing and all(consumer in in_cases for consumer in needing):
                 in_cases.add(k)
         return in_cases
-
-    def _is_result(self, instruction: Instruction) -> bool:
-        return instruction.operation == "output" and instruction.place[0] < len(self.selections) + len(self.outputs)
 
     def _add_selection(self, selection: CaseStatement, values: Sequence[Value]) -> None:
         """Add the statement of a selection.
@@ -320,7 +308,12 @@ class Statements:
             instruction = function[k]
             vector, element = instruction.place
             if instruction.operation == "output":
-                if (result := self._variable_of(vector, element)) is not None:
+                if vector < len(self.selections):
+                    results = self.selections[vector].results
+                    result: ResultVariable | None = results[(element - 1) % len(results)]
+                else:
+                    result = self._result(vector, element)  # None for a label
+                if result is not None:
                     owners[k] = re.split(r"\W+", result.name)[-1]
                     needed.add(k)
                 continue

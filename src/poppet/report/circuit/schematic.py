@@ -225,7 +225,11 @@ class _Schematic:
         if symbol_height:
             texts = (self._port_label(edge) if edge[0] == name else self._node_label(edge) for edge in ports)
             label = max((text_width(text, 6.5) for text in texts), default=0.0)
-            widths.append(2.0 * label + (_symbol_width(part.symbol_for(False)) + 0.6) * _SYMBOL)
+            symbol, symbol_width = part.symbol_for(False), 1.8  # of the labelled box
+            if not isinstance(symbol, str):
+                # The label of a port is beside the outermost point of the symbol.
+                symbol_width = max(1.0, *(2.0 * abs(u - 0.5) for stroke in symbol for u, _ in stroke.points))
+            widths.append(2.0 * label + (symbol_width + 0.6) * _SYMBOL)
         body = symbol_height + _LINE * len(lines) + 0.17 + 2.0 * _PAD
         body = max(body, _PORT_STEP * len(ports))
         return _Box(name, lines, tags, max(widths) + 2.0 * _PAD, body + _TAG * len(tags), symbol_height)
@@ -392,10 +396,3 @@ class _Schematic:
         part, port = self.circuit.parts[edge[0]], edge[1]
         # Inlets have no number: a and b are outlets of directional valves only.
         return "" if port == BODY else port if port in part.inlet_ports else _PORT_NUMBERS.get(port, port.rstrip("_"))
-
-
-def _symbol_width(symbol: Symbol | str) -> float:
-    """Return twice the distance of the outermost point of a symbol from its middle; at least 1."""
-    if isinstance(symbol, str):
-        return 1.8  # of the labelled box
-    return max(1.0, *(2.0 * abs(u - 0.5) for stroke in symbol for u, _ in stroke.points))

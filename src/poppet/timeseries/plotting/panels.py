@@ -35,6 +35,7 @@ _QUANTITIES: tuple[tuple[str, str, float], ...] = (
     ("kg", "mass", 1.0),
     ("m^3", "volume", 1.0),
 )
+_COUNT = "number"
 # Units of the panels after position and velocity in figures with moving loads, in this order.
 _OF_LOADS = ("Pa", "N", "N m")
 AFTER_LOADS = ("K", "W", "kg")  # units of the series that such figures omit by default
@@ -71,6 +72,12 @@ class Series:
         """True if the series jumps and is constant between jumps."""
         is_change = np.diff(self.values) != 0.0
         return bool(is_change.any() and not np.any(is_change[1:] & is_change[:-1]) and is_change.size > 1)
+
+    @property
+    def is_count(self) -> bool:
+        """True for a number without unit that takes only whole values, some of them above 1, such as a step."""
+        finite = self.values[np.isfinite(self.values)]
+        return self.quantity == "ratio" and bool(np.any(finite > 1.0) and np.all(finite == np.round(finite)))
 
 
 @dataclass(frozen=True)
@@ -158,7 +165,8 @@ def panels_of(
     groups: dict[tuple[int, str, str], list[Series]] = {}
     for item in series:
         if item.name in moving:
-            groups.setdefault((item.rank, item.quantity, item.unit), []).append(item)
+            quantity = _COUNT if item.is_count else item.quantity
+            groups.setdefault((item.rank, quantity, item.unit), []).append(item)
     ranked: list[tuple[tuple[int, int], Panel]] = []
     for (rank, quantity, unit), members in groups.items():
         order = 0
@@ -172,7 +180,7 @@ def panels_of(
         title = quantity
         if quantity == "stroke" and "position" in phrases:
             title = "position"
-        elif len(phrases) == 1 and quantity in ("ratio", "stroke", "angle", "power", ""):
+        elif len(phrases) == 1 and quantity in ("ratio", _COUNT, "stroke", "angle", "power", ""):
             # The quantity is unspecific: the title is the common name of the series.
             title = phrases.pop()
         ranked.append(((order, rank), Panel(title, unit, tuple(members))))
