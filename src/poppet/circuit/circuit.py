@@ -383,8 +383,8 @@ class BaseCircuit(HtmlMixin):
         Returns
         -------
         Circuit
-            Copy whose signals and clocks restart at t = 0. Its other discrete states, such as the integral of a
-            controller, continue.
+            Copy of the circuit. Signals and clocks restart at t = 0. Other discrete states, such as the integral of a
+            controller, start with the last values in the recording.
 
         Raises
         ------

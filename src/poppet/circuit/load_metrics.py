@@ -318,14 +318,16 @@ def _strokes(
 def find_strokes(time: Array, position: Array, speed: Array, changes: Sequence[float]) -> list[tuple[int, int]]:
     """Return the first and last index of each stroke of a body.
 
-    A stroke ends at a turning point, from which the body returns by more than 20 % of its travel since the last
-    standstill. A stroke also ends at a standstill if one of these conditions is met:
+    `changes` contains the times at which an input of the body changes [s]. A stroke ends at a turning point, from which
+    the body moves back by more than 20 % of the travel since the last standstill. A stroke also ends at a standstill if
+    one of these conditions is met:
 
-    - An input changes during the standstill; `changes` are the times of these changes [s].
-    - An input changes in the motion before, and the standstill is more than twice as long as the motion after it until
-      the next change.
-    - The body then returns by more than 2 % of its whole travel, and the standstill is longer than this return. If the
-      return is less than 20 % and an input changes in the run, the standstill must be twice as long.
+    - An input changes during the standstill.
+    - An input changes during the motion before the standstill. Until the next change, the body moves again, but for
+      less than half the duration of the standstill.
+    - After the standstill, the body moves back by more than 2 % of the range of its positions, and this motion takes
+      less time than the standstill. If the motion covers less than 20 % of the range and an input changes in the run,
+      this motion must take less than half the duration of the standstill.
 
     If the body does not move, the list is empty.
 
@@ -432,10 +434,12 @@ def _work(run: LoadData, body: str, integrals: tuple[int, ...], starts: Sequence
 
 
 def _air_and_exergy(run: LoadData) -> tuple[dict[str, float], float, float]:
-    """Return air consumption by reservoir, its total exergy, and the increase in stored exergy.
+    """Return the air consumption and two exergies of a run.
 
-    The consumption is a volume at ANR [m^3]. The increase includes the gas in all volumes [J]. It is NaN if the
-    pressure, temperature or mass of a volume is not an output.
+    The first item is the air consumption of each reservoir above ambient pressure, as a volume at ANR [m^3] by name of
+    the reservoir. The second item is the net exergy that flows from reservoirs and ambient into the circuit [J]. The
+    third item is the increase in exergy of the gas in all volumes [J]. The increase is NaN if the pressure, temperature
+    or mass of a volume is not an output.
     """
     stores, air = {store.name for store in run.stores}, run.surroundings
     # Gas density at ANR; that of air is the value of the standard, for moist air.

@@ -20,8 +20,9 @@ from poppet.timeseries.recording import Recording
 def make_recording(instance: Instance, problem: Problem, raw: RawRun) -> Recording:
     """Return the recording of a run, even if the run failed.
 
-    `raw` contains the result arrays of the solver. Balance residuals and notes are computed when they are first needed,
-    because they take a quarter of the time of a short run.
+    `instance` is the compiled circuit, `problem` is the definition of the run, and `raw` contains the result arrays of
+    the solver. Balance residuals and notes are computed at first use, because this computation takes a quarter of the
+    time of a short run.
     """
     names, units = problem.kernel.model.columns
     balances = lru_cache(maxsize=1)(partial(residuals, problem, raw))

@@ -159,8 +159,8 @@ def _tests(options: argparse.Namespace) -> list[str]:
 def bench_summary(result: BenchResult) -> str:
     """Return a bench result as text for a terminal.
 
-    The text contains the characteristic values and the notes. If the result is compared with another one, a second
-    column contains its values.
+    The text contains the characteristic values and the notes. If `result` contains a comparison with another result, a
+    second column contains the values of the other result.
     """
     lines = [result.title]
     compared_rows = result.comparison.get("figures", {})

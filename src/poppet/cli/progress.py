@@ -86,7 +86,10 @@ class PointProgress(_Display):
     """Progress of a computation at many points, shown as the number of computed points."""
 
     def __call__(self, done: int, total: int, following: str) -> None:
-        """Show the number of computed points, and the text `following` on the point that is computed next."""
+        """Show the number of computed points and a text on the next point.
+
+        `done` of `total` points are computed. `following` is the text on the next point.
+        """
         self._show(f"{done} of {total}, {following}; Ctrl-C keeps the computed points", done, total)
 
 
@@ -94,7 +97,7 @@ class FitProgress(_Display):
     """Progress of a fit, shown as the number of evaluations and the lowest cost."""
 
     def __call__(self, count: int, cost: float) -> None:
-        """Show the number of evaluations and the lowest cost so far."""
+        """Show the number of evaluations `count` and the lowest cost so far, `cost`."""
         self._show(f"{count} evaluations, cost {cost:.6g}; Ctrl-C keeps the best point")
 
     def stages(self, stage: str, done: int, total: int) -> None:
@@ -136,7 +139,7 @@ class Spinner(_Display):
         return self
 
     def __call__(self, text: str) -> None:
-        """Show the name of the current operation, and the elapsed time."""
+        """Show `text`, the name of the current operation, and the elapsed time."""
         self._show(f"{text}, {self.elapsed:.0f} s")
 
     def __exit__(
@@ -157,8 +160,9 @@ class EnsembleProgress(_Display):
         self._kind, self._n_stored, self._kind_start = "", 0, self.start_time
 
     def __call__(self, done: int, total: int, kind: str) -> None:
-        """Show the number of completed runs of one kind, such as `runs`, and the runs per second.
+        """Show the number of completed runs and the runs per second.
 
+        `done` of `total` runs of one kind are completed. `kind` is `runs` (of the ensemble), `tornado` or `indices`.
         The runs per second exclude runs that an earlier command has stored.
         """
         if kind != self._kind:

@@ -94,9 +94,10 @@ def print_written(*paths: Path | None) -> None:
 
 
 def require_matplotlib(*paths: Path | None) -> None:
-    """Raise an error if any path of a figure is given and Matplotlib is not installed.
+    """Raise an error if a figure is requested and Matplotlib is not installed.
 
-    Commands call it before their computation.
+    Each argument in `paths` is the path of a file with figures, or None if this file is not requested. Commands call
+    the function before their computation.
     """
     if any(paths):
         from poppet.timeseries.plotting.figures import style

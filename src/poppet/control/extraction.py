@@ -63,7 +63,7 @@ def plant_of(circuit: BaseCircuit, controller: str | None = None) -> Plant:
     has_body = any(isinstance(member, Body) for member in circuit.parts.values())
     # A chamber alone starts at its operating point; other plants reach it in manual mode.
     is_manual = not part.is_of_openings or part.controls != "pressure" or has_body
-    remaining = release_command(simplified, controller, keeps=is_manual).instance
+    remaining = release_command(simplified, controller, keeps_controller=is_manual).instance
     if remaining.model.memory and not is_manual:
         raise InputError("plant.also_sampled", controller, other=remaining.model.memory[0][0].partition(".")[0])
     kind = ManualPlant if is_manual else Plant
@@ -137,11 +137,10 @@ def loop_of(circuit: BaseCircuit, controller: str | None = None) -> Loop:
     return Loop(inner_circuit, controller, controllers[controller], measurement, commands, initial_value)
 
 
-def release_command(circuit: BaseCircuit, controller: str, *, keeps: bool) -> BaseCircuit:
+def release_command(circuit: BaseCircuit, controller: str, *, keeps_controller: bool) -> BaseCircuit:
     """Return a circuit in which the command of a controller becomes a free input.
 
-    If `keeps` is True, the controller remains in manual mode, and the input is its manual command. Otherwise the inputs
-    of the valves become free.
+    The free input is the manual command of the controller, or the inputs of the valves.
 
     Parameters
     ----------
@@ -149,9 +148,10 @@ def release_command(circuit: BaseCircuit, controller: str, *, keeps: bool) -> Ba
         Circuit with the controller.
     controller : str
         Name of the controller.
-    keeps : bool
-        If True, the controller remains and keeps only the connection of its measurement, so its manual command is free.
-        If False, the controller is removed, so the inputs that it drives are free.
+    keeps_controller : bool
+        If True, the controller remains in manual mode, without the connections of its inputs except the measurement.
+        Its manual command is then free. If False, the controller is removed. The inputs that the controller drives are
+        then free.
 
     Returns
     -------
@@ -161,14 +161,14 @@ def release_command(circuit: BaseCircuit, controller: str, *, keeps: bool) -> Ba
 
     def stays(target: str, source: str = "") -> bool:
         owner, _, local = target.partition(".")
-        if keeps:
+        if keeps_controller:
             return owner != controller or local == "measurement"
         return controller not in (owner, source.partition(".")[0])
 
     # The circuit is made again: an instance has neither parts nor connections.
     return replace(
         circuit,
-        parts={name: part for name, part in circuit.parts.items() if keeps or name != controller},
+        parts={name: part for name, part in circuit.parts.items() if keeps_controller or name != controller},
         connections={target: source for target, source in circuit.connections.items() if stays(target, source)},
         signals={a: s for a, s in circuit.signals.items() if a.partition(".")[0] != controller},
         is_excerpt=True,

@@ -208,10 +208,10 @@ class _SteadyStateSearch:
         return operating_state
 
     def _solve(self, v: Array, command: float, target: float) -> tuple[Array, float] | None:
-        """Solve for the steady state with the measurement `target` by Newton's method.
+        """Solve for the steady state at which the measurement has the value `target`.
 
-        The search starts from the state vector `v` and from `command`. The result contains state vector and command. It
-        is None if the method does not converge.
+        Newton's method starts from the state vector `v` and the command `command`. The result contains the state vector
+        and the command of the steady state. The result is None if the method does not converge.
         """
         size = np.append(self.point.size, self.command_size)
 
@@ -249,10 +249,10 @@ class _SteadyStateSearch:
         return model_at(*self._run(v, command + nudged * self.command_size, 0.25 * float(np.min(gaps))))
 
     def _run(self, v: Array, command: float, duration: float) -> tuple[SampledPoint, Array]:
-        """Simulate the circuit with a constant command, starting at the state `v`.
+        """Simulate the circuit with a constant command, starting at the state vector `v`.
 
-        The result contains the operating point and the final state vector. A duration longer than one sample is rounded
-        to whole samples.
+        The result contains the equations with this command and the final state vector. A `duration` [s] that is longer
+        than the sample time is rounded to an integer multiple of the sample time.
         """
         point = self.at(command)
         (x, p), begin = point.at_clock(v), point.clock.start

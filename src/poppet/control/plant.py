@@ -43,11 +43,14 @@ class OperatingPoint:
     command : float
         Command at the steady state. A positive opening means that the fill valve is open.
     models : dict
-        Linear model for each side (sign) of the command. The sides are `fill` and `vent`, or `command` and, if a
-        decreasing command has another effect, `back`. The side of the steady command has the model at the steady state.
-        The other side has the model for a small command at the same state.
+        Linear models of the plant, because it can depend on the sign of the command. A controller with two commands has
+        the models `fill` (positive command) and `vent` (negative command). Other controllers have the model `command`
+        and, if a decreasing command has another effect, the model `back`. The model for the sign of the steady command
+        is linearised at the steady state. The model for the other sign is linearised at the same state with a small
+        command of that sign.
     weights : dict
-        For each side, a mapping from the address of each driven input to its factor on the command, +1 or -1.
+        For each model, a mapping from the address of each driven input to a factor, +1 or -1. The value of the input is
+        the command multiplied by this factor.
     """
 
     value: float

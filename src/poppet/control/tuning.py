@@ -168,12 +168,13 @@ class Tuning:
     def fields(self) -> dict[str, Any]:
         """Return the tuned fields of the `pid` part.
 
-        The source of each number is this tuning.
+        Each tuned number has the kind of source `fitted`, and a note on the tuning.
 
         Returns
         -------
         dict
-            Mapping from the name of each field to a number or a schedule. None means that the field is removed.
+            Mapping from the name of each field to a tuned number or a gain schedule. The value None means that the
+            field must be removed from the part.
         """
         basis = "answers to sines" if self.is_verified else "linear models"
         source = Source("fitted", note=f"tuned on {basis} for {self.bound_text}")

@@ -177,5 +177,5 @@ def _without_controllers(circuit: BaseCircuit, controllers: str | Sequence[str])
         if name not in available:
             near = NameSuggestion(name, available)
             raise InputError("fields.not_an_option", "without", value=name, meaning="controller", suggestion=near)
-        circuit = release_command(circuit, name, keeps=False)
+        circuit = release_command(circuit, name, keeps_controller=False)
     return circuit

@@ -53,7 +53,10 @@ class System(NamedTuple):
     connections: Mapping[str, str]
 
     def owner(self, address: str) -> str:
-        """Return the name of the component that contains the part of an address."""
+        """Return the name of the component whose circuit contains a part.
+
+        `address` is the name of the part, or an address that begins with this name, such as `tank.pressure`.
+        """
         part = address.partition(".")[0]
         return next(component.name for component in self.components if part in component.circuit.parts)
 

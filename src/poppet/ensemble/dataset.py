@@ -165,10 +165,10 @@ class Dataset:
         return missing
 
     def _rows(self, kind: str, number: int) -> int:
-        """Return the number of runs in one shard, a file with the results of some runs.
+        """Return the number of runs in one shard: a file with the results of some runs.
 
-        `kind` is the kind of runs, and `number` the index of the shard. The result is -1 if the file is missing, has
-        changed or is not readable.
+        `kind` is the kind of these runs, and `number` the index of the shard. The result is -1 if the file is missing,
+        has changed or is not readable.
         """
         path = self.folder / kind / _name(number)
         expected = self.hashes.get(f"{kind}/{_name(number)}")

@@ -26,14 +26,17 @@ DIFFERENCE: dict[Kind, Kind] = {"pressure": "pressure_difference", "temperature"
 
 
 class DistributionKind(NamedTuple):
-    """Kind of distribution, such as `normal`: names of its fields, and its functions."""
+    """Kind of distribution, such as `normal`, with names of fields and functions.
 
-    fields: tuple[str, ...]
-    spreads: tuple[str, ...]  # fields that are differences
-    factors: tuple[str, ...]  # fields without a unit
-    relative: str  # field of a spread relative to the centre; empty if there is none
-    quantile: Callable[[Array, Mapping[str, float]], Array]
-    below: Callable[[float, Mapping[str, float]], float]  # probability of smaller values
+    The second argument of both functions contains the values of the fields by name.
+    """
+
+    fields: tuple[str, ...]  # names of the fields that define the distribution
+    spreads: tuple[str, ...]  # names of the fields with the unit of a difference
+    factors: tuple[str, ...]  # names of the fields without a unit
+    relative: str  # name of the field for a spread relative to the centre; empty if there is no such field
+    quantile: Callable[[Array, Mapping[str, float]], Array]  # quantiles at the probabilities in the first argument
+    below: Callable[[float, Mapping[str, float]], float]  # probability of values below the first argument
 
     @property
     def names(self) -> tuple[str, ...]:

@@ -129,11 +129,11 @@ def few_runs_probability(residuals: FloatArray) -> float:
 
 
 def gain(jacobian: FloatArray) -> tuple[FloatArray, NDArray[np.bool_]]:
-    r"""Return the derivatives of estimates by residuals, and a mask of the parameters that the data determine.
+    r"""Return the derivatives of estimates with respect to residuals, and a mask of determined parameters.
 
-    The derivative G is the pseudo-inverse of the Jacobian J of the residuals. cov is the covariance of the estimates
-    for residuals of unit variance.
-
+    `jacobian` is the matrix J of derivatives of the residuals with respect to the parameters. The derivatives G of the
+    estimates are the pseudo-inverse of J. The matrix cov is the covariance of the estimates for residuals of unit
+    variance. The mask is True for each parameter that the data determine.
 
     .. math:: G = J^{+}, \qquad \mathrm{cov} = G G^\mathsf{T}
     """

@@ -245,10 +245,11 @@ def _specs(kind: Any) -> Mapping[str, Spec]:
 
 @cache
 def declared(kind: Any, *types: type) -> tuple[tuple[str, str, Any], ...]:
-    """Return name, Python attribute and declaration of each field of the part class `kind`.
+    """Return the fields of a part class `kind`.
 
-    The further arguments are classes of declarations, such as `NumberSpec`. If there are any, only fields with these
-    classes are included.
+    Each item contains the name, the Python attribute and the declaration of a field. Each argument in `types` is a
+    class of declarations, such as `NumberSpec`. If `types` is not empty, only fields with declarations of these classes
+    are included.
     """
     # Cached: a changed number makes its part again, and a run reads every part.
     return tuple((n, attribute(n), spec) for n, spec in _specs(kind).items() if not types or isinstance(spec, types))

@@ -163,9 +163,10 @@ class FlowPath(Passage):
         return super().structure(), None if self.characteristic is None else self.characteristic.structure()
 
     def size_at(self, scope: Scope, stroke: Any) -> tuple[Any, Any]:
-        """Return sonic conductance [m^3/(s Pa)] and critical pressure ratio [1] at a stroke.
+        """Return the sonic conductance [m^3/(s Pa)] and the critical pressure ratio [1] at a stroke.
 
-        The stroke [m] has an effect only if a characteristic specifies the flow capacity.
+        `scope` contains the values of the parameters. The stroke [m] has an effect only if a characteristic specifies
+        the flow capacity.
         """
         if self.characteristic is None:
             return scope["sonic_conductance"], scope["critical_ratio"]
@@ -207,11 +208,13 @@ def iso_flow(
     scope: Scope, name: str, ports: tuple[str, str], gas: tuple[GasState, GasState], size: tuple[Any, Any], *,
     cracking_pressure: Any = 0.0, one_way: bool = False, regime: str = "regime",
 ) -> tuple[Flow, Quantities]:  # fmt: skip
-    """Return the ISO 6358 flow between two ports, and its outputs.
+    """Return the ISO 6358 flow between two ports, and the outputs of the flow path.
 
-    `ports` and `gas` are the names and the gas states of the two ports. `size` contains sonic conductance and critical
-    pressure ratio of the flow path. `name` is the name of the output for the mass flow rate. The keyword `regime` is
-    the name of the output for the flow regime.
+    `ports` and `gas` are the names and the gas states of the two ports. `size` contains the sonic conductance and the
+    critical pressure ratio of the flow path. `scope` contains the other parameters. `name` is the name of the output
+    for the mass flow rate, and the keyword `regime` is the name of the output for the flow regime. The flow starts at
+    the pressure difference `cracking_pressure` [Pa]. If the keyword `one_way` is True, flow from the second port to the
+    first port is blocked.
     """
     conductance, ratio = scope.surroundings.capacity_in_circuit_gas(*size)
     first, second = gas

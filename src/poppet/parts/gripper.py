@@ -57,8 +57,9 @@ class Workpiece:
 class Jaws(MovingBody):  # type: ignore[misc]  # the stops are no fields
     """Two jaws that move in opposite directions.
 
-    It is a member part of `Gripper`. The position is the travel of each jaw from its open end. Forces on the body act
-    along this travel and are sums over both jaws.
+    The jaws are a member part of `Gripper`, and both jaws together are one body. The position of this body is the
+    travel of each jaw from its open end. A force on the body is the sum of the forces on both jaws, each in the
+    direction of travel of its jaw.
     """
 
     kind: ClassVar[str] = "jaws"

@@ -33,7 +33,10 @@ On the paper's staircase it saves a quarter of the steps without a larger error 
 
 @dataclass(frozen=True)
 class Spring:
-    """Parameters of a linear spring of a main stage, with the compression `preload` at stroke zero."""
+    """Parameters of a linear spring of a main stage.
+
+    The preload is a length, not a force: the compression of the spring at stroke zero.
+    """
 
     rate: NumberLike = number("N/m", doc="spring rate", low=0.0)
     preload: NumberLike = number("m", doc="compression at stroke zero", low=0.0)

@@ -41,10 +41,11 @@ class FlowControlValve(FlowPath):
 
     Notes
     -----
-    In the equation, :math:`q_c` is the flow of a check valve with the size of the part and `cracking_pressure`, and
-    :math:`q_t` that of a throttle with C of `throttle_conductance` times `opening`. The size is therefore that of the
-    free direction including the throttle, which catalogues state. By default, the throttle has the critical ratio of
-    the free direction.
+    In the equation, :math:`q_c` is the flow of a check valve with the flow capacity and the cracking pressure of the
+    part, and :math:`q_t` is the flow of a throttle. The sonic conductance of this throttle is `throttle_conductance`
+    times `opening`. The flow capacity of the part (C and b, or a nominal flow) is the capacity of the complete valve in
+    the free direction, including the throttle. Catalogues state this capacity. By default, the throttle has the
+    critical ratio of the free direction.
 
     Examples
     --------

@@ -205,10 +205,10 @@ class ControlOutputs:
 
 @dataclass(frozen=True)
 class PartConnection:
-    """Output of the circuit with the address `source` that drives an input of a part.
+    """Connection of an input of a part to an output of the circuit.
 
-    `place` is the address of the field of the part that names this output. If `is_integer` is True, only an output
-    whose values are integers is valid.
+    `source` is the address of the output, and `place` the address of the field of the part that names the output. If
+    `is_integer` is True, the values of the output must be integers.
     """
 
     source: str
@@ -569,9 +569,10 @@ class Part(ABC):
         return ()
 
     def connections(self) -> dict[str, PartConnection]:
-        """Return the outputs of the circuit that drive inputs of the part, by input.
+        """Return the connections that fields of the part specify, by name of the input.
 
-        Fields of the part name these outputs. The circuit adds these connections to its own.
+        Each of these fields names an output of the circuit, which then drives the input. The circuit adds these
+        connections to the connections of its table `connections`.
         """
         return {}
 

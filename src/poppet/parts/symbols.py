@@ -19,12 +19,18 @@ Symbol = tuple[Stroke, ...]
 
 
 def line(*points: tuple[float, float], dashed: bool = False) -> Symbol:
-    """Return a schematic symbol that consists of one open polyline through points."""
+    """Return a schematic symbol that consists of one open polyline.
+
+    `points` are the corners (x, y), in a square of side length 1. If `dashed` is True, the line is dashed.
+    """
     return (Stroke(points, is_dashed=dashed),)
 
 
 def outline(*points: tuple[float, float], filled: bool = False) -> Symbol:
-    """Return a schematic symbol that consists of one closed outline through points."""
+    """Return a schematic symbol that consists of one closed outline.
+
+    `points` are the corners (x, y), in a square of side length 1. If `filled` is True, the interior is filled.
+    """
     return (Stroke(points, is_closed=True, is_filled=filled),)
 
 

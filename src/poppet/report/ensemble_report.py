@@ -271,7 +271,8 @@ def bands_figure(bands: Bands, units: Mapping[str, str], curve: str) -> Figure:
 def _figure_with_panels(titles: list[str], draw: Callable[[int, Any], None], height: float = _PANEL) -> Figure:
     """Return a figure with a small panel for each title.
 
-    There are two or three panels in a row. The function `draw` draws the panel with a given index into given axes.
+    The function `draw` draws a panel; its arguments are the index of the panel in `titles` and the axes of the panel.
+    `height` is the height of a panel [in]. There are at most three panels in a row.
     """
     columns = 2 if len(titles) in (1, 2, 4) else 3
     rows, width = -(-len(titles) // columns), (WIDTH - 0.8 - (columns - 1) * _GAP) / columns

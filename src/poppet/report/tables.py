@@ -58,7 +58,8 @@ class Column:
 def numeric(*headings: str, digits: str = "s") -> tuple[Column, ...]:
     """Return a right-aligned column for each heading.
 
-    The keyword `digits` is the number format of all columns. The default `s` is for numbers that are already text.
+    The keyword `digits` is the format specification of the cells in all columns, for example `.4g`. The default `s` is
+    for cells that already contain text.
     """
     return tuple(Column(heading, digits) for heading in headings)
 

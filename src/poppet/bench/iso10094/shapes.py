@@ -284,16 +284,16 @@ def lag_of(time: FloatArray, x: FloatArray, y: FloatArray, branch: Branch, follo
 
 @dataclass(frozen=True)
 class SweepEnd:
-    """Outlet pressure at the end of a sweep: its rate, and its later change.
+    """Outlet pressure at and after the end of a sweep.
 
-    Both are extrapolated from a section before the end.
+    The value and the rate of the outlet at the end are extrapolated from a section before the end.
     """
 
-    moved: float  # change of the outlet after the end
+    moved: float  # change of the outlet after the end: value in the hold minus value at the end
     error: float  # standard uncertainty of `moved`
-    rate: float  # of the outlet per second
+    rate: float  # change of the outlet per second at the end
     rate_error: float  # standard uncertainty of `rate`
-    sweep: float  # of the swept quantity per second
+    sweep: float  # change of the swept quantity per second
 
 
 def _end_of_sweep(

@@ -73,8 +73,9 @@ def supply_trials(pace: Pace) -> list[Trial]:
 
 
 def leakage_trial(scale: Scale, volume: float, setpoint: float, hold: float) -> Trial:
-    """Return a trial at constant setpoint without flow at the outlet.
+    """Return a leakage trial: a run at constant setpoint without flow at the outlet.
 
+    `scale` contains the ranges of setpoint and outlet pressure, and `volume` is the volume at the outlet [m^3].
     `setpoint` is in % FS, and `hold` is the settling time of the valve [s].
     """
     name, settling = f"rest at {setpoint:g} % FS", 5.0 * hold

@@ -40,7 +40,8 @@ class FrequencyResponse:
     def gain(self, frequency: float) -> float:
         """Return the magnitude of the gain at a frequency [Hz].
 
-        The gain is outlet pressure per requested pressure. The result is 0 if the simulation fails.
+        The magnitude is the amplitude of the outlet pressure divided by the amplitude of the requested pressure. The
+        result is 0 if the simulation fails.
         """
         if frequency not in self.found:
             wave = self.rig.response(self.amplitude * self.per_pascal, frequency, attempts=ATTEMPTS)

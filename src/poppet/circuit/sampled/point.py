@@ -69,9 +69,10 @@ class SampledPoint:
         self.every_clock[: self.model.n_timers] = self.clock.counts[: self.model.n_timers]
 
     def p(self, v: Array) -> Array:
-        """Return the parameter vector p, which ends with the discrete states.
+        """Return the parameter vector p: the parameters, followed by the discrete states.
 
-        The discrete states come from v. The clocks are an exception: they have their values at the time `clock.start`.
+        `v` contains the states and the discrete states except clocks. Clocks have their values at the time
+        `clock.start`.
         """
         # A controller can treat its first sample differently.
         memory = self.clock.memory.copy()

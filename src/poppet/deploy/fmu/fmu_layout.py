@@ -181,9 +181,10 @@ class FmuLayout:
         return [self._references(x[k], u[k], p[k], (INPUT,)) for k in range(len(x))]
 
     def initial_dependencies(self, name: str) -> list[list[int]]:
-        """Return the value references of the variables on which each initial value depends.
+        """Return the inputs and parameters on which each initial value of a group depends.
 
-        `name` is `start` (states), `rates` or `outputs`. The variables are inputs and parameters.
+        `name` selects the group of initial values: `start` (of the states), `rates` or `outputs`. The result contains a
+        list for each initial value of the group. The list contains the value references of the inputs and parameters.
         """
         start = self._pattern("start", "p")
         if name == "start":

@@ -62,8 +62,13 @@ def influences(
     return result
 
 
-def _rows(problem: Problem, outputs: Sequence[int], most: int) -> NDArray[np.float64]:
-    """Return the output rows of a run that ends after `most` attempted steps, shape (n_outputs, n_rows)."""
-    call = Call(replace(problem, relative_tolerance=max(_TOLERANCE, problem.relative_tolerance), most_attempts=most))
+def _rows(problem: Problem, outputs: Sequence[int], max_attempts: int) -> NDArray[np.float64]:
+    """Return the values of selected outputs in a run, shape (n_outputs, n_times).
+
+    `outputs` contains the indices of the outputs. The run ends after `max_attempts` attempted steps at the latest.
+    """
+    call = Call(
+        replace(problem, relative_tolerance=max(_TOLERANCE, problem.relative_tolerance), most_attempts=max_attempts)
+    )
     call.repeat()
     return np.array(call.table[list(outputs), : int(call.counts[2])])

@@ -230,9 +230,9 @@ def _run_controllers(reference: KernelReference, folder: Path) -> TargetResult:
 
 
 def controller_checks() -> list[ParityCheck]:
-    """Return the parity check of exported controllers.
+    """Return a list with the parity check of exported controllers.
 
-    It runs the program from which structured text and C are printed.
+    This check runs the program of the controllers, from which the exporters print structured text and C.
     """
     text = "the program of the controllers, which structured text and C print"
     return [ParityCheck("controllers", text, 1e-9, "all", _run_controllers)]

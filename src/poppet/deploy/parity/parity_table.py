@@ -39,35 +39,41 @@ VERDICTS = {"rounding": "within rounding", "coarse": "step too long"}
 
 @dataclass(frozen=True)
 class ParityRow:
-    """Result of one parity check.
+    """Result of one parity check, which compares a target with the kernel.
+
+    The difference of an output at one time is the target minus the kernel, as a magnitude relative to the size of the
+    output. Outputs are compared until the time `until`. Continuous states are compared in the whole run.
 
     Parameters
     ----------
     check : ParityCheck
-        The check.
+        Definition of the check.
     seconds : float or None
-        Computing time of the target [s]; None if it was not run.
+        Computing time of the target [s]; None if the target was not run.
     greatest : float or None
-        Maximum compared difference, relative to the size of the output; None if nothing is compared.
+        Maximum difference of the output `worst` until the time `until`; None if nothing is compared.
     worst : str
-        Address of the output with this difference.
+        Address of the output with the largest difference. If a difference exceeds the permitted difference, the address
+        of the output with the largest ratio of difference to permitted difference.
     ratio : float
-        Maximum ratio of a difference to the permitted difference: the limit, or ten times the effect of small changes.
-        After the end of the comparison, only the differences of states count.
+        Maximum of the difference divided by the permitted difference, for all outputs until the time `until` and for
+        all continuous states in the whole run. The permitted difference is the limit of the check, or ten times the
+        effect of small changes of the kernel if this is larger.
     until : float
-        End of the comparison [s]: after it, small changes of the kernel lead to a different run.
+        Time until which outputs are compared [s]. After this time, small changes of the kernel lead to a different run.
     share : float
-        Compared fraction of the values.
+        Fraction of the output values that is compared.
     overall : float or None
-        Maximum relative difference in the whole run.
+        Maximum difference of all outputs in the whole run; None if nothing is compared.
     drift : float or None
-        Maximum relative difference of a state in the whole run.
+        Maximum difference of all continuous states in the whole run; None if states are not compared.
     moved : float or None
-        Maximum relative effect of small changes on a state of the kernel; None without changes.
+        Maximum difference of all continuous states between the kernel without and with small changes; None if no small
+        changes were made.
     differences : dict
-        Maximum compared difference of each output by address, relative to its size.
+        Maximum difference of each output until the time `until`, by address.
     why : Note or None
-        Reason why the target was not run; None if it was run.
+        Reason why the target was not run; None if the target was run.
     """
 
     check: ParityCheck

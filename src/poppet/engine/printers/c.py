@@ -126,9 +126,9 @@ def statement_helpers(text: str, precision: Precision) -> str:
 
 
 def used_prelude(text: str) -> str:
-    """Return the C text of the helper functions that a given text calls.
+    """Return the C definitions of the helper functions that are called in C code.
 
-    Compilers would warn about unused functions.
+    `text` is this C code. Other helper functions are omitted, because compilers would warn about unused functions.
     """
     return "\n\n".join(f for f, name in ((_POWER, "power("), (_WITH_SIGN, "with_sign(")) if name in text)
 

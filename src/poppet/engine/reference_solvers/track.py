@@ -177,9 +177,9 @@ def rates(problem: Problem, segment: int, t: float, x: Array) -> Array:
 
 
 def jacobian(problem: Problem, segment: int, t: float, x: Array) -> Array:
-    """Return the derivatives of the rates by the states, at the time t and the state x.
+    """Return the derivatives of the rates with respect to the states as a dense matrix.
 
-    The result is a dense matrix. `segment` is the index of the segment of the inputs.
+    The derivatives are evaluated at the time `t` and the state `x`. `segment` is the index of the input segment.
     """
     f, drift, entries = np.empty(x.size), np.empty(x.size), np.empty(problem.kernel.jacobian_size)
     u = inputs_at(problem, segment, t)

@@ -76,15 +76,16 @@ class StrokeRecording:
     stroke : float
         Stroke of the flow path during the test [m].
     circuit : Circuit
-        Circuit of the bench; the flow path is an orifice with C and b.
+        Circuit of the bench, in which the flow path is an orifice with C and b.
     measurement : Measurement
-        Recorded pressures, and temperatures if available.
+        Recorded pressures, and recorded temperatures if available.
     passage : str
         Name of the flow path in the circuit.
     free : tuple of FreeParameter
-        Further free parameters of the bench, such as `tank.wall_conductance`. In a joint fit, all tests share them.
+        Free parameters of the bench in addition to C and b, such as `tank.wall_conductance`. In a joint fit, each of
+        these parameters has the same value in all tests.
     name : str
-        Name for messages; the default is the name of the measurement.
+        Name of the test in messages; the default is the name of the measurement.
     """
 
     stroke: float

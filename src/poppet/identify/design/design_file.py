@@ -45,13 +45,16 @@ MOST_SAMPLES = 100_000
 
 @dataclass(frozen=True)
 class DesignSensor:
-    """Sensor that a possible test can use, with its noise, offset and lag."""
+    """Sensor that a possible test can use.
+
+    `address` is the address of the measured output.
+    """
 
     address: str
     unit: str
     noise: float  # standard deviation of a sample, in `unit`
     offset: float = 0.0  # standard deviation of the offset, in `unit`; infinite for a free offset without prior
-    lag: float | None = 0.0  # time constant, None if it is free [s]
+    lag: float | None = 0.0  # time constant of the lag [s]; None if the lag is a free parameter
 
 
 @dataclass(frozen=True)

@@ -275,10 +275,11 @@ class _RecordingReader:
         )
 
     def _fields(self, table: Table, internal: set[str], location: str) -> tuple[dict[str, Any], list[str]]:
-        """Return a table that describes the compared channels and the inputs of a recording, and the omitted series.
+        """Return the specification of the channels of a recording, and the addresses of omitted series.
 
-        `table` is the recording, and `internal` contains its internal outputs. Series are omitted only if the user has
-        not selected the series to compare.
+        The specification contains the column and the unit of the time, of each compared output and of each input.
+        `table` is the recording, `internal` contains the addresses of internal outputs, and `location` is the location
+        of the recording in messages. Series are omitted only if the user has not selected the outputs to compare.
         """
         recorded, omitted = dict(zip(table.names[1:], table.columns[1:], strict=True)), list[str]()
         if self.selected is not None:

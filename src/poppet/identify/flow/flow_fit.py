@@ -184,9 +184,10 @@ class FlowModel:
         return np.concatenate((misfit, x[..., len(self.free) :]), axis=-1)
 
     def jacobian(self, x: FloatArray, sigma: FloatArray) -> FloatArray:
-        """Return the derivatives of the weighted residuals by the scaled parameters `x`.
+        """Return the derivatives of the weighted residuals with respect to the scaled parameters `x`.
 
-        They are central differences within the bounds.
+        The derivatives are central differences within the bounds of the parameters. `sigma` contains the weights, as in
+        `residuals`.
         """
         step, (low, high) = 1e-6 * np.eye(x.size), self.bounds
         up, down = np.minimum(x + step, high), np.maximum(x - step, low)
@@ -293,12 +294,12 @@ class FlowFit:
 
     @cached_property
     def jacobian(self) -> FloatArray:
-        """Derivatives of the weighted residuals by the scaled free parameters and common errors."""
+        """Derivatives of the weighted residuals with respect to the scaled free parameters and common errors."""
         return self.model.jacobian(self.x, self.sigma)
 
     @cached_property
     def gain(self) -> tuple[FloatArray, NDArray[np.bool_]]:
-        """Derivatives of the estimates by the weighted residuals, and a mask of the determined parameters."""
+        """Derivatives of estimates with respect to weighted residuals, and a mask of determined parameters."""
         return gain(self.jacobian)
 
     @cached_property

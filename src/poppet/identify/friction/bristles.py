@@ -143,10 +143,11 @@ def fit_bristles(
 def usable_reversals(
     motions: Sequence[RecordedMotion], values: Mapping[str, float], offsets: Mapping[int, float], distance: float
 ) -> list[ReversalData]:
-    """Return the reversals at which the deflection of the bristles of the LuGre model is known, with their samples.
+    """Return the reversals at which the bristle deflection of the LuGre model is known.
 
-    It is known after a long stroke, and after a short stroke that follows a usable reversal. The samples must resolve
-    its change.
+    The deflection at a reversal is known after a stroke longer than twice `distance`, and after a shorter stroke that
+    follows a usable reversal. The samples after the reversal must also resolve the change of the deflection. The other
+    arguments are those of `fit_bristles`.
     """
     decay = distance / (WAYS * -math.log(0.5 * (1.0 - BENT)))
     turns: list[ReversalData] = []

@@ -150,8 +150,9 @@ def _read_channel(
 ) -> dict[str, Any]:
     """Read and check the table of one channel.
 
-    Pressures become gauge pressures in SI units. `file_fields` contains the tables of all channels. `coordinate` is the
-    kind of motion.
+    `channel` is the name of the channel, and `file_fields` contains all fields of the file, including the tables of the
+    channels. `coordinate` is the kind of motion, translation or rotation. In the result, constant pressures are gauge
+    pressures in SI units.
     """
     raw, n_files = file_fields[channel], len(file_fields["file"])
     declared = {"column": Field(is_required=True, example=f'{channel} = {{ column = "..." }}'), "unit": Field()}

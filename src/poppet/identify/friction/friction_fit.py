@@ -316,7 +316,11 @@ class FrictionLawFit:
 
     @cached_property
     def jacobian(self) -> FloatArray:
-        """Derivatives of the modelled force at each sample by the parameters of the law, then by the force offsets."""
+        """Derivatives of the modelled force at each sample.
+
+        The first columns are derivatives with respect to the parameters of the law. The other columns are derivatives
+        with respect to the force offsets.
+        """
         rows, values = self.data.rows, self.values
         columns = self.solution.design(rows, [*self.solution.offsets])
         if self.solution.law.is_falling:

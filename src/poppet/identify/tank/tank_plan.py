@@ -218,7 +218,8 @@ def _read_run(test: TankTest, name: str, recording: Any, ambient_pressure: float
 def _read_channel(address: str, table: Mapping[str, Any], location: str) -> tuple[Channel, list[Note]]:
     """Return a channel from arrays, with notes on omitted or merged samples.
 
-    `table` contains the arrays by address, and `location` is the location of the channel in messages.
+    `table` contains the times as `time`, and the array or the table of each channel by address. `address` selects the
+    channel, and `location` is the location of the channel in messages.
     """
     with ErrorCollector() as errors:
         argument = table[address]
@@ -450,11 +451,12 @@ def _free_by_recording(
     *,
     is_shared: bool = False,
 ) -> list[FreeParameter]:
-    """Return the free parameters that an argument of a tank test declares for its recordings.
+    """Return the free parameters of a tank test with a given address.
 
-    `arguments` contains the argument for each recording. There is one parameter for each recording whose argument is
-    free, or one for all recordings if the keyword `is_shared` is True. If there is only one recording, the name of the
-    parameter has no prefix.
+    `arguments` contains an argument for each recording of the test: the specification of the parameter. If the keyword
+    `is_shared` is False, each recording whose argument is free has a free parameter. The name of this parameter begins
+    with the name of the recording, unless there is only one recording. If `is_shared` is True, all recordings share the
+    argument and the parameter of the first recording.
     """
     if is_shared:
         return [_read_free(address, arguments[0], circuits[0])] if is_free(arguments[0]) else []

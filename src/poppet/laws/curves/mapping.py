@@ -203,9 +203,9 @@ class _CharacteristicReader:
 
     @cached_property
     def _strokes(self) -> tuple[float, ...] | None:
-        """Strokes of a characteristic of kind `table` [m].
+        """Strokes at which a characteristic of kind `table` has points [m].
 
-        They are None if any stroke is invalid.
+        The value is None if the field `stroke` is missing or contains an invalid stroke.
         """
         if not _is_list(self.table.get("stroke")):
             if "stroke" in self.table:

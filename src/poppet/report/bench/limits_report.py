@@ -281,7 +281,7 @@ def limit_cycle_figure(result: LimitsResult) -> Figure:
 def amplitude_text(value: float) -> str:
     """Return an amplitude of the outlet pressure [Pa] as text.
 
-    The text is `rests` below 1 Pa, and `?` if the amplitude is not known.
+    The text is `rests` if the amplitude is below 1 Pa, and `?` if `value` is NaN or infinite.
     """
     if not math.isfinite(value):
         return "?"
@@ -319,10 +319,10 @@ def _array(grid: list[list[Any]]) -> Array:
 
 
 def _figure_with_panels(count: int, height: float, right: float, gap: float) -> tuple[Figure, list[Any]]:
-    """Return an empty figure with `count` axes of equal size.
+    """Return an empty figure, and a list of `count` axes of equal size in this figure.
 
-    `height` is the height of the axes, `right` the right margin and `gap` the distance between axes [in]. The axes are
-    in one row, or in two rows if `count` is six.
+    `height` is the height of each of the axes, `right` is the right margin of the figure, and `gap` is the horizontal
+    distance between neighbouring axes [in]. The axes are in one row, or in two rows if `count` is six.
     """
     columns = _MAX_COLUMNS if count == 2 * _MAX_COLUMNS else count
     rows = count // columns

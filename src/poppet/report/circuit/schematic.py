@@ -371,7 +371,8 @@ class _Schematic:
     def _strokes(self, symbol: Symbol, left: float, bottom: float, size: float, *, is_mirrored: bool = False) -> None:
         """Draw the lines of a symbol in a square.
 
-        `left` and `bottom` are the lower left corner of the square, and `size` is its side [in].
+        `left` and `bottom` are the coordinates of the lower left corner of the square, and `size` is the length of a
+        side of the square [in]. If the keyword `is_mirrored` is True, left and right are exchanged.
         """
         for stroke in symbol:
             x = [left + size * (1.0 - u if is_mirrored else u) for u, _ in stroke.points]

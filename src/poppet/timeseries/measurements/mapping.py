@@ -446,8 +446,8 @@ def _column_fields(column: str | int | Mapping[str, str], source: Table) -> Mapp
 def _si_unit(address: str, written: str) -> str:
     """Return the SI unit to which a channel is converted.
 
-    The ending of the address determines it, for example `.pressure`. For other endings, `written`, the unit in the
-    file, determines it.
+    The unit follows from the ending of the address, for example `.pressure`. If the ending does not determine a unit,
+    the SI unit follows from `written`, the unit in the file.
     """
     check_unit(written)
     ending = next((ending for ending in _SI_BY_ENDING if address.endswith(ending)), None)
