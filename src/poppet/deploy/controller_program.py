@@ -255,6 +255,7 @@ def trace_controller_program(
     -------
     ControllerProgram
     """
+    import casadi as ca
 
     traced = trace_program(controllers.parts, tuple(controllers.parameters), controllers.connections)
     model, labels = traced.model, traced.labels
@@ -292,9 +293,12 @@ def trace_controller_program(
         *(ProgramState("flag", name, "1", True) for name in FLAGS),
     )
     first_u, first_p = (np.array([item.value for item in items]) for items in (inputs, parameters))
-    first_memory, timers = (ArrayFunction(f) for f in _first_functions(equations, model.n_timers))
-    memory = first_memory(first_u, first_p)[0].ravel()
-    next_instants = timers(first_u, first_p, memory)[0].ravel()
+    u, p, symbolic = equations.u, equations.p, equations.memory
+    memory = ArrayFunction(ca.Function("start", [u, p], [ca.densify(equations.start)]))(first_u, first_p)[0].ravel()
+    is_due = symbolic[: model.n_timers] <= 0.0
+    timers = ca.substitute([equations.update[: model.n_timers]], [equations.fired], [is_due])[0]
+    second = ArrayFunction(ca.Function("timers", [u, p, symbolic], [ca.densify(timers)]))
+    next_instants = second(first_u, first_p, memory)[0].ravel()
     cycle = float(next_instants[next_instants < NEVER].min())
     ascending = [
         (f"{name}.{low}", f"{name}.{high}")
@@ -359,19 +363,6 @@ def _trace_equations(
     symbols = u[used_u], p[used_p], memory, model.symbols["fired"]
     chosen = [ca.vertcat(*item.selection.symbols.values()) for item in traced.selections]
     return _Equations(start, update, output_values, label_values, *symbols, selections, chosen), used_u, used_p
-
-
-def _first_functions(equations: _Equations, n_timers: int) -> tuple[casadi.Function, casadi.Function]:
-    """Return two functions: initial memory, and times until the second sample instants."""
-    import casadi as ca
-
-    u, p, memory = equations.u, equations.p, equations.memory
-    fired = memory[:n_timers] <= 0.0
-    timers = ca.substitute([equations.update[:n_timers]], [equations.fired], [fired])
-    return (
-        ca.Function("start", [u, p], [ca.densify(equations.start)]),
-        ca.Function("timers", [u, p, memory], [ca.densify(timers[0])]),
-    )
 
 
 def _number_or_nan(limit: str | float) -> float:

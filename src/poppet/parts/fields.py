@@ -48,6 +48,10 @@ class Declaration:
         """
         return self.doc.partition("; ")[0]
 
+    def is_final(self, argument: Any, library: Mapping[str, Number]) -> bool:
+        """Return True if an argument is evidently the final value of the field; this makes copies of parts fast."""
+        return False
+
 
 @dataclass(frozen=True)
 class NumberSpec(Declaration, NumberRange):
@@ -75,6 +79,9 @@ class NumberSpec(Declaration, NumberRange):
         """
         self.check_range(name, value, text, self.meaning)
 
+    def is_final(self, argument: Any, library: Mapping[str, Number]) -> bool:
+        return argument is None and self.optional and self.default is None and self.varies is None and not library
+
 
 @cache
 def _changed_spec(spec: NumberSpec, changes: tuple[tuple[str, Any], ...]) -> NumberSpec:
@@ -91,9 +98,15 @@ class OptionSpec(Declaration):
 
     choices: tuple[str, ...]
 
+    def is_final(self, argument: Any, library: Mapping[str, Number]) -> bool:
+        return type(argument) is str and argument in self.choices
+
 
 class PortSpec(Declaration):
     """Declaration of a field that names the gas node connected to a port."""
+
+    def is_final(self, argument: Any, library: Mapping[str, Number]) -> bool:
+        return type(argument) is str
 
 
 class BodySpec(Declaration):
@@ -118,6 +131,9 @@ class ReferenceSpec(Declaration):
     """
 
     form: str = "str or mapping"
+
+    def is_final(self, argument: Any, library: Mapping[str, Number]) -> bool:
+        return True
 
 
 @dataclass(frozen=True)
@@ -446,7 +462,7 @@ def _complete(part: Any, library: Mapping[str, Number], path: str, errors: Error
             object.__setattr__(part, attribute_name, spec.choices[argument if is_switch else 0])
     for name, attribute_name, spec in declared(part.__class__):
         argument = unread.get(attribute_name, getattr(part, attribute_name))
-        if _is_final(argument, spec, library):
+        if spec.is_final(argument, library):
             continue
         address = f"{path}{name}"
         try:
@@ -456,16 +472,6 @@ def _complete(part: Any, library: Mapping[str, Number], path: str, errors: Error
             continue
         if value is not argument:
             object.__setattr__(part, attribute_name, value)
-
-
-def _is_final(argument: Any, spec: Spec, library: Mapping[str, Number]) -> bool:
-    """Return True if an argument is evidently the final value of its field; this makes copies of parts fast."""
-    kind = type(spec)
-    if kind is NumberSpec:
-        return argument is None and spec.optional and spec.default is None and spec.varies is None and not library  # type: ignore[union-attr]
-    if kind is OptionSpec:
-        return type(argument) is str and argument in spec.choices  # type: ignore[union-attr]
-    return kind is ReferenceSpec or (kind is PortSpec and type(argument) is str)
 
 
 def _read_field(

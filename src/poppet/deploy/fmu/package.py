@@ -278,6 +278,10 @@ def model_header(layout: FmuLayout, functions: Sequence[str], token: str) -> str
     # The text of a condition, or the stroke that leaves its domain.
     reasons = [condition.reason for condition in conditions]
     texts = [c_string(str(r.facts.get("condition", f"{r.address} leaves its domain"))) for r in reasons] or ['""']
+    # Variables for parameters and inputs, in the order of their value references; an empty name means none.
+    names = {v.reference: v.name for v in layout.variables}
+    references = range(layout.parameter_reference(0), layout.state_reference(0))
+    variables = ",\n  ".join(c_string(names.get(reference, "")) for reference in references) or '""'
     lines = [
         "/* Constants of the model; written by poppet. */",
         "#ifndef POPPET_MODEL_H\n#define POPPET_MODEL_H\n",
@@ -311,7 +315,7 @@ def model_header(layout: FmuLayout, functions: Sequence[str], token: str) -> str
         c_array("unsigned char", "MEMORY_ACTING", kernel.acting),
         c_array("int64_t", "CONDITION_PLACES", (p for c in conditions for p in c.places)),
         c_array("double", "CONDITION_WEIGHTS", (w for c in conditions for w in c.weights)),
-        f"static const char *const VARIABLE_NAMES[] = {{\n  {_variable_names(layout)}\n}};",
+        f"static const char *const VARIABLE_NAMES[] = {{\n  {variables}\n}};",
         f"static const char *const CONDITION_TEXTS[] = {{{', '.join(texts)}}};\n",
         '#ifdef __cplusplus\nextern "C" {\n#endif',
         *prototypes(functions, "model_"),
@@ -322,16 +326,6 @@ def model_header(layout: FmuLayout, functions: Sequence[str], token: str) -> str
         "  (void)job;\n}\n\n#endif\n",
     ]
     return "\n".join(lines)
-
-
-def _variable_names(layout: FmuLayout) -> str:
-    """Return the C names of the variables for parameters and inputs, in the order of their value references.
-
-    A parameter without a variable has an empty name.
-    """
-    names = {v.reference: v.name for v in layout.variables}
-    references = range(layout.parameter_reference(0), layout.state_reference(0))
-    return ",\n  ".join(c_string(names.get(reference, "")) for reference in references) or '""'
 
 
 def zip_bytes(content: Mapping[str, bytes]) -> bytes:

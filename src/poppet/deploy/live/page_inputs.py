@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
@@ -138,7 +138,13 @@ def _default_addresses(export_model: ExportModel, circuit: BaseCircuit, displaye
     sliders = [slider for slider in sliders if slider.number >= 0]
     outputs = [output.address for output in export_model.outputs]
     places = [outputs.index(address) for address in displayed] or list(range(len(outputs)))
-    ranks = influences(circuit, [_neighbours(circuit, slider) for slider in sliders], places)
+    neighbours: list[list[BaseCircuit]] = [[] for _ in sliders]
+    for slider, copies in zip(sliders, neighbours, strict=True):
+        step = STEP * (slider.high - slider.low)
+        for value in (slider.value + step, slider.value - step):
+            with suppress(InputError):
+                copies.append(changed_circuit(circuit, slider, value))
+    ranks = influences(circuit, neighbours, places)
     order = sorted(range(len(sliders)), key=lambda k: -ranks[k])  # stable: equal ranks have the order of the file
     addresses = []
     for k in order:
@@ -147,14 +153,6 @@ def _default_addresses(export_model: ExportModel, circuit: BaseCircuit, displaye
                 _check_continuity(circuit, _within_valid_range(circuit, sliders[k]))
                 addresses.append(sliders[k].address)
     return [*driven, *addresses[: DEFAULT_COUNT - len(driven)]]
-
-
-def _neighbours(circuit: BaseCircuit, slider: Slider) -> Iterator[BaseCircuit]:
-    """Yield the valid copies of a circuit with a slightly larger or smaller value of a slider."""
-    step = STEP * (slider.high - slider.low)
-    for value in (slider.value + step, slider.value - step):
-        with suppress(InputError):
-            yield changed_circuit(circuit, slider, value)
 
 
 def changed_circuit(circuit: BaseCircuit, slider: Slider, value: float) -> BaseCircuit:

@@ -268,7 +268,12 @@ def _print_block(block: Block, names: tuple[list[str], list[str]], style: _Style
                 product = f"{arguments[0]} * {inverses[divisor]}"
                 values[instruction.result] = inverses[divisor] if is_inverse else assign(product)
                 continue
-            values[instruction.result] = assign(_expression(instruction.operation, arguments))
+            operation = instruction.operation
+            if operation not in _FORMS and operation not in _OF_LIBRARY:
+                raise NotImplementedError(f"no form in C for the CasADi operation {operation}")
+            form = _FORMS.get(operation)
+            call = f"{operation}({', '.join(arguments)})" if form is None else form.format(*arguments)
+            values[instruction.result] = assign(call)
     stores += [f"  {passed}[{slot}] = {values[slot]};" for slot in sorted(block.live_out)]
     referenced |= {passed} if block.live_out else set()
     ignored = [
@@ -305,15 +310,6 @@ def _live_instructions(block: Block) -> set[int]:
             needed.discard(instruction.result)
             needed.update(instruction.arguments)
     return live
-
-
-def _expression(operation: str, arguments: Sequence[str]) -> str:
-    form = _FORMS.get(operation)
-    if form is not None:
-        return form.format(*arguments)
-    if operation not in _OF_LIBRARY:
-        raise NotImplementedError(f"no form in C for the CasADi operation {operation}")
-    return f"{operation}({', '.join(arguments)})"
 
 
 # Step of the kernel

@@ -101,7 +101,9 @@ class Experiment:
         driven = driving_signals(measurement, {})
         self.instance = started.with_signals({**instance.signals, **driven}) if driven else started
         rows = tuple(outputs.index(channel.address) for channel in measurement.channels)
-        self.grid = _grid(measurement, any(f.role == "lag" for f in self.free))
+        self.grid = np.unique(np.concatenate([np.zeros(1), *(channel.time for channel in measurement.channels)]))
+        if any(f.role == "lag" for f in self.free) or any(channel.lag for channel in measurement.channels):
+            self.grid = np.unique(np.concatenate([self.grid, np.linspace(0.0, self.grid[-1], FINE)]))
         self.run = Run(duration=float(self.grid[-1]), relative_tolerance=relative_tolerance)
         # Only the measured channels are computed.
         self._kernel = instance.kernel.observing(rows)
@@ -386,14 +388,6 @@ def starting_channel(address: str, instance: Instance, measurement: Measurement)
     """
     output = next((name for name, number in instance.initial.items() if number == address), address)
     return output, next((c for c in measurement.channels if c.address == output), None)
-
-
-def _grid(measurement: Measurement, has_lag: bool) -> FloatArray:
-    times = [np.zeros(1), *(channel.time for channel in measurement.channels)]
-    grid = np.unique(np.concatenate(times))
-    if has_lag or any(channel.lag for channel in measurement.channels):
-        grid = np.unique(np.concatenate([grid, np.linspace(0.0, grid[-1], FINE)]))
-    return grid
 
 
 def _locations_in_arrays(instance: Instance, free: Sequence[FreeParameter]) -> dict[str, tuple[int, list[int]] | None]:
