@@ -205,9 +205,12 @@ class _Builder:
 
     @property
     def nodes(self) -> list[str]:
+        return [*self.open_stores, *([] if self.is_closed else ["supply", "ambient"])]
+
+    @property
+    def open_stores(self) -> list[str]:
         # No other part connects to the chambers of a booster.
-        stores = [name for name in self.stores if not name.startswith("booster.")]
-        return [*stores, *([] if self.is_closed else ["supply", "ambient"])]
+        return [name for name in self.stores if not name.startswith("booster.")]
 
     def add_volumes(self) -> None:
         for k in range(int(self.shape.integers(2, 5))):
@@ -230,7 +233,7 @@ class _Builder:
         if self.is_drawn(0.15) and len(self.nodes) >= 3:
             self._add_booster()
         if self.is_drawn(0.25):
-            end = self.stores[self.shape.integers(len(self.stores))]
+            end = self.open_stores[self.shape.integers(len(self.open_stores))]
             sizes = {"length": uniform(0.3, 3.0), "bore": uniform(3e-3, 8e-3)}
             self.add("hose", "tube", ("hose.1", "hose.2"), from_=end, cells=2,
                      initial_pressure=uniform(1 * BAR, 6 * BAR), **sizes)  # fmt: skip

@@ -172,12 +172,15 @@ class _Parts:
         return signals
 
     def check_stated_connections(self, tables: Mapping[str, Any], connections: Mapping[str, str]) -> None:
-        """Collect errors in the outputs that parts name, if only controllers are invalid.
+        """Collect errors in the outputs that parts name, if only controllers are invalid and all ports are connected.
 
         `connections` are those of the file.
         """
         invalid = {name: self.wiring[name].kind for name in tables if name not in self.made}
-        if not all(issubclass(kind, Controller) for kind in invalid.values()):
+        wrong_wiring = ErrorCollector()
+        check_wiring(wrong_wiring, self.wiring)
+        check_bodies(wrong_wiring, self.wiring)
+        if wrong_wiring.collected or not all(issubclass(kind, Controller) for kind in invalid.values()):
             return
         from poppet.circuit.trace import SURROUNDINGS, trace
 
@@ -197,7 +200,12 @@ class _Parts:
             for target, connection in part_connections(parts).items()
             if connection.source.partition(".")[0] not in invalid
         }
-        used = {t: s for t, s in connections.items() if not {t.partition(".")[0], s.partition(".")[0]} & {*invalid}}
+        # Other connections can be wrong because of the invalid parts.
+        used = {
+            target: source
+            for target, source in connections.items()
+            if target in self.inputs and isinstance(source, str) and source.partition(".")[0] in self.made
+        }
         # The model is incomplete: only errors in the names of outputs concern the file.
         with self.errors.collecting():
             trace(parts, (*self.numbers, *SURROUNDINGS), {**declared, **used})

@@ -50,7 +50,7 @@ TUBE = "tube"
 """Kind of the parts whose ends can name ports of other parts."""
 PORTS = (
     "from", "to", "supply", "inlet", "outlet", "exhaust", "pilot", "pilot_exhaust", "a", "b", "exhaust_a",
-    "exhaust_b", "pilot_a", "pilot_b", "vacuum", "port",
+    "exhaust_b", "pilot_a", "pilot_b", "drive_supply", "vacuum", "port",
 )  # fmt: skip
 """Names of ports that the end of a tube can refer to: `valve.outlet`."""
 

@@ -520,3 +520,44 @@ def test_errors_are_one_family():
         loads(CONTRACT.replace('"0.2 m^3"', "nan").replace('"120 s"', "nan"))
     assert caught.value.exit_code == 2
     assert len(str(caught.value).splitlines()) == 2
+
+
+TANK_WITH_INVALID_CONTROLLER = """
+[parts.tank]
+kind = "chamber"
+volume = "1 l"
+
+[parts.hole]
+kind = "orifice"
+from = "tank"
+to = "ambient"
+sonic_conductance = 1e-9
+critical_ratio = 0.3
+
+[parts.regulator]
+kind = "pid"
+gain = "1 1/bar"
+sample_time = true
+
+[connections]
+"regulator.measurement" = "tank.pressure"
+"""
+
+
+@pytest.mark.parametrize(
+    "line",
+    [
+        '"hole.opening" = ["regulator.fill_command"]', '"nothing.opening" = "tank.pressure"',
+        '"hole.command" = "tank.pressure"', '"hole.opening" = "nothing.fill_command"', '"hole.opening" = 3',
+    ],
+)  # fmt: skip
+def test_connections_beside_an_invalid_controller_do_not_hide_its_error(line):
+    with pytest.raises((InputError, InputErrors)) as caught:
+        loads(TANK_WITH_INVALID_CONTROLLER + line)
+    assert "parts.regulator.sample_time" in str(caught.value)
+
+
+def test_missing_gas_node_beside_an_invalid_controller_is_reported():
+    with pytest.raises(InputErrors) as caught:
+        loads(TANK_WITH_INVALID_CONTROLLER.replace('from = "tank"', 'from = "supply"'))
+    assert {problem.address for problem in caught.value.problems} >= {"parts.hole.from", "parts.regulator.sample_time"}

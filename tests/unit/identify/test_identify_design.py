@@ -256,7 +256,7 @@ def test_ranking_agrees_with_the_printed_table(tmp_path: Path, criterion: str) -
     assert design.chosen == (next(iter(design.tests)),)
     # The terminal shows the same values, in the same order, and names the criterion.
     text = design_text(design)
-    assert "Criterion: " in text
+    assert "The criterion is the " in text
     lines = text.splitlines()
     heading = next(k for k, line in enumerate(lines) if line.startswith("test") and "criterion [%]" in line)
     printed = [[float(cell) for cell in line.split()[-3:]] for line in lines[heading + 1 : heading + 1 + len(rows)]]

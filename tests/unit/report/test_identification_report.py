@@ -126,9 +126,10 @@ def test_page_states_reason_of_each_other_verdict():
     facts = {"value": 0.0, "unit": "W/K", "is_low": True}
     bound = Note("finding.number.bound", "tank.wall_conductance", **facts)
     text = Page(identification_page(example_result(remarks=(bound,)))).text.partition("Findings")[0]
-    assert "valve.critical_ratio: the 95 % interval is 0.130 ... 0.490. A ratio is determined if half its" in text
+    # The limit of the verdict, and the half width of 0.130 ... 0.490.
     assert (
-        "is at most 5 % of the range between its bounds (0 to 1 by default). For this ratio, half the interval is 0.18."
+        'The verdict on a critical back-pressure ratio is "determined" only if half the width of the 95 % interval is '
+        "at most 5 % of the range between the bounds of the ratio (0 to 1 by default). Here, half the width is 0.18."
         in text
     )
     assert "tank.wall_conductance reached its lower bound" in text
