@@ -27,6 +27,7 @@ LAYERS = (
     "bench",
     "control",
     "ensemble",
+    "audit",
     "report",
     "deploy",
     "api",

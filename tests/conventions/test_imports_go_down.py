@@ -22,6 +22,7 @@ FLOORS = (
     "bench",
     "control",
     "ensemble",
+    "audit",
     "report",
     "deploy",
     "api",

@@ -1,0 +1,1 @@
+"""Audits of a machine: motion, energy, leaks, exhaust times and faults."""
