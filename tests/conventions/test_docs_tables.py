@@ -13,6 +13,7 @@ from poppet.circuit import signal_tables
 from poppet.circuit.options import Ambient, GasChoice, Run
 from poppet.core.units import sizes_of
 from poppet.parts import KINDS
+from poppet.parts.faults import Valve
 from poppet.parts.fields import BodySpec, GroupSpec, MemberSpec, NumberSpec, OptionSpec, PortSpec, specs
 from poppet.parts.flow_path import FlowPath
 
@@ -78,7 +79,7 @@ def declared(kind: Any, prefix: str = "", from_data: bool | None = None) -> Iter
             yield f"{prefix}{name}", ("reference", "optional", "")
 
 
-SIZES = dict(declared(FlowPath))
+SIZES, FAULTS = dict(declared(FlowPath)), dict(declared(Valve))
 
 
 def test_fields_of_parts_are_documented():
@@ -86,11 +87,18 @@ def test_fields_of_parts_are_documented():
         own = dict(declared(part))
         if issubclass(part, FlowPath):
             own = {name: row for name, row in own.items() if name not in SIZES}
+        if issubclass(part, Valve):
+            own = {name: row for name, row in own.items() if name not in FAULTS}
+            assert "[fault](#faults-of-valves)" in section(f"`{kind}`"), kind
         assert documented(f"`{kind}`") == own, kind
 
 
 def test_sizes_of_passages_are_documented():
     assert documented("Sizes of passages") == SIZES
+
+
+def test_faults_of_valves_are_documented():
+    assert documented("Faults of valves") == FAULTS
 
 
 def test_fields_of_sections_are_documented():

@@ -15,6 +15,7 @@ import numpy as np
 from poppet.circuit.addresses import change_values
 from poppet.circuit.ideal_gas import real_gas_notes
 from poppet.circuit.instance import Array, Drive, Instance, Series
+from poppet.circuit.onset import ONSET, check_onsets, onset_inputs
 from poppet.circuit.options import ABOUT_CONDUCTANCES, Ambient, GasChoice, Run
 from poppet.circuit.placed_part import PlacedPart, signal_notes, value_notes
 from poppet.circuit.trace import SURROUNDINGS
@@ -120,10 +121,14 @@ class BaseCircuit(HtmlMixin):
                 with errors.collecting(name):
                     placed[name] = PlacedPart.of(name, part, self.surroundings)
         has_same_signals = like is not None and like.signals is self.signals
-        drive = like._drive if like is not None and has_same_signals else Drive(self.signals)
         # The dataclass is frozen.
-        for attribute, value in {"_placed": placed, "_drive": drive, "_problems": LruCache(RUNS)}.items():
+        for attribute, value in {"_placed": placed, "_problems": LruCache(RUNS)}.items():
             object.__setattr__(self, attribute, value)
+        onsets = onset_inputs(self.inputs, self.signals, self.connections)
+        driven = {**self.signals, **dict.fromkeys(onsets, ONSET)}
+        is_reusable = has_same_signals and like is not None and like._drive.signals.keys() == driven.keys()
+        drive = like._drive if like is not None and is_reusable else Drive(driven)
+        object.__setattr__(self, "_drive", drive)
         checked = {name for name in placed if has_same_signals and placed[name] is reusable.get(name)}
         with ErrorCollector() as errors:
             # A fit creates many circuits with the same wiring, which is checked once.
@@ -138,6 +143,7 @@ class BaseCircuit(HtmlMixin):
             check_starts(errors, self.parts, self.signals)
             signals = {a: signal for a, signal in self.signals.items() if a.partition(".")[0] not in checked}
             check_signals(errors, signals, self.inputs, self.parameters)
+            check_onsets(errors, self.inputs, {*self.signals, *self.connections}, self.parameters)
         # Parts name outputs, whose names and units only the model contains.
         if self._declared and (like is None or like.structure != self.structure):
             _ = self._symbolic_model

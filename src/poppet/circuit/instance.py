@@ -224,7 +224,8 @@ class Instance:
                     with errors.collecting():
                         u.append(self._read(item, values[name]))
                 elif signal is not None:
-                    u.append(float(signal.table(1.0).evaluate(0.0)))
+                    delay = self.parameters[item.delay] if item.delay else 0.0
+                    u.append(float(signal.delayed(delay).table(1.0).evaluate(0.0)))
                 else:
                     u.append(self._number(item.default) if item.at_rest is None else item.at_rest)
         return np.array(u, dtype=float)

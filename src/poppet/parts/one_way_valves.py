@@ -9,21 +9,23 @@ from typing import Any, ClassVar
 from poppet.core.symbolic import clip, maximum, where
 from poppet.parts import symbols
 from poppet.parts.captions import CaptionNumbers
+from poppet.parts.faults import WITHOUT_POSITION, FaultEffect, Valve
 from poppet.parts.fields import NumberLike, number, port
 from poppet.parts.flow_path import FlowPath, single_flow
 from poppet.parts.part import Flow, GasState, Input, PassageFlows, Scope, Surroundings
 
 
 def flow_with_bypass(
-    scope: Scope, gas: Mapping[str, GasState], size: tuple[Any, Any], bypass_size: tuple[Any, Any]
-) -> PassageFlows:
+    scope: Scope, gas: Mapping[str, GasState], size: tuple[Any, Any], bypass_size: tuple[Any, Any],
+    cracking_pressure: Any,
+) -> PassageFlows:  # fmt: skip
     """Return the flow of a check valve with a bypass.
 
     `size` contains sonic conductance and critical pressure ratio of the free direction including the bypass, and
     `bypass_size` the same values of the bypass alone. In the free direction, the flow is the larger of the two flows.
     In the other direction, it is the flow of the bypass.
     """
-    free = single_flow(scope, gas, size, cracking_pressure=scope["cracking_pressure"], one_way=True)
+    free = single_flow(scope, gas, size, cracking_pressure=cracking_pressure, one_way=True)
     bypass = single_flow(scope, gas, bypass_size)
     (flow,), (other,) = free.flows, bypass.flows
     is_free = flow.mass > maximum(other.mass, 0.0)
@@ -33,8 +35,22 @@ def flow_with_bypass(
     return PassageFlows((Flow(flow.name, flow.source, flow.target, mass, enthalpy),), outputs)
 
 
+def sizes_with_fault(
+    scope: Scope, size: tuple[Any, Any], bypass_size: tuple[Any, Any]
+) -> tuple[tuple[Any, Any], tuple[Any, Any]]:
+    """Return the two sizes of a check valve with a bypass and a fault of its closing element.
+
+    An element that is stuck open or leaks increases the bypass, and one that is stuck closed leaves only the bypass.
+    """
+    (conductance, ratio), (bypass_conductance, bypass_ratio), fault = size, bypass_size, FaultEffect.of(scope)
+    opened = fault.opens + fault.leak
+    bypass_conductance = bypass_conductance + opened * maximum(conductance - bypass_conductance, 0.0)
+    bypass_ratio = bypass_ratio + opened * (ratio - bypass_ratio)
+    return (conductance * (1.0 - fault.closes), ratio), (bypass_conductance, bypass_ratio)
+
+
 @dataclass(frozen=True)
-class FlowControlValve(FlowPath):
+class FlowControlValve(Valve, FlowPath):
     r"""One-way flow control valve: free flow in one direction, throttled flow in the other one.
 
     .. math:: q_m = \begin{cases} \max(q_c, q_t) & p_1 \ge p_2 \\ q_t & p_1 < p_2 \end{cases}
@@ -59,6 +75,7 @@ class FlowControlValve(FlowPath):
     kind: ClassVar[str] = "flow_control_valve"
     symbol: ClassVar[symbols.Symbol | str] = symbols.FLOW_CONTROL_VALVE
     summary: ClassVar[str] = "free flow in one direction, throttled flow in the other one"
+    faults: ClassVar[tuple[str, ...]] = WITHOUT_POSITION
 
     from_: str | None = port("gas node from which gas flows freely")
     to: str | None = port("gas node from which gas flows through the throttle")
@@ -78,15 +95,16 @@ class FlowControlValve(FlowPath):
         return values
 
     def inputs(self) -> tuple[Input, ...]:
-        return (Input("opening", "1", "opening", low=0.0, high=1.0, is_command=True),)
+        return (Input("opening", "1", "opening", low=0.0, high=1.0, is_command=True), *super().inputs())
 
     def flows(self, scope: Scope, gas: Mapping[str, GasState]) -> PassageFlows:
         throttle = scope["throttle_conductance"] * scope.inputs["opening"], scope["throttle_ratio"]
-        return flow_with_bypass(scope, gas, self.size_at(scope, None), throttle)
+        sizes = sizes_with_fault(scope, self.size_at(scope, None), throttle)
+        return flow_with_bypass(scope, gas, *sizes, scope["cracking_pressure"])
 
 
 @dataclass(frozen=True)
-class PilotedCheckValve(FlowPath):
+class PilotedCheckValve(Valve, FlowPath):
     r"""Pilot-operated check valve: a pilot pressure opens it in the blocked direction.
 
     .. math:: y = \operatorname{clip}\left(
@@ -111,6 +129,7 @@ class PilotedCheckValve(FlowPath):
     symbol: ClassVar[symbols.Symbol | str] = symbols.PILOTED_CHECK_VALVE
     pilot_ports: ClassVar[tuple[str, ...]] = ("pilot",)
     summary: ClassVar[str] = "check valve that a pilot pressure opens"
+    faults: ClassVar[tuple[str, ...]] = WITHOUT_POSITION
 
     from_: str | None = port("gas node at the inlet of the check valve")
     to: str | None = port("gas node in which the valve holds the pressure")
@@ -136,7 +155,9 @@ class PilotedCheckValve(FlowPath):
     def flows(self, scope: Scope, gas: Mapping[str, GasState]) -> PassageFlows:
         first, second, pilot = (gas[name].pressure for name in ("from", "to", "pilot"))
         excess = scope["pilot_ratio"] * (pilot - first) - (second - first) - scope["cracking_pressure"]
-        opening = clip(excess / scope["pilot_band"], 0.0, 1.0)
+        fault = FaultEffect.of(scope)
+        opening = fault.forced(clip(excess / scope["pilot_band"], 0.0, 1.0), 1.0, 0.0)
         conductance, ratio = self.size_at(scope, None)
-        result = flow_with_bypass(scope, gas, (conductance, ratio), (conductance * opening, ratio))
+        sizes = sizes_with_fault(scope, (conductance, ratio), (conductance * opening, ratio))
+        result = flow_with_bypass(scope, gas, *sizes, scope["cracking_pressure"])
         return replace(result, outputs={"opening": (opening, "1"), **result.outputs})

@@ -85,6 +85,7 @@ class Input:
     by_signal: bool = False  # only a signal can drive it
     is_command: bool = False  # setpoint or command that a user changes to move a body
     is_flag: bool = False  # 0 or 1, a Boolean in exported programs
+    is_onset: bool = False  # without a signal, 0 before its delay, and its default afterwards
     at_rest: float | None = None  # value in steady states, unless another value is requested
 
 

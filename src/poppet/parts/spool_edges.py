@@ -11,6 +11,7 @@ from poppet.core.provenance import Number
 from poppet.core.symbolic import clip, is_symbolic
 from poppet.laws.curves import Characteristic
 from poppet.parts.captions import CaptionNumbers
+from poppet.parts.faults import FaultEffect, Valve
 from poppet.parts.fields import NumberLike, NumberSpec, number, option, reference, specs
 from poppet.parts.flow_path import FlowPath, characteristic_at
 from poppet.parts.part import Scope, Surroundings
@@ -43,7 +44,7 @@ _IN_TABLES = ("overlap", "exhaust_overlap", "centre_conductance", "centre_ratio"
 
 
 @dataclass(frozen=True)
-class MeteringEdges(FlowPath):
+class MeteringEdges(Valve, FlowPath):
     """Base class of spool valves: function, and flow capacities of the edges from supply and ports to exhausts."""
 
     has_stroke: ClassVar[bool] = True
@@ -144,14 +145,17 @@ class MeteringEdges(FlowPath):
 
     def edge_size(self, scope: Scope, edge: str) -> tuple[Any, Any]:
         """Return sonic conductance [m^3/(s Pa)] and critical pressure ratio [1] of an edge at the present position."""
-        position, curve = scope.states["position"], self._curve_of(edge)
+        position, curve, fault = scope.states["position"], self._curve_of(edge), FaultEffect.of(scope)
+        (_, _, side), kind = EDGES[edge], edge.partition("_")[0]
         if curve is not None:
             field, factor = curve
-            return characteristic_at(getattr(self, field), scope, f"{field}.", factor * position)
+            table, prefix = getattr(self, field), f"{field}."
+            conductance, ratio = characteristic_at(table, scope, prefix, factor * position)
+            open_conductance, _ = characteristic_at(table, scope, prefix, factor * side)
+            return fault.leaking(conductance, open_conductance), ratio
         names = _SCALARS if edge == "supply_a" else {size: f"{edge}_{size}" for size in _SCALARS}
         conductance, ratio = (scope[name] for name in names.values())
-        (_, _, side), kind = EDGES[edge], edge.partition("_")[0]
-        travel = side * position
+        travel, open_conductance = side * position, conductance
         if kind == self.spool_function.open_at_centre:
             fraction = clip(travel, 0.0, 1.0)
             if self.centre_conductance is not None:
@@ -161,4 +165,4 @@ class MeteringEdges(FlowPath):
         overlap = "overlap" if kind == "supply" else "exhaust_overlap"
         start = scope[overlap] if self.function in FIELDS[overlap] else 0.0
         opening, leak = edge_opening(self.spool_function, kind, travel, start), scope["leak_conductance"]
-        return leak + (conductance - leak) * opening, ratio
+        return fault.leaking(leak + (conductance - leak) * opening, open_conductance), ratio

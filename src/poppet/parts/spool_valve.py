@@ -13,12 +13,14 @@ from poppet.core.symbolic import clip, is_certain, is_symbolic, maximum, where
 from poppet.laws.curves import Characteristic
 from poppet.parts import symbols
 from poppet.parts.captions import CaptionNumbers
+from poppet.parts.faults import FaultEffect, Valve
 from poppet.parts.fields import NumberLike, NumberSpec, OptionSpec, declared, number, option, port, specs
 from poppet.parts.flow_path import named_flow
 from poppet.parts.part import AMBIENT, Flow, GasState, Input, PassageFlows, Quantities, Scope, State, Surroundings
 from poppet.parts.spool_curves import read_edge_curve
 from poppet.parts.spool_edges import EDGES, MeteringEdges
 from poppet.parts.spool_functions import (
+    BISTABLE,
     FIELDS,
     PILOTS,
     PROPORTIONAL,
@@ -149,7 +151,7 @@ class SpoolValve(MeteringEdges):
     def __post_init__(self) -> None:
         # A copy with other options must not keep the defaults of the previous ones.
         for name, _, spec in declared(type(self), NumberSpec):
-            if spec.varies is None:
+            if spec.varies is None or name in specs(Valve):
                 continue
             value = getattr(self, name)
             is_default = isinstance(value, Number) and value.source.kind == "assumed" and not is_symbolic(value.value)
@@ -236,7 +238,8 @@ class SpoolValve(MeteringEdges):
         if self._is_switched:
             low, high = 0.0, 1.0
         names = self.spool_function.commands
-        return tuple(Input(name, unit, name, low=low, high=high, delay="delay", is_command=True) for name in names)
+        commands = (Input(name, unit, name, low=low, high=high, delay="delay", is_command=True) for name in names)
+        return (*commands, *super().inputs())
 
     def start(self, scope: Scope) -> dict[str, Any]:
         values = {"position": scope["initial_position"], "velocity": 0.0}
@@ -250,32 +253,41 @@ class SpoolValve(MeteringEdges):
             outputs.update(edge_outputs)
         if not self._is_switched:
             return PassageFlows(tuple(flows), outputs, self._proportional_rates(scope))
-        signals = [*self._signals(scope.inputs)]
+        fault, signals = FaultEffect.of(scope), [*self._signals(scope.inputs)]
         for k, pilot in enumerate(PILOTS):
             if pilot in gas:
                 pressures = scope["pilot_pressure"], scope["pilot_hysteresis"]
                 signals[k] = maximum(signals[k], pilot_signal(gas[pilot].pressure, *pressures))
-        times = scope["switching_time"], scope["closing_time"]
+        # Only a bistable spool needs a signal to leave the side of a.
+        closing_signal = 1.0 if self.function == BISTABLE else 0.0
+        signals = [fault.forced(signals[0], 1.0, 0.0), fault.forced(signals[1], 0.0, closing_signal)]
+        times = scope["switching_time"] * fault.slowness, scope["closing_time"] * fault.slowness
         speed = switched_speed(self.spool_function, scope.states["position"], signals[0], signals[1], *times)
-        return PassageFlows(tuple(flows), outputs, {"position": speed})
+        return PassageFlows(tuple(flows), outputs, {"position": fault.held(speed)})
 
     # Motion of the spool -----------------------------------------------------------------------------------------
 
     def _proportional_rates(self, scope: Scope) -> dict[str, Any]:
-        position, speed = scope.states["position"], 1.0 / scope["switching_time"]
-        error, max_speed, min_speed = position_of(scope.inputs["command"], self.setpoint_type) - position, speed, -speed
+        fault, position = FaultEffect.of(scope), scope.states["position"]
+        speed = 1.0 / (scope["switching_time"] * fault.slowness)
+        target = fault.forced(position_of(scope.inputs["command"], self.setpoint_type), 1.0, 0.0)
+        error, max_speed, min_speed = target - position, speed, -speed
         if self.hysteresis is not None:
-            # The position has the unit of half the stroke: this fraction is half the width of its loop.
-            error = error - clip(error, -scope["hysteresis"], scope["hysteresis"])
+            # The position has the unit of half the stroke: this fraction is half the width of its loop. A spool that
+            # is stuck at an end reaches it.
+            half_width = fault.forced(scope["hysteresis"], 0.0, 0.0)
+            error = error - clip(error, -half_width, half_width)
         if self.closing_time is not None:
-            return_speed = 1.0 / scope["closing_time"]
+            return_speed = 1.0 / (scope["closing_time"] * fault.slowness)
             max_speed = where(position < 0.0, return_speed, speed)
             min_speed = -where(position > 0.0, return_speed, speed)
         if self.dynamics == "first_order":
-            return {"position": clip(error / scope["lag"], min_speed, max_speed)}
-        omega, velocity = math.tau * scope["natural_frequency"], scope.states["velocity"]
+            return {"position": fault.held(clip(error / (scope["lag"] * fault.slowness), min_speed, max_speed))}
+        omega, velocity = math.tau * scope["natural_frequency"] / fault.slowness, scope.states["velocity"]
         rate = omega * omega * error - 2.0 * scope["damping"] * omega * velocity
-        return {"position": clip(velocity, min_speed, max_speed), "velocity": rate}
+        # A spool that is released starts from rest.
+        rate = fault.held(rate) - fault.holds * omega * velocity
+        return {"position": fault.held(clip(velocity, min_speed, max_speed)), "velocity": rate}
 
     def _signals(self, commands: Mapping[str, Any]) -> tuple[Any, Any]:
         """Return the signals towards a and b of a switched valve for its commands by name."""

@@ -10,8 +10,10 @@ from poppet.core.errors import InputError
 from poppet.core.symbolic import clip, smoothstep
 from poppet.parts import symbols
 from poppet.parts.captions import CaptionNumbers
+from poppet.parts.faults import HEALTHY, WITHOUT_POSITION, FaultEffect, Valve
 from poppet.parts.fields import NumberLike, number, option, port
 from poppet.parts.flow_path import FlowPath, named_flow, single_flow
+from poppet.parts.one_way_valves import flow_with_bypass, sizes_with_fault
 from poppet.parts.part import GasState, Input, PassageFlows, Scope, State, Surroundings
 
 SPOOL_GAIN = 50.0
@@ -19,7 +21,7 @@ SPOOL_GAIN = 50.0
 
 
 @dataclass(frozen=True)
-class CheckValve(FlowPath):
+class CheckValve(Valve, FlowPath):
     """Check valve: flow path in one direction, which opens above a cracking pressure.
 
     Notes
@@ -30,6 +32,7 @@ class CheckValve(FlowPath):
     kind: ClassVar[str] = "check_valve"
     symbol: ClassVar[symbols.Symbol | str] = symbols.CHECK_VALVE
     summary: ClassVar[str] = "flow in one direction only, above a cracking pressure"
+    faults: ClassVar[tuple[str, ...]] = WITHOUT_POSITION
 
     from_: str | None = port("gas node at the inlet")
     to: str | None = port("gas node at the outlet")
@@ -41,12 +44,14 @@ class CheckValve(FlowPath):
         return [*super().caption(numbers), f"opens at {numbers.text(self.cracking_pressure)}"]
 
     def flows(self, scope: Scope, gas: Mapping[str, GasState]) -> PassageFlows:
-        size = self.size_at(scope, None)
-        return single_flow(scope, gas, size, cracking_pressure=scope["cracking_pressure"], one_way=True)
+        size, cracking_pressure = self.size_at(scope, None), scope["cracking_pressure"]
+        if self.fault == HEALTHY:
+            return single_flow(scope, gas, size, cracking_pressure=cracking_pressure, one_way=True)
+        return flow_with_bypass(scope, gas, *sizes_with_fault(scope, size, (0.0, size[1])), cracking_pressure)
 
 
 @dataclass(frozen=True)
-class ReliefValve(FlowPath):
+class ReliefValve(Valve, FlowPath):
     """Relief valve: flow path that opens if the inlet pressure exceeds the set pressure.
 
     Notes
@@ -58,6 +63,7 @@ class ReliefValve(FlowPath):
     kind: ClassVar[str] = "relief_valve"
     symbol: ClassVar[symbols.Symbol | str] = symbols.RELIEF_VALVE
     summary: ClassVar[str] = "opens above the set pressure at its inlet"
+    faults: ClassVar[tuple[str, ...]] = WITHOUT_POSITION
 
     from_: str | None = port("protected gas node")
     to: str | None = port("gas node that receives the discharge")
@@ -78,12 +84,19 @@ class ReliefValve(FlowPath):
         set_pressure = scope["set_pressure"]
         opening = smoothstep(gas["from"].pressure, set_pressure, set_pressure + scope["accumulation"])
         conductance, ratio = self.size_at(scope, None)
-        result = single_flow(scope, gas, (conductance * opening, ratio), one_way=True)
+        if self.fault == HEALTHY:
+            result = single_flow(scope, gas, (conductance * opening, ratio), one_way=True)
+        else:
+            fault = FaultEffect.of(scope)
+            opening = fault.forced(opening, 1.0, 0.0)
+            # Gas flows back only past an element that is off its seat.
+            sizes = (conductance * fault.leaking(opening), ratio), (conductance * (fault.opens + fault.leak), ratio)
+            result = flow_with_bypass(scope, gas, *sizes, 0.0)
         return replace(result, outputs={"opening": (opening, "1"), **result.outputs})
 
 
 @dataclass(frozen=True)
-class DirectionalValve(FlowPath):
+class DirectionalValve(Valve, FlowPath):
     """Directional on/off valve (2/2 or 3/2) with delay and switching time.
 
     A valve with an exhaust port is a 3/2 valve.
@@ -142,24 +155,29 @@ class DirectionalValve(FlowPath):
         return (State("position", "1", 1.0, floor=1.0),)
 
     def inputs(self) -> tuple[Input, ...]:
-        return (Input("command", "1", "command", low=0.0, high=1.0, delay="delay", is_command=True),)
+        command = Input("command", "1", "command", low=0.0, high=1.0, delay="delay", is_command=True)
+        return (command, *super().inputs())
 
     def start(self, scope: Scope) -> dict[str, Any]:
         return {"position": scope["initial_position"]}
 
     def flows(self, scope: Scope, gas: Mapping[str, GasState]) -> PassageFlows:
         position, command = scope.states["position"], scope.inputs["command"]
-        target = command if self.normally == "closed" else 1.0 - command
+        fault = FaultEffect.of(scope)
+        target = fault.forced(command if self.normally == "closed" else 1.0 - command, 1.0, 0.0)
         speed = clip(SPOOL_GAIN * (target - position), -1.0, 1.0)
         # One of both is zero: the return can need another time.
         opening_rate, closing_rate = clip(speed, 0.0, 1.0), clip(speed, -1.0, 0.0)
-        rates = {"position": opening_rate / scope["switching_time"] + closing_rate / scope["closing_time"]}
+        times = scope["switching_time"] * fault.slowness, scope["closing_time"] * fault.slowness
+        rates = {"position": fault.held(opening_rate / times[0] + closing_rate / times[1])}
         conductance, ratio = self.size_at(scope, None)
         supply_opening = clip(position if self.exhaust is None else 2.0 * position - 1.0, 0.0, 1.0)
-        flow, outputs = named_flow(scope, gas, "supply", ("supply", "outlet"), (conductance * supply_opening, ratio))
+        supply_size = conductance * fault.leaking(supply_opening), ratio
+        flow, outputs = named_flow(scope, gas, "supply", ("supply", "outlet"), supply_size)
         flows, outputs = [flow], {"position": (position, "1"), **outputs}
         if self.exhaust is not None:
-            size = scope["exhaust_conductance"] * clip(1.0 - 2.0 * position, 0.0, 1.0), scope["exhaust_ratio"]
+            exhaust_opening = fault.leaking(clip(1.0 - 2.0 * position, 0.0, 1.0))
+            size = scope["exhaust_conductance"] * exhaust_opening, scope["exhaust_ratio"]
             flow, exhaust_outputs = named_flow(scope, gas, "exhaust", ("outlet", "exhaust"), size)
             flows.append(flow)
             outputs.update(exhaust_outputs)

@@ -1,0 +1,191 @@
+"""Faults of valves: start, input, shared equations, effect on each function, and rejected combinations."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from poppet import (
+    Chamber,
+    CheckValve,
+    Circuit,
+    DirectionalValve,
+    FlowControlValve,
+    PilotedCheckValve,
+    ReliefValve,
+    Reservoir,
+    SpoolValve,
+)
+from poppet.parts.faults import FAULTS
+from poppet.parts.spool_functions import FUNCTIONS
+from poppet.signals import Constant, Steps
+from refusals import refused
+
+SIZE = {"sonic_conductance": "1 dm^3/(s bar)", "critical_ratio": 0.3}
+ON_AND_OFF = Steps([0.0, 0.1, 0.3], [0.0, 1.0, 0.0])
+
+
+def seat_valve(signals=None, **fields):
+    """A tank behind a 3/2 valve that opens at 0.1 s and closes at 0.3 s, each in 10 ms."""
+    valve = DirectionalValve(supply="net", outlet="tank", exhaust="ambient", **SIZE, **fields)
+    parts = {"net": Reservoir(pressure="6 bar g"), "tank": Chamber(volume="0.5 l"), "valve": valve}
+    return Circuit(parts, {"valve.command": ON_AND_OFF} if signals is None else signals)
+
+
+def spool(function, signals=None, **fields):
+    """Two tanks at the ports of a spool valve; its command to a is set from 0.1 to 0.3 s, that to b from 0.4 s."""
+    valve = SpoolValve(supply="net", a="a", b="b", function=function, **SIZE, **fields)
+    tanks = {name: Chamber(volume="0.5 l") for name in ("a", "b")}
+    first, *second = FUNCTIONS[function].commands
+    commands = {f"valve.{first}": ON_AND_OFF, **{f"valve.{name}": Steps([0.0, 0.4], [0.0, 1.0]) for name in second}}
+    return Circuit({"net": Reservoir(pressure="6 bar g"), **tanks, "valve": valve}, commands | (signals or {}))
+
+
+def positions(circuit, *times):
+    recording = circuit.simulate(0.5, output_step=1e-3)
+    return np.interp(times, recording.time, recording["valve.position"]).round(3).tolist()
+
+
+# --- Start and input ---
+
+
+def test_a_valve_without_a_fault_has_neither_input_nor_parameters_of_faults():
+    circuit = seat_valve(slow_factor=3.0)
+    assert [name for name in circuit.inputs if "fault" in name] == []
+    assert [name for name in circuit.parameters if name.partition(".")[2] in ("fault_start", "slow_factor")] == []
+    assert circuit.structure == seat_valve().structure
+
+
+def test_all_faults_share_their_equations():
+    circuits = [seat_valve(fault=fault) for fault in FAULTS]
+    circuits += [seat_valve(fault="slow", slow_factor=3.0), seat_valve(fault="stuck", leak_fraction=0.5)]
+    circuits += [circuits[0].with_values({"valve.fault": fault, "valve.fault_start": 0.2}) for fault in FAULTS]
+    assert {circuit.structure for circuit in circuits} == {circuits[0].structure}
+    assert circuits[0].structure != seat_valve().structure
+
+
+def test_input_jumps_at_the_start_of_the_fault():
+    recording = seat_valve(fault="leak", fault_start=0.2).simulate(0.5, output_step=0.1)
+    assert recording["valve.fault"].tolist() == [0.0, 0.0, 1.0, 1.0, 1.0, 1.0]
+    assert seat_valve(fault="leak").simulate(0.5, output_step=0.1)["valve.fault"].min() == 1.0
+
+
+def test_start_can_change_in_a_copy():
+    circuit = seat_valve(fault="stuck_closed", fault_start=0.2)
+    assert positions(circuit, 0.25) == [0.0]
+    assert positions(circuit.with_values({"valve.fault_start": "0.28 s"}), 0.25) == [1.0]
+    assert positions(circuit.with_values({"valve.fault": "none"}), 0.25) == [1.0]
+
+
+def test_a_fault_that_ends_returns_the_element_by_its_own_law():
+    for name, position in (("5/2 monostable", -1.0), ("5/2 bistable", 1.0), ("5/3 closed", 0.0)):
+        commands = dict.fromkeys([f"valve.{command}" for command in FUNCTIONS[name].commands], Constant(0.0))
+        signals = commands | {"valve.fault": Steps([0.0, 0.1, 0.2], [0.0, 1.0, 0.0])}
+        assert positions(spool(name, signals, fault="stuck_open"), 0.15, 0.3) == [1.0, position], name
+
+
+@pytest.mark.parametrize(("level", "position"), [(0.0, 0.0), (0.25, 0.0), (0.75, 1.0), (1.0, 1.0)])
+def test_an_element_is_stuck_from_three_quarters_of_the_input(level, position):
+    circuit = seat_valve({"valve.fault": Constant(level)}, fault="stuck_open")
+    assert positions(circuit, 0.5) == [position]
+
+
+def test_steady_state_and_linear_model_have_the_value_of_the_input():
+    at_start, later = (seat_valve({}, fault="stuck_open", fault_start=start) for start in (0.0, 1.0))
+    pressures = [circuit.steady_state().y["tank.pressure"] for circuit in (at_start, later)]
+    assert pressures == pytest.approx([7e5, 1e5], rel=1e-6)
+    stated = later.steady_state({"valve.fault": 1.0}).y["tank.pressure"]
+    assert stated == pytest.approx(7e5, rel=1e-6)
+    assert "valve.fault" in later.linearise().inputs
+
+
+# --- Effect on each function ---
+
+
+@pytest.mark.parametrize(
+    ("function", "opened", "closed"),
+    [(name, 1.0, -1.0 if name.startswith("5/2") else 0.0) for name in FUNCTIONS],
+)
+def test_stuck_spool_stays_at_its_end(function, opened, closed):
+    times = 0.2, 0.35, 0.5
+    assert positions(spool(function, fault="stuck_open"), *times) == pytest.approx([opened] * 3, abs=2e-3)
+    assert positions(spool(function, fault="stuck_closed"), *times) == pytest.approx([closed] * 3, abs=2e-3)
+
+
+@pytest.mark.parametrize("function", FUNCTIONS)
+def test_stuck_spool_keeps_its_position(function):
+    recording = spool(function, fault="stuck", fault_start=0.104).simulate(0.5, output_step=1e-3)
+    kept = recording["valve.position"][recording.time >= 0.104 - 1e-9]
+    assert np.ptp(kept) < 1e-12
+    assert -0.9 < kept[0] < 0.9
+
+
+def test_spool_with_inertia_starts_from_rest_when_it_is_released():
+    fault = Steps([0.0, 0.102, 0.2], [0.0, 1.0, 0.0])
+    fields = {"dynamics": "second_order", "fault": "stuck"}
+    moving = spool("proportional", {"valve.fault": fault}, **fields).simulate(0.5, output_step=1e-3)
+    assert abs(moving["valve.position"][moving.time > 0.295][0] - 1.0) < 1e-3
+    kept = moving["valve.position"][(moving.time > 0.103) & (moving.time < 0.2)]
+    assert np.ptp(kept) < 1e-12
+    # The step response from the position in which the spool was kept.
+    still = spool("proportional", {"valve.fault": fault}, initial_position=float(kept[0]), **fields)
+    still = replace(still, signals={**still.signals, "valve.command": Steps([0.0, 0.2], [float(kept[0]), 1.0])})
+    expected = still.simulate(0.29, output_step=1e-3)["valve.position"]
+    assert moving["valve.position"][200:291] == pytest.approx(expected[200:], abs=1e-4)
+
+
+def test_hysteresis_does_not_keep_a_stuck_spool_from_its_end():
+    circuit = spool("proportional", {"valve.command": Constant(0.0)}, fault="stuck_open", hysteresis=0.1)
+    assert positions(circuit, 0.5) == [1.0]
+
+
+def test_slow_spool_without_a_speed_limit_has_a_larger_time_constant():
+    slow, fast = spool("proportional", fault="slow", slow_factor=4.0), spool("proportional", lag="20 ms")
+    times = 0.11, 0.15, 0.25
+    assert positions(slow, *times) == pytest.approx(positions(fast, *times), abs=1e-3)
+
+
+# --- Defaults, notes and errors ---
+
+
+def test_defaults_are_assumed_and_follow_the_fault():
+    valve = seat_valve(fault="slow").parts["valve"]
+    assert (valve.slow_factor.value, valve.slow_factor.source.kind) == (10.0, "assumed")
+    assert valve.leak_fraction is None
+    leaking = replace(valve, fault="leak")
+    assert (leaking.slow_factor, leaking.leak_fraction.value) == (None, 0.05)
+    assert replace(valve, slow_factor=3.0, fault="none").slow_factor.value == 3.0
+
+
+def test_start_without_a_fault_has_a_note():
+    codes = [note.code for note in seat_valve(fault_start=1.0).static_notes]
+    assert "faults.idle_start" in codes
+    recording = seat_valve(fault="leak", fault_start=2.0).simulate(0.5)
+    assert "faults.after_end" in [note.code for note in recording.remarks]
+
+
+def test_unknown_fault_is_rejected():
+    with refused("fields.not_an_option", "fault", value="stuck_opne"):
+        seat_valve(fault="stuck_opne")
+
+
+def test_two_starts_are_rejected():
+    with refused("faults.two_starts", "valve.fault_start", input="valve.fault", time=0.1):
+        seat_valve({"valve.fault": Constant(1.0)}, fault="leak", fault_start=0.1)
+
+
+@pytest.mark.parametrize(
+    ("kind", "fields"),
+    [
+        (CheckValve, {}),
+        (ReliefValve, {"set_pressure": "3 bar g"}),
+        (FlowControlValve, {"throttle_conductance": 1e-9}),
+        (PilotedCheckValve, {"pilot": "pilot"}),
+    ],
+)
+@pytest.mark.parametrize("fault", ["stuck", "slow"])
+def test_an_opening_without_a_position_can_neither_be_kept_nor_slowed_down(kind, fields, fault):
+    with refused("faults.not_possible", "fault", fault=fault, possible=["stuck_open", "stuck_closed", "leak"]):
+        kind(from_="tank", to="ambient", fault=fault, **fields, **SIZE)
