@@ -77,6 +77,31 @@ def test_library_lists_and_describes(poppet):
     assert (answer.code, answer.errors) == (2, [("library.unknown", "", None, "varga2012")])
 
 
+def test_library_prints_the_passport_of_a_component(poppet):
+    code, out, _ = poppet("library", "SMC SY5000")
+    assert code == 0
+    assert "746 l/min ANR" in out
+    assert "flow path and configuration not stated" in out
+    answer = poppet("library", "SMC SY500")
+    assert (answer.code, answer.errors[0][0]) == (2, "components.unknown")
+
+
+def test_library_lists_components_and_finds_some(poppet, tmp_path):
+    assert "Festo CRVZS-0.1" in poppet("library", "--components").out
+    found = poppet("library", "--find", "cylinder, bore > 100 mm").out
+    assert [line.split("  ")[0] for line in found.splitlines()[1:]] == ["Camozzi 63M.6/7 bore 125 ?"]
+    assert poppet("library", "--find", "cylinder, bore > 1 m").out == "No component fulfils all conditions.\n"
+    path = tmp_path / "own.toml"
+    path.write_text(
+        'manufacturer = "Acme"\n[components.V1]\nkinds = ["orifice"]\ndocument = "sheet"\n'
+        'fields = { sonic_conductance = "1 dm^3/(s bar)" }\n'
+    )
+    assert "Acme V1" in poppet("library", "--components", str(path)).out
+    assert "1 dm^3/(s bar)" in poppet("library", "Acme V1", "--components", str(path)).out
+    path.write_text("manufacturer = 3\n")
+    assert poppet("library", "--components", str(path)).code == 2
+
+
 def test_schema_is_printed_or_written(poppet, tmp_path):
     assert json.loads(poppet("schema").out) == file_schema()
     code, out, _ = poppet("schema", "-o", "circuit.schema.json")

@@ -19,6 +19,7 @@ TOY = {
     "poppet.readers": ["toy = toy_plugin:read"],
     "poppet.targets": ["toy = toy_target:TARGET"],
     "poppet.methods": ["toy_mean = toy_method:METHOD"],
+    "poppet.components": ["toy = toy_plugin:COMPONENTS"],
 }
 BROKEN = {
     "poppet.parts": [
@@ -87,6 +88,8 @@ assert read_table(pathlib.Path("bench.toy")).columns[1].tolist() == [1.5, 2.5]
 from poppet import library
 assert "toy_set" in library.sets()
 assert "toy catalogue" in library.describe("toy_set")
+check = poppet.CheckValve(from_="a", to="b", model="Toy works CV1")
+assert check.sonic_conductance.value == 2e-8 and "toy catalogue" in check.sonic_conductance.source.locator
 muscle = poppet.InverseMuscle(data="toy_set", nominal_diameter="20 mm", law="tondu_lopez", braid_angle="25 deg",
                               highest_pressure="6 bar g")
 assert muscle.nominal_length.value == 0.2

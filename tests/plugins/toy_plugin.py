@@ -37,6 +37,7 @@ class Membrane(Passage):
 
 _SOURCE = Source("datasheet", "toy catalogue")
 SET = ParameterSet("toy catalogue", {"muscle": {"": {"nominal_length": Number(0.2, "m", _SOURCE)}}})
+COMPONENTS = Path(__file__).with_name("toy_components.toml")
 
 
 def read(path: Path) -> Table:

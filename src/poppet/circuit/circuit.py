@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple, Self
 import numpy as np
 
 from poppet.circuit.addresses import change_values
+from poppet.circuit.component_files import with_own_components
 from poppet.circuit.ideal_gas import real_gas_notes
 from poppet.circuit.instance import Array, Drive, Instance, Series
 from poppet.circuit.onset import ONSET, check_onsets, onset_inputs
@@ -364,6 +365,8 @@ class BaseCircuit(HtmlMixin):
             If an address is unknown or a value is invalid.
         """
         sections = {name: getattr(self, name) for name in _SECTIONS}
+        if isinstance(values, Mapping):
+            values = with_own_components(values, *self.origin)
         changed = change_values({**self.parts, **sections}, values)
         parts = {name: changed[name] for name in self.parts}
         return replace(self, parts=parts, like=self, **{name: changed[name] for name in _SECTIONS})

@@ -11,6 +11,7 @@ from pathlib import Path
 from typing import Any, ClassVar, TypeVar
 
 from poppet.circuit.circuit import BaseCircuit, Origin
+from poppet.circuit.component_files import own_component, read_circuit_components
 from poppet.circuit.options import Ambient, GasChoice, Run
 from poppet.circuit.signal_tables import check_signal_table, read_signal
 from poppet.circuit.wiring import (
@@ -28,11 +29,12 @@ from poppet.circuit.wiring import (
 )
 from poppet.core.errors import ErrorCollector, InputError, NameSuggestion
 from poppet.core.toml_file import TomlFile
+from poppet.library.components import CatalogueComponent
 from poppet.parts import KINDS, Part
 from poppet.parts.fields import from_table
 from poppet.parts.part import Controller, ControlOutputs, Input, PartConnection, Scope, Store, Surroundings
 
-TOP_LEVEL = ("title", "parts", "signals", "connections", "ambient", "gas", "run")
+TOP_LEVEL = ("title", "components", "parts", "signals", "connections", "ambient", "gas", "run")
 ABOVE = ("ensemble", "requirements")
 """Tables that the packages above read."""
 
@@ -78,7 +80,7 @@ def read_circuit(file: TomlFile, circuit_class: type[CircuitT]) -> CircuitT:
                 errors.add(
                     "fields.unknown", key, table="circuit file", suggestion=NameSuggestion(key, TOP_LEVEL + ABOVE)
                 )
-        tables = {name: _table(errors, name, data.get(name, {})) for name in TOP_LEVEL[1:] if name != "gas"}
+        tables = {name: _table(errors, name, data.get(name, {})) for name in TOP_LEVEL[2:] if name != "gas"}
         # `gas = "nitrogen"` is short for a table with a name.
         gas_table = data.get("gas", {})
         ambient, gas, run = Ambient(), GasChoice(), Run()
@@ -89,7 +91,9 @@ def read_circuit(file: TomlFile, circuit_class: type[CircuitT]) -> CircuitT:
         with errors.collecting("run"):
             run = from_table(Run, tables["run"])
         check_count(tables["parts"])
-        parts = _Parts(errors, tables["parts"], ambient, gas, file.folder)
+        # Not collected: without the components of an invalid file, correct parts would have errors.
+        components = read_circuit_components(data.get("components", []), file.folder)
+        parts = _Parts(errors, tables["parts"], ambient, gas, file.folder, components)
         check_wiring(errors, parts.wiring)
         check_bodies(errors, parts.wiring)
         signals = parts.signals(tables["signals"])
@@ -125,9 +129,15 @@ class _Parts:
     """
 
     def __init__(
-        self, errors: ErrorCollector, tables: Mapping[str, Any], ambient: Ambient, gas: GasChoice, folder: Path
+        self,
+        errors: ErrorCollector,
+        tables: Mapping[str, Any],
+        ambient: Ambient,
+        gas: GasChoice,
+        folder: Path,
+        components: tuple[CatalogueComponent, ...],
     ) -> None:
-        self.errors, self.folder = errors, folder
+        self.errors, self.folder, self.components = errors, folder, components
         self.ambient_pressure, temperature = float(ambient.pressure), float(ambient.temperature)  # type: ignore[arg-type]
         surroundings = Surroundings(self.ambient_pressure, temperature, *gas.values())
         self.made: dict[str, Part] = {}
@@ -152,6 +162,8 @@ class _Parts:
         # Paths are relative to the folder of the file, as for signals.
         if key.endswith("characteristic") and isinstance(value, str) and value.endswith(".toml"):
             return str(self.folder / value)
+        if key == "model" and isinstance(value, str) and self.components:
+            return own_component(value, self.components)
         # The tables of members, such as the main stage of a valve.
         return (
             {name: self._value(name, inner) for name, inner in value.items()} if isinstance(value, Mapping) else value

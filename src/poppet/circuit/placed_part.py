@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Hashable, Iterator, Mapping
+from collections.abc import Hashable, Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from typing import Any
 
 from poppet.circuit.wiring import PartWiring
 from poppet.core.codes import Note
-from poppet.core.provenance import Number
+from poppet.core.provenance import ComponentSource, Number
 from poppet.core.units import counted_at, with_state
 from poppet.parts.part import Input, Part, Surroundings
 from poppet.timeseries.signals import Signal
@@ -71,6 +71,7 @@ class PlacedPart:
             (name, part.structure(), tuple(parameters)),
             (
                 *(note.within(name) for note in part.notes()),
+                *(note.within(name) for note in doubt_notes(numbers.values())),
                 *value_notes(numbers),
                 *(
                     note.within(address)
@@ -80,6 +81,18 @@ class PlacedPart:
                 ),
             ),
         )
+
+
+def doubt_notes(numbers: Iterable[Number]) -> tuple[Note, ...]:
+    """Return a note for each doubt about the numbers of a component that a part uses."""
+    sources = (number.source for number in numbers)
+    doubts = {
+        (source.component, doubt): None
+        for source in sources
+        if isinstance(source, ComponentSource)
+        for doubt in source.doubts
+    }
+    return tuple(Note("components.doubt", "model", name=name, doubt=doubt) for name, doubt in doubts)
 
 
 def value_notes(numbers: Mapping[str, Number]) -> Iterator[Note]:

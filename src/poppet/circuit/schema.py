@@ -77,9 +77,9 @@ def circuit_schema() -> Schema:
         required = ["kind"]
         for field, spec in declared.items():
             is_connection = isinstance(spec, PortSpec | BodySpec) and not spec.optional
-            # A library set (`data`) can supply omitted values.
+            # A library set (`data`) or a component (`model`) can supply omitted values.
             is_value = isinstance(spec, NumberSpec) and not spec.optional and spec.default is None
-            if is_connection or (is_value and "data" not in declared):
+            if is_connection or (is_value and not {"data", "model"} & declared.keys()):
                 required.append(field)
         fields = {"kind": {"const": name, "description": part.summary}}
         fields |= {field: _field(field, spec, part) for field, spec in declared.items()}
@@ -94,6 +94,11 @@ def circuit_schema() -> Schema:
         **closed(
             {
                 "title": {"type": "string", "description": "shown with every result"},
+                "components": {
+                    "type": "array",
+                    "items": _TEXT,
+                    "description": "component files, for the names in the fields `model`",
+                },
                 "parts": parts,
                 "signals": {"type": "object", "additionalProperties": {"$ref": "#/$defs/input"}},
                 "connections": {
@@ -217,6 +222,7 @@ def _edge_table_schema() -> Schema:
 
 
 _REFERENCES: dict[str, Callable[[], Schema]] = {
+    "model": lambda: _TEXT | {"examples": ["SMC SY5000 (series value)"]},
     "data": lambda: {"enum": [name for name in library.sets() if name != "gases"]},
     "characteristic": lambda: {
         "anyOf": [

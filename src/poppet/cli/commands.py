@@ -334,10 +334,24 @@ _COMMANDS = {
         ),
     ),
     "library": Command(
-        "list or describe published parameter sets, characteristics and gases",
+        "list or describe published parameter sets, characteristics, gases and components",
         "reference:show_library",
-        (Option("[NAME]", "set, characteristic or gas to describe; if omitted, lists all"),),
-        ("poppet library", "poppet library varga2012", "poppet library nitrogen"),
+        (
+            Option("[NAME]", "set, characteristic, gas or component to describe; if omitted, lists all"),
+            Option(
+                "--components [FILE]",
+                "list the components of the library, or those of a component file",
+                keywords={"nargs": "?", "const": ""},
+            ),
+            Option("--find CONDITIONS", 'list the components that fulfil all conditions: "5/2, C > 3 dm^3/(s bar)"'),
+        ),
+        (
+            "poppet library",
+            "poppet library varga2012",
+            "poppet library nitrogen",
+            'poppet library "SMC SY5000"',
+            'poppet library --find "5/2, C > 3 dm^3/(s bar)"',
+        ),
     ),
     "explain": Command(
         "explain the code of an error, note or finding: cause, example and remedy",

@@ -13,15 +13,48 @@ from poppet.core.errors import InputError, NameSuggestion
 
 
 def show_library(options: argparse.Namespace) -> None:
-    """Run the command `library`: list the contents of the parameter library, or print one entry."""
+    """Run the command `library`: list the contents of the parameter library, or print entries."""
     from poppet import library
 
+    if options.components is not None or options.find is not None:
+        _list_components(options)
+        return
     if options.name is not None:
-        print(library.describe(options.name))
+        print(_entry(options.name))
         return
     groups = {"sets": library.sets(), "characteristics": library.characteristics(), "gases": library.gas_names()}
     for heading, names in groups.items():
         print(f"{heading + ':':<17}{', '.join(names)}")
+    print(f"{'components:':<17}poppet library --components")
+
+
+def _entry(name: str) -> str:
+    """Return the text of a set, a characteristic, a gas or a component."""
+    from poppet import library
+
+    # Only the names of components contain a blank, after the manufacturer.
+    if " " not in name.strip():
+        return library.describe(name)
+    from poppet.library.components import find_variants
+    from poppet.report.component_passport import passports
+
+    return passports(find_variants(name))
+
+
+def _list_components(options: argparse.Namespace) -> None:
+    """Print components of the library or of a file: all, one by its name, or those that fulfil conditions."""
+    from poppet.library.components import components, find_variants
+    from poppet.parts.component_file import read_components
+    from poppet.parts.component_search import search
+    from poppet.report.component_passport import component_list, passports
+
+    selected = read_components(options.components) if options.components else components()
+    if options.find is not None:
+        selected = tuple(search(options.find, selected))
+    if options.name is not None:
+        print(passports(find_variants(options.name, selected)))
+    else:
+        print(component_list(selected) if selected else "No component fulfils all conditions.")
 
 
 def explain_codes(options: argparse.Namespace) -> None:

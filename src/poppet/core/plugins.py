@@ -16,7 +16,7 @@ from poppet.core.codes import Note
 
 API_VERSION = 1
 """Version of the interface of plugins. The module of an entry point states it as `POPPET_API = 1`."""
-GROUPS = ("poppet.parts", "poppet.library", "poppet.readers", "poppet.targets", "poppet.methods")
+GROUPS = ("poppet.parts", "poppet.library", "poppet.readers", "poppet.targets", "poppet.methods", "poppet.components")
 """Groups of entry points."""
 
 T = TypeVar("T")

@@ -54,6 +54,35 @@ class Source:
 
 
 @dataclass(frozen=True, slots=True)
+class ComponentSource(Source):
+    """Source of a number that a component of a catalogue states.
+
+    Parameters
+    ----------
+    kind, locator, note : str
+        As in `Source`.
+    component : str
+        Manufacturer and model.
+    stated : float
+        The stated value, by which a changed number is recognised.
+    doubts : tuple of str
+        Reasons why the number is uncertain.
+
+    Examples
+    --------
+    >>> str(ComponentSource("datasheet", "SMC SY5000: catalogue", component="SMC SY5000", stated=2.8e-8))
+    'datasheet: SMC SY5000: catalogue'
+    """
+
+    component: str = ""
+    stated: float = float("nan")
+    doubts: tuple[str, ...] = ()
+
+    def __str__(self) -> str:
+        return Source.__str__(self)
+
+
+@dataclass(frozen=True, slots=True)
 class Number:
     """Value with unit, reference and source.
 

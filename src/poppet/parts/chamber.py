@@ -12,7 +12,7 @@ from poppet.core.symbolic import maximum
 from poppet.laws.physics import gas as gas_law
 from poppet.laws.physics import heat_transfer
 from poppet.parts.captions import CaptionNumbers
-from poppet.parts.fields import NumberLike, anr_pressure, anr_temperature, number, option
+from poppet.parts.fields import NumberLike, anr_pressure, anr_temperature, model, number, option
 from poppet.parts.part import GasBalance, GasState, Quantities, Scope, State, Store, Surroundings
 
 _ONLY_ENERGY = (
@@ -67,6 +67,7 @@ class Chamber(Store):
     wall_area: NumberLike = number("m^2", optional=True, doc="wall area", above=0.0)
     height: NumberLike = number("m", optional=True, doc="height of the vessel", above=0.0)
     inlet_diameter: NumberLike = number("m", optional=True, doc="inlet diameter", above=0.0)
+    model: Any = model()
     initial_pressure: NumberLike = anr_pressure("initial pressure")
     initial_temperature: NumberLike = anr_temperature("initial temperature")
 

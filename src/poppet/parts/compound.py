@@ -54,7 +54,7 @@ class Compound(Part):
     def __post_init__(self) -> None:
         errors = ErrorCollector()
         with errors.collecting():
-            complete(self, {})
+            complete(self, self.component_numbers())
         for name, spec in self._member_specs():
             if spec.optional and not self.has(name):
                 if getattr(self, attribute(name)) is not None:

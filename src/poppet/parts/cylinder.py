@@ -24,6 +24,7 @@ from poppet.parts.fields import (
     group,
     laminar_limit,
     member,
+    model,
     number,
     option,
     port,
@@ -225,6 +226,7 @@ class Cylinder(Compound):
     direction: NumberLike = number("1", 1.0, doc="direction, 1 or -1", note="extends towards larger positions")
     offset: NumberLike = number("m", 0.0, doc="piston position at body position zero", note="at the cap")
     seal_friction: NumberLike = number("N/Pa", 0.0, doc="seal friction per pressure difference", low=0.0, note="none")
+    model: Any = model()
     leakage: Any = group(Leakage, doc="leakage past the piston")
     spring: Any = group(ReturnSpring, doc="return spring")
     end_stop: Any = group(EndStop, doc="end stops at the covers")

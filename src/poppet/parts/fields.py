@@ -16,7 +16,7 @@ from types import MappingProxyType
 from typing import Any, TypeVar
 
 from poppet.core.errors import ErrorCollector, InputError, NameSuggestion, UnitError
-from poppet.core.provenance import SOURCE_KINDS, Number, Source, SourceKind
+from poppet.core.provenance import SOURCE_KINDS, ComponentSource, Number, Source, SourceKind
 from poppet.core.symbolic import is_symbolic
 from poppet.core.tables import NumberRange
 from poppet.core.units import Kind, quantity
@@ -239,6 +239,11 @@ def reference(*, doc: str, form: str = "str or mapping") -> Any:
     return _field(ReferenceSpec(doc, form), None)
 
 
+def model() -> Any:
+    """Declare the field for a component by catalogue number, which states the other fields."""
+    return reference(doc='component; manufacturer and model, such as "SMC SY5000"', form="str or CatalogueComponent")
+
+
 def _field(spec: Spec, default: T) -> T:
     # A required number defaults to None too, so that a missing number is reported together with all other errors.
     return dataclasses.field(default=default, metadata={"spec": spec})
@@ -403,6 +408,20 @@ def forget_library(part: Any, sets: Sequence[Mapping[str, Number]], path: str = 
             inner: Any = copy(value)
             forget_library(inner, sets, f"{path}{name}.")
             object.__setattr__(part, attribute_name, inner)
+
+
+def forget_component(part: Any, stated: Mapping[str, Number]) -> None:
+    """Reset to None all numbers of a copied part that a component states, so that the selected one applies.
+
+    `stated` contains the numbers of the selected component. Defaults that they replace are reset as well.
+    """
+    for name, attribute_name, spec in declared(part.__class__, NumberSpec):
+        value = getattr(part, attribute_name)
+        if not isinstance(value, Number) or is_symbolic(value.value):
+            continue
+        is_stated = isinstance(value.source, ComponentSource) and value.source.stated == value.value
+        if is_stated or (name in stated and value == default_number(name, spec.within(part))):
+            object.__setattr__(part, attribute_name, None)
 
 
 # Cached: parts share the default of a number that they do not specify. This also makes `forget_library` fast.

@@ -18,13 +18,16 @@ from poppet.laws.curves import Characteristic, characteristic_from_mapping
 from poppet.laws.curves.characteristic import ANYWHERE
 from poppet.parts import symbols
 from poppet.parts.captions import ASSUMED, CaptionNumbers, format_value
-from poppet.parts.fields import NumberLike, laminar_limit, number, port, reference, subsonic_index_m
+from poppet.parts.fields import NumberLike, laminar_limit, model, number, port, reference, subsonic_index_m
 from poppet.parts.part import Flow, GasState, Input, Passage, PassageFlows, Quantities, Scope, Surroundings
 
 _SIZES = (
     "sonic_conductance", "effective_area", "flow_coefficient_kv", "flow_coefficient_cv", "nominal_flow",
     "characteristic",
 )  # fmt: skip
+
+_WITH_RATIO = ("effective_area", "characteristic")
+"""Sizes that determine the critical ratio."""
 
 # Stated for air or a liquid, independent of the gas of the circuit.
 _FROM_AIR: dict[str, Callable[..., iso6358.Conductance]] = {
@@ -94,9 +97,20 @@ class FlowPath(Passage):
     characteristic: Any = reference(doc="C and b as functions of a stroke; library name, .toml file or table")
     subsonic_index: NumberLike = subsonic_index_m()
     laminar_ratio: NumberLike = laminar_limit()
+    model: Any = model()
 
     has_stroke: ClassVar[bool] = False
     """True if the flow path has a stroke, which a characteristic needs."""
+
+    def usable_numbers(self, stated: Mapping[str, Number]) -> Mapping[str, Number]:
+        # The copied part can have the assumed ratio of another component.
+        if self.critical_ratio in [_assumed_ratio(size) for size in _SIZES]:
+            object.__setattr__(self, "critical_ratio", None)
+        specified = [name for name in _SIZES if getattr(self, name) is not None]
+        if not specified:
+            return stated
+        idle = {*_SIZES} | ({"critical_ratio"} if specified[0] in _WITH_RATIO else set())
+        return {name: value for name, value in stated.items() if name not in idle}
 
     def check(self) -> None:
         specified = [name for name in _SIZES if getattr(self, name) is not None]
@@ -104,7 +118,7 @@ class FlowPath(Passage):
             raise InputError("parts.no_size", "sonic_conductance", sizes=[*_SIZES])
         if len(specified) > 1:
             raise InputError("parts.several_sizes", specified[1], given=specified, sizes=[*_SIZES])
-        if self.critical_ratio is not None and specified[0] in ("effective_area", "characteristic"):
+        if self.critical_ratio is not None and specified[0] in _WITH_RATIO:
             raise InputError("parts.idle_critical_ratio", "critical_ratio", size=specified[0])
         if self.characteristic is not None:
             object.__setattr__(self, "characteristic", self.read_curve("characteristic"))

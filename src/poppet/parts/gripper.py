@@ -25,7 +25,14 @@ from poppet.parts.cylinder import (
     Piston,
     ReturnSpring,
 )
-from poppet.parts.fields import NumberLike, group, member, number, option
+from poppet.parts.fields import (
+    NumberLike,
+    group,
+    member,
+    model,
+    number,
+    option,
+)
 from poppet.parts.moving_compound import MovingCompound, values_of
 from poppet.parts.part import AMBIENT, BodyDynamics, BodyMotion, Input, Scope
 
@@ -178,6 +185,7 @@ class Gripper(MovingCompound):
     acting: str = option(DOUBLE, SINGLE, doc="double or single acting")
     direction: NumberLike = number("1", 1.0, doc="direction, 1 or -1", note="closes while the piston extends")
     seal_friction: NumberLike = number("N/Pa", 0.0, doc="seal friction per pressure difference", low=0.0, note="none")
+    model: Any = model()
     leakage: Any = group(Leakage, doc="leakage past the piston")
     spring: Any = group(ReturnSpring, doc="return spring")
     end_stop: Any = group(EndStop, doc="end stops at the covers")

@@ -36,6 +36,7 @@ from poppet.parts.fields import (
     complete,
     declared,
     flatten,
+    forget_component,
     forget_library,
 )
 from poppet.parts.symbols import Symbol
@@ -415,11 +416,12 @@ class Part(ABC):
     def __post_init__(self) -> None:
         # First, so that a copy with another `data` or `mode` does not keep the numbers of the previous set.
         forget_library(self, self.library_sets())
+        stated = self.component_numbers()
         try:
             library_numbers = self.library_numbers()
         except InputError as error:
             raise error.located(address="data") from None
-        complete(self, library_numbers)
+        complete(self, {**library_numbers, **stated} if stated else library_numbers)
         # A symbol in place of a number has no value to check.
         with suppress(SymbolicValueError):
             self.check()
@@ -438,6 +440,29 @@ class Part(ABC):
         """
         data = getattr(self, "data", None)
         return {} if data is None else library.numbers(str(data), self.kind, self.variant())
+
+    def component_numbers(self) -> Mapping[str, Number]:
+        """Return the numbers of the component that the field `model` selects.
+
+        They are used for fields without an argument. Numbers of a component that was selected before are removed, and
+        options that the component determines are set. The result is empty if there is no component.
+        """
+        stated: Mapping[str, Number] = {}
+        if not hasattr(self, "model"):
+            return stated
+        if self.model is not None:
+            from poppet.parts.components import numbers_of, select_component
+
+            stated = numbers_of(select_component(self), type(self))
+        forget_component(self, stated)
+        return self.usable_numbers(stated) if stated else stated
+
+    def usable_numbers(self, stated: Mapping[str, Number]) -> Mapping[str, Number]:
+        """Return the numbers of a component without those that other fields of the part exclude.
+
+        `stated` contains all numbers of the component by field.
+        """
+        return stated
 
     def variant(self) -> str:
         """Return the variant of the parameter set for the options of the part, such as a preset.

@@ -15,7 +15,17 @@ from poppet.parts.bodies import Mass
 from poppet.parts.captions import CaptionNumbers
 from poppet.parts.cushion import CAP, ROD
 from poppet.parts.cylinder import CylinderChamber, EndStop, Leakage
-from poppet.parts.fields import NumberLike, body, group, laminar_limit, member, number, port, subsonic_index_m
+from poppet.parts.fields import (
+    NumberLike,
+    body,
+    group,
+    laminar_limit,
+    member,
+    model,
+    number,
+    port,
+    subsonic_index_m,
+)
 from poppet.parts.flow_path import FlowPath, iso_flow, named_flow
 from poppet.parts.moving_compound import MovingCompound, stop_at, values_of
 from poppet.parts.part import (
@@ -244,17 +254,21 @@ class PressureBooster(MovingCompound):
         "m", optional=True, doc="distance from the end at which the valve reverses", above=0.0
     )
     seal_friction: NumberLike = number("N/Pa", 0.0, doc="seal friction per pressure difference", low=0.0, note="none")
+    model: Any = model()
     leakage: Any = group(Leakage, doc="leakage past each piston")
     end_stop: Any = group(EndStop, doc="end stops of the pistons")
     piston: Any = member(Mass, doc="mass of the pistons", inherited=("inclination", "lower_stop", "upper_stop"))
     valve: Any = member(
         ReversingValve, doc="reversing valve",
         inherited=(
-            "supply", "drive_a", "drive_b", "exhaust", "body", "stroke_length", "trip_distance", "characteristic"
+            "supply", "drive_a", "drive_b", "exhaust", "body", "stroke_length", "trip_distance", "characteristic",
+            "model",
         ),
     )  # fmt: skip
     checks: Any = member(
-        BoosterChecks, doc="check valves", inherited=("supply", "outlet", "boost_a", "boost_b", "characteristic")
+        BoosterChecks,
+        doc="check valves",
+        inherited=("supply", "outlet", "boost_a", "boost_b", "characteristic", "model"),
     )
     drive_a: Any = member(CylinderChamber, doc="drive chamber a", inherited=_GEOMETRY)
     drive_b: Any = member(CylinderChamber, doc="drive chamber b", inherited=_GEOMETRY)
@@ -320,10 +334,10 @@ class PressureBooster(MovingCompound):
                 }
                 trip = {"stroke_length": self.stroke_length, "trip_distance": values.get("trip_distance", 1.0)}
                 # Without a stroke, the valves have no characteristic.
-                return ends | trip | {"body": ".piston", "characteristic": None}
+                return ends | trip | {"body": ".piston", "characteristic": None, "model": None}
             case "checks":
                 ends = {"supply": self.supply, "outlet": self.outlet}
-                return ends | {"boost_a": ".boost_a", "boost_b": ".boost_b", "characteristic": None}
+                return ends | {"boost_a": ".boost_a", "boost_b": ".boost_b", "characteristic": None, "model": None}
             case _:
                 names = {name: getattr(self, name) for name in ("seal_friction", "leakage")}
                 sizes = {"bore": self.bore, "drive_bore": values.get("drive_bore"), "body": ".piston"}

@@ -22,6 +22,7 @@ from poppet.parts.fields import (
     group,
     laminar_limit,
     member,
+    model,
     number,
     option,
     port,
@@ -172,6 +173,7 @@ class RotaryActuator(MovingCompound):
     )  # fmt: skip
     swivel_angle: NumberLike = number("rad", doc="swivel angle", above=0.0)
     seal_friction: NumberLike = number("N m/Pa", 0.0, doc="seal friction per pressure difference", low=0.0, note="none")
+    model: Any = model()
     leakage: Any = group(Leakage, doc="leakage past the vane")
     end_stop: Any = group(RotaryStop, doc="end stops")
     shaft: Any = member(Joint, doc="shaft with its load", inherited=("pulley_radius", "lower_stop", "upper_stop"))

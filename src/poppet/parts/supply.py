@@ -16,7 +16,13 @@ from poppet.laws.physics.compression import isentropic_compression_work
 from poppet.laws.physics.gas import AIR_GAS_CONSTANT
 from poppet.parts import symbols
 from poppet.parts.captions import CaptionNumbers
-from poppet.parts.fields import NumberLike, number, option, port
+from poppet.parts.fields import (
+    NumberLike,
+    model,
+    number,
+    option,
+    port,
+)
 from poppet.parts.flow_path import FlowPath, named_flow
 from poppet.parts.part import AMBIENT, Flow, GasState, Input, Passage, PassageFlows, Scope, State, Surroundings
 from poppet.parts.two_positions import switching_rate
@@ -216,6 +222,7 @@ class Compressor(Passage):
         note="a small piston compressor",
     )
     cooling: str = option(AFTERCOOLER, UNCOOLED, doc="cooling of the delivered air")
+    model: Any = model()
     switching_time: NumberLike = number(
         "s", "0.2 s", doc="time in which the motor starts or stops", above=0.0, note="a small motor"
     )

@@ -26,6 +26,7 @@ from poppet.parts.fields import (
     anr_pressure,
     anr_temperature,
     laminar_limit,
+    model,
     number,
     option,
     port,
@@ -192,6 +193,7 @@ class Tube(Compound):
     wall_temperature: NumberLike = number("K", optional=True, doc="wall temperature", kind="temperature", above=0.0)
     initial_pressure: NumberLike = anr_pressure("initial pressure")
     initial_temperature: NumberLike = anr_temperature("initial temperature")
+    model: Any = model()
     profile: Any = reference(doc="initial states of single cells; mapping such as pressure_3")
 
     def check(self) -> None:

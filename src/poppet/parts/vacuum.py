@@ -20,7 +20,16 @@ from poppet.laws.physics.gas import AIR_GAS_CONSTANT
 from poppet.parts import symbols
 from poppet.parts.captions import ASSUMED, CaptionNumbers, format_value
 from poppet.parts.chamber import Chamber
-from poppet.parts.fields import NumberLike, laminar_limit, number, port, reference, subsonic_index_m, switch
+from poppet.parts.fields import (
+    NumberLike,
+    laminar_limit,
+    model,
+    number,
+    port,
+    reference,
+    subsonic_index_m,
+    switch,
+)
 from poppet.parts.flow_path import iso_flow, named_flow
 from poppet.parts.part import (
     AMBIENT,
@@ -127,6 +136,7 @@ class VacuumEjector(Passage):
         "m^3/(s Pa)", optional=True, doc="conductance C from the vacuum port to the exhaust", low=0.0
     )
     vacuum_ratio: NumberLike = number("1", 0.3, doc="critical ratio b of this path", low=0.0, below=1.0)
+    model: Any = model()
     subsonic_index: NumberLike = subsonic_index_m()
     laminar_ratio: NumberLike = laminar_limit()
 

@@ -7,6 +7,7 @@ from dataclasses import dataclass, replace
 from typing import Any, ClassVar
 
 from poppet.core.errors import InputError
+from poppet.core.provenance import Number
 from poppet.core.symbolic import clip, smoothstep
 from poppet.parts import symbols
 from poppet.parts.captions import CaptionNumbers
@@ -16,6 +17,7 @@ from poppet.parts.flow_path import FlowPath, named_flow, single_flow
 from poppet.parts.one_way_valves import flow_with_bypass, sizes_with_fault
 from poppet.parts.part import GasState, Input, PassageFlows, Scope, State, Surroundings
 
+_OF_EXHAUST = ("exhaust_conductance", "exhaust_ratio")
 SPOOL_GAIN = 50.0
 """Gain of the spool position; the spool covers the last 1/50 of its travel exponentially."""
 
@@ -127,9 +129,13 @@ class DirectionalValve(Valve, FlowPath):
     initial_position: NumberLike = number("1", optional=True, doc="initial position of the spool", low=0.0, high=1.0)
     resume: ClassVar[dict[str, str]] = {"position": "initial_position"}
 
+    def usable_numbers(self, stated: Mapping[str, Number]) -> Mapping[str, Number]:
+        usable = super().usable_numbers(stated)
+        return usable if self.exhaust is not None else {k: v for k, v in usable.items() if k not in _OF_EXHAUST}
+
     def check(self) -> None:
         super().check()
-        for name in ("exhaust_conductance", "exhaust_ratio"):
+        for name in _OF_EXHAUST:
             if getattr(self, name) is not None and self.exhaust is None:
                 raise InputError("parts.no_exhaust_port", name)
 
