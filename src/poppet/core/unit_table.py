@@ -73,6 +73,7 @@ _SYMBOLS: dict[str, tuple[Dimension, str | Fraction, str]] = {
     "inHg": (PRESSURE, "3386.389", ""),  # conventional inch of mercury, NIST SP 811, appendix B
     "J": (_ENERGY, "1", "mkM"),
     "Nm": (_ENERGY, "1", "mk"),  # a torque, as its sensors write it
+    "Wh": (_ENERGY, "3600", "kMG"),
     "W": (_POWER, "1", "mkM"),
     "K": (_TEMPERATURE, "1", "m"),
     "rad": (_ANGLE, "1", "m"),

@@ -355,20 +355,7 @@ def read_number(name: str, spec: NumberSpec, argument: NumberLike) -> Number:
     # The value of a symbol is not known, so it is not checked.
     if isinstance(argument, Number) and is_symbolic(argument.value):
         return argument
-    source = Source("given")
-    if isinstance(argument, Mapping):
-        unknown = [key for key in argument if key not in ("value", "source", "locator", "note")]
-        if unknown or "value" not in argument:
-            first = unknown[0] if unknown else ""
-            raise InputError("fields.source_form", name, value=dict(argument), unknown=first, empty=not unknown)
-        kind = str(argument.get("source", "given"))
-        if kind not in SOURCE_KINDS:
-            near = NameSuggestion(kind, SOURCE_KINDS)
-            raise InputError(
-                "fields.not_an_option", f"{name}.source", value=kind, meaning="kind of source", suggestion=near
-            )
-        source = Source(kind, str(argument.get("locator", "")), str(argument.get("note", "")))
-        argument = argument["value"]
+    argument, source = split_source(name, argument)
     if isinstance(argument, Number):
         result = argument
         if argument.unit != spec.unit:
@@ -386,6 +373,27 @@ def read_number(name: str, spec: NumberSpec, argument: NumberLike) -> Number:
     if result.reference != "gauge" and not spec.holds(result.value):
         spec.check(name, result.value, result.display())
     return result
+
+
+def split_source(name: str, argument: Any) -> tuple[Any, Source]:
+    """Return the value of a user's argument, and its source.
+
+    An argument with a source is a table with the field `value`. The source of other arguments is `given`. `name` is the
+    name of the field.
+    """
+    if not isinstance(argument, Mapping):
+        return argument, Source("given")
+    unknown = [key for key in argument if key not in ("value", "source", "locator", "note")]
+    if unknown or "value" not in argument:
+        first = unknown[0] if unknown else ""
+        raise InputError("fields.source_form", name, value=dict(argument), unknown=first, empty=not unknown)
+    kind = str(argument.get("source", "given"))
+    if kind not in SOURCE_KINDS:
+        near = NameSuggestion(kind, SOURCE_KINDS)
+        raise InputError(
+            "fields.not_an_option", f"{name}.source", value=kind, meaning="kind of source", suggestion=near
+        )
+    return argument["value"], Source(kind, str(argument.get("locator", "")), str(argument.get("note", "")))
 
 
 def forget_library(part: Any, sets: Sequence[Mapping[str, Number]], path: str = "") -> None:
