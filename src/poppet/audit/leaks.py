@@ -187,16 +187,16 @@ class PlantLeak:
 class LeakCost:
     """Flow, electricity and cost of a leak per year.
 
-    `cost`, `co2` and the saved cost are None if the tariff has no price or no emission.
+    `cost`, `co2` and the saved cost are NaN if the tariff has no price or no emission.
     """
 
     leak: PlantLeak | None  # None in the sum of all leaks
     flow: float  # of all equal leaks [m^3/s ANR]
     volume: float  # [m^3 ANR per year]
     electricity: float  # [J per year]
-    cost: float | None  # [currency per year]
-    co2: float | None  # [kg per year]
-    saved_cost: float | None  # by a repair [currency per year]
+    cost: float  # [currency per year]
+    co2: float  # [kg per year]
+    saved_cost: float  # by a repair [currency per year]
 
 
 @dataclass(frozen=True)
@@ -226,10 +226,15 @@ def _row(row: LeakCost) -> dict[str, Any]:
         "air_l_anr_per_min": row.flow * 6e4,
         "air_m3_anr_per_year": row.volume,
         "electricity_kwh_per_year": row.electricity / 3.6e6,
-        "cost_per_year": row.cost,
-        "co2_kg_per_year": row.co2,
-        "saved_cost_per_year": row.saved_cost,
+        "cost_per_year": _known(row.cost),
+        "co2_kg_per_year": _known(row.co2),
+        "saved_cost_per_year": _known(row.saved_cost),
     }
+
+
+def _known(value: float) -> float | None:
+    """Return a value, or None for NaN, which a result file omits."""
+    return None if math.isnan(value) else value
 
 
 def survey_leaks(
@@ -273,5 +278,4 @@ def survey_leaks(
 def _cost_row(leak: PlantLeak | None, flow: float, tariff: Tariff, control_fraction: float) -> LeakCost:
     volume = flow * float(tariff.hours)
     cost = tariff.cost(volume)
-    saved = None if cost is None else control_fraction * cost
-    return LeakCost(leak, flow, volume, tariff.electricity(volume), cost, tariff.co2(volume), saved)
+    return LeakCost(leak, flow, volume, tariff.electricity(volume), cost, tariff.co2(volume), control_fraction * cost)

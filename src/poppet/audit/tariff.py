@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import re
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
@@ -39,12 +40,12 @@ class Tariff:
     Parameters
     ----------
     price : Number or None
-        Price per energy or per volume of air, with a unit such as `EUR/J` or `EUR/m^3`. The result of `cost` is None
+        Price per energy or per volume of air, with a unit such as `EUR/J` or `EUR/m^3`. The result of `cost` is NaN
         without a price.
     specific_energy : Number
         Electrical energy of the compressor station per volume of air [J/m^3].
     emission : Number or None
-        Emission of CO2 per electrical energy [kg/J]. The result of `co2` is None without this value.
+        Emission of CO2 per electrical energy [kg/J]. The result of `co2` is NaN without this value.
     hours : Number
         Operating time per year [s].
     """
@@ -63,16 +64,16 @@ class Tariff:
         """Return the electrical energy [J] for a volume of air [m^3 ANR]."""
         return volume * float(self.specific_energy)
 
-    def cost(self, volume: float) -> float | None:
-        """Return the cost of a volume of air [m^3 ANR] in the currency of the price."""
+    def cost(self, volume: float) -> float:
+        """Return the cost of a volume of air [m^3 ANR] in the currency of the price; NaN without a price."""
         if self.price is None:
-            return None
+            return math.nan
         is_air_price = self.price.unit.endswith("/m^3")
         return float(self.price) * (volume if is_air_price else self.electricity(volume))
 
-    def co2(self, volume: float) -> float | None:
-        """Return the mass of CO2 [kg] for a volume of air [m^3 ANR]."""
-        return None if self.emission is None else self.electricity(volume) * float(self.emission)
+    def co2(self, volume: float) -> float:
+        """Return the mass of CO2 [kg] for a volume of air [m^3 ANR]; NaN without an emission."""
+        return math.nan if self.emission is None else self.electricity(volume) * float(self.emission)
 
     def cycles_per_year(self, duration: float) -> float:
         """Return the number of cycles of a given duration [s] in the operating time of a year."""
@@ -115,7 +116,7 @@ def read_tariff(table: Mapping[str, Any] | None = None, address: str = "") -> Ta
     --------
     >>> tariff = read_tariff({"tariff": "0.20 EUR/kWh", "specific_energy": "0.12 kWh/m^3"})
     >>> round(tariff.cost(1000.0), 9), tariff.currency, tariff.co2(1000.0)
-    (24.0, 'EUR', None)
+    (24.0, 'EUR', nan)
     """
     table = table or {}
     prefix = f"{address}." if address else ""
