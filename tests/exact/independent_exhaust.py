@@ -30,7 +30,7 @@ SLOW = 10.0
 LEAK = 0.05
 
 
-def sonic_conductance(litres_per_minute: float, b: float, atmosphere: float = BAR) -> float:
+def sonic_conductance(litres_per_minute: float, b: float, atmosphere: float = 1.01325e5) -> float:
     """Return C from a nominal flow at ANR from 6 to 5 bar gauge [m^3/(s Pa)]."""
     up, low = 6e5 + atmosphere, 5e5 + atmosphere
     r = (low / up - b) / (1.0 - b)
@@ -323,8 +323,9 @@ class Plant:
         return 2.0 * speed / (valve["on"] if speed > 0.0 else valve["off"]) / (SLOW if fault == "slow" else 1.0)
 
     def _valve_flows(self, name: str, valve: Numbers, s: float, move: Callable[..., None]) -> None:
-        least = LEAK if self.faults.get(name) == "leak" else 0.0
-        forward, back = (max(min(max(side, 0.0), 1.0), least) for side in (s, -s))
+        leak = LEAK if self.faults.get(name) == "leak" else 0.0
+        openings = (min(max(side, 0.0), 1.0) for side in (s, -s))
+        forward, back = (opening + leak * (1.0 - opening) for opening in openings)
         exhaust = valve.get("exhaust", "ambient")
         ways = {"supply_a": (valve["supply"], valve["a"], forward), "exhaust_a": (valve["a"], exhaust, back),
                 "supply_b": (valve["supply"], valve.get("b"), back),

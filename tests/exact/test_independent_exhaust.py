@@ -40,26 +40,36 @@ def recorded_run(recording: poppet.Recording, run: Run) -> Run:
 
 
 def compare(found: Run, expected: Run, event: float) -> None:
-    """Compare exhaust times within 0.5 % or 1 ms, and distances within 0.5 % or 20 um."""
+    """Compare exhaust times within 0.001 % or 1 us, and distances within 0.001 % or 1 um."""
     for volume in expected.pressures:
         time = expected.exhaust_time(volume, event)
-        assert found.exhaust_time(volume, event) == pytest.approx(time, rel=5e-3, abs=1e-3), volume
+        assert found.exhaust_time(volume, event) == pytest.approx(time, rel=1e-5, abs=1e-6), volume
     for drive in expected.positions:
         distances = expected.travel(drive, event)
-        assert found.travel(drive, event) == pytest.approx(distances, rel=5e-3, abs=2e-5), drive
+        assert found.travel(drive, event) == pytest.approx(distances, rel=1e-5, abs=1e-6), drive
+
+
+def fine_machine() -> str:
+    """Return the text of the machine template with the output times and the tolerance of the independent runs."""
+    return MACHINE.read_text().replace('output_step = "2 ms"', "output_step = 1e-3\nrelative_tolerance = 1e-8")
+
+
+def compare_steps(recording: poppet.Recording, expected: Run) -> None:
+    """Compare the steps, and the samples at which they begin."""
+    steps = recording["plc.step"]
+    rows = np.flatnonzero(np.diff(steps, prepend=0.0))
+    names = ["wait", "A+", "B+", "B-", "A-", "fault"]
+    assert [names[round(steps[k]) - 1] for k in rows] == [name for _, name in expected.steps]
+    assert recording.time[rows] == pytest.approx([time for time, _ in expected.steps], abs=1e-9)
 
 
 @pytest.mark.parametrize("event", [0.33, 0.6, 0.8])
 def test_the_machine_after_its_supply_is_vented(event: float) -> None:
     expected = simulate(two_cylinders(), 3.2, Event(event, {}, {"supply": AMBIENT}))
-    text = MACHINE.read_text().replace('output_step = "2 ms"', "output_step = 1e-3\nrelative_tolerance = 1e-8")
+    text = fine_machine()
     text += f'[signals."supply.pressure"]\nkind = "steps"\ntimes = [0.0, {event}]\nvalues = [9e5, 1e5]\n'
     recording = poppet.loads(text).simulate()
-    steps = recording["plc.step"]
-    rows = np.flatnonzero(np.diff(steps, prepend=0.0))
-    names = ["wait", "A+", "B+", "B-", "A-", "fault"]
-    assert [names[round(steps[k]) - 1] for k in rows] == [name for _, name in expected.steps]
-    assert recording.time[rows] == pytest.approx([time for time, _ in expected.steps], abs=5e-3 + 1e-9)
+    compare_steps(recording, expected)
     compare(recorded_run(recording, expected), expected, event)
 
 
@@ -81,3 +91,32 @@ def test_a_stuck_valve_keeps_the_pressure() -> None:
     assert run.exhaust_time("cylinder.cap", 1.0) == np.inf
     assert run.pressures["cylinder.cap"][-1] > THRESHOLD
     assert run.travel("", 1.0)[0] < 1e-3
+
+
+WORDS = ("stuck_open", "stuck_closed", "stuck", "slow", "leak")
+
+
+@pytest.mark.parametrize("valve", ["valveA", "valveB"])
+@pytest.mark.parametrize("word", WORDS)
+def test_each_fault_of_the_machine(valve: str, word: str) -> None:
+    expected = simulate(two_cylinders(), 3.2, fault=Fault(valve, word, 0.3))
+    fields = f'[parts.{valve}]\nfault = "{word}"\nfault_start = 0.3\n'
+    recording = poppet.loads(fine_machine().replace(f"[parts.{valve}]\n", fields)).simulate()
+    compare_steps(recording, expected)
+    found = recorded_run(recording, expected)
+    for name, position in expected.positions.items():
+        assert np.max(np.abs(found.positions[name] - position)) < 1e-6
+    for name, pressure in expected.pressures.items():
+        assert np.max(np.abs(found.pressures[name] - pressure)) < 50.0
+
+
+@pytest.mark.parametrize("word", WORDS)
+def test_each_fault_of_the_small_circuit(word: str) -> None:
+    machine = small_circuit()
+    expected = simulate(machine, 3.0, Event(1.0, {"valve": (0.0,)}, {}), Fault("valve", word, 1.0))
+    text = small_circuit_text(machine, f'fault = "{word}"\nfault_start = 1.0') + FINE
+    text += '[signals."valve.command"]\nkind = "steps"\ntimes = [0.0, 1.0]\nvalues = [1, 0]\n'
+    found = recorded_run(poppet.loads(text).simulate(3.0), expected)
+    compare(found, expected, 1.0)
+    is_kept = expected.exhaust_time("cylinder.cap", 1.0) == np.inf
+    assert is_kept == (word in ("stuck_open", "stuck", "leak"))
