@@ -47,6 +47,9 @@ def check_onsets(
     for address in driven:
         item = inputs.get(address)
         if item is not None and item.is_onset:
-            start = f"{address.rpartition('.')[0]}.{item.delay}"
-            if parameters.get(start):
-                errors.add("faults.two_starts", start, input=address, time=parameters[start])
+            owner = address.partition(".")[0]
+            start = parameters.get(f"{owner}.{item.delay}")
+            if start:
+                # The parameter can belong to a member of a compound part, but the field belongs to the part.
+                field = f"{owner}.{item.delay.rpartition('.')[2]}"
+                errors.add("faults.two_starts", field, input=address, time=start)

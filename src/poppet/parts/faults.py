@@ -24,6 +24,7 @@ WITHOUT_POSITION = (STUCK_OPEN, STUCK_CLOSED, LEAK)
 """Faults of valves whose opening is a function of the pressures: they have neither a position nor a switching time."""
 ABSENT, COMPLETE = 0.25, 0.75
 """Values of the input `fault` up to which the element moves freely, and from which it is stuck."""
+NUMBERS = ("fault_start", "slow_factor", "leak_fraction")
 _DEFAULTS = {SLOW: ("slow_factor", 10.0), LEAK: ("leak_fraction", 0.05)}
 """Field that a fault needs, and its default."""
 
@@ -115,12 +116,15 @@ class Valve(Part):
     )
 
     def __post_init__(self) -> None:
-        # A copy with another fault must not keep the default of the previous one.
+        self.forget_defaults()
+        super().__post_init__()
+
+    def forget_defaults(self) -> None:
+        """Reset the defaults of faults to None, because a copy with another fault must not keep them."""
         for fault, (name, _) in _DEFAULTS.items():
             value, spec = getattr(self, name), cast(NumberSpec, specs(type(self))[name])
             if value is not None and value == default_number(name, spec.within(SimpleNamespace(fault=fault))):
                 object.__setattr__(self, name, None)
-        super().__post_init__()
 
     def check(self) -> None:
         super().check()
@@ -128,8 +132,12 @@ class Valve(Part):
             raise InputError("faults.not_possible", "fault", fault=self.fault, kind=self.kind, possible=[*self.faults])
 
     def notes(self) -> tuple[Note, ...]:
+        return (*super().notes(), *self.fault_notes())
+
+    def fault_notes(self) -> tuple[Note, ...]:
+        """Return a note if a start is specified without a fault."""
         is_idle = self.fault == HEALTHY and self.fault_start is not None
-        return (*super().notes(), *((Note("faults.idle_start", "fault_start"),) if is_idle else ()))
+        return (Note("faults.idle_start", "fault_start"),) if is_idle else ()
 
     def options(self) -> dict[str, str]:
         # The fault is a parameter: one compiled model serves all faults of a valve.

@@ -10,14 +10,15 @@ from typing import Any, ClassVar
 from poppet.core.symbolic import clip, where
 from poppet.parts import symbols
 from poppet.parts.captions import CaptionNumbers
+from poppet.parts.faults import FaultEffect, Valve
 from poppet.parts.fields import NumberLike, number, port
 from poppet.parts.flow_path import FlowPath, named_flow
 from poppet.parts.part import AMBIENT, Flow, GasState, PassageFlows, Quantities, Scope, State, Surroundings
-from poppet.parts.two_positions import gradual_switching_rate
+from poppet.parts.two_positions import FULL_DRIVE, gradual_switching_rate
 
 
 @dataclass(frozen=True)
-class LogicValve(FlowPath):
+class LogicValve(Valve, FlowPath):
     """Base class of valves with a closing element that moves between two seats.
 
     The difference of two pressures moves the element. At position 0, only the first flow path is open, at position 1
@@ -63,14 +64,15 @@ class LogicValve(FlowPath):
 
     def valve_flows(self, scope: Scope, gas: Mapping[str, GasState], *paths: tuple[Flow, Quantities]) -> PassageFlows:
         """Return the flows of both flow paths, all outputs, and the speed of the closing element."""
-        position = scope.states["position"]
+        position, fault = scope.states["position"], FaultEffect.of(scope)
         drive = self.pressure_difference(gas) / scope["switching_pressure"]
+        drive = fault.forced(drive, -FULL_DRIVE, FULL_DRIVE)
         # The integrator can exceed the seats by its tolerance.
         outputs: Quantities = {"position": (clip(position, 0.0, 1.0), "1")}
         for _, path_outputs in paths:
             outputs |= path_outputs
-        rate = gradual_switching_rate(position, drive, scope["switching_time"])
-        return PassageFlows(tuple(flow for flow, _ in paths), outputs, {"position": rate})
+        rate = gradual_switching_rate(position, drive, scope["switching_time"] * fault.slowness)
+        return PassageFlows(tuple(flow for flow, _ in paths), outputs, {"position": fault.held(rate)})
 
 
 @dataclass(frozen=True)
@@ -96,12 +98,12 @@ class TwoInletValve(LogicValve):
 
     def flows(self, scope: Scope, gas: Mapping[str, GasState]) -> PassageFlows:
         conductance, ratio = self.size_at(scope, None)
-        position = scope.states["position"]
+        position, fault = scope.states["position"], FaultEffect.of(scope)
         paths = []
         for inlet, distance in (("a", position), ("b", 1.0 - position)):
             early, late = clip(3.0 - 4.0 * distance, 0.0, 1.0), clip(1.0 - 4.0 * distance, 0.0, 1.0)
             feeding, venting = (early, late) if self.feeds_early else (late, early)
-            opening = where(gas[inlet].pressure > gas["outlet"].pressure, feeding, venting)
+            opening = fault.leaking(where(gas[inlet].pressure > gas["outlet"].pressure, feeding, venting))
             paths.append(named_flow(scope, gas, inlet, (inlet, "outlet"), (conductance * opening, ratio)))
         return self.valve_flows(scope, gas, *paths)
 
@@ -216,8 +218,9 @@ class QuickExhaustValve(LogicValve):
 
     def flows(self, scope: Scope, gas: Mapping[str, GasState]) -> PassageFlows:
         conductance, ratio = self.size_at(scope, None)
-        position = scope.states["position"]
-        fills, vents = clip(1.0 - 2.0 * position, 0.0, 1.0), clip(2.0 * position - 1.0, 0.0, 1.0)
+        position, fault = scope.states["position"], FaultEffect.of(scope)
+        fills = fault.leaking(clip(1.0 - 2.0 * position, 0.0, 1.0))
+        vents = fault.leaking(clip(2.0 * position - 1.0, 0.0, 1.0))
         size, exhaust_size = (
             (conductance * fills, ratio),
             (scope["exhaust_conductance"] * vents, scope["exhaust_ratio"]),

@@ -8,11 +8,12 @@ from typing import Any, ClassVar
 
 from poppet.core.errors import InputError
 from poppet.core.provenance import Number
-from poppet.core.symbolic import maximum, smoothstep, where
+from poppet.core.symbolic import maximum, smoothstep, sqrt, where
 from poppet.laws.curves import Characteristic
 from poppet.laws.physics import contact
 from poppet.parts import symbols
 from poppet.parts.captions import CaptionNumbers
+from poppet.parts.faults import FaultEffect, Valve
 from poppet.parts.fields import NumberLike, group, laminar_limit, number, option, port, reference, subsonic_index_m
 from poppet.parts.flow_path import characteristic_at, named_flow, read_characteristic
 from poppet.parts.part import GasState, Input, Passage, PassageFlows, Quantities, Scope, State, Surroundings
@@ -96,7 +97,7 @@ class Friction:
 
 
 @dataclass(frozen=True)
-class MainStage(Passage):
+class MainStage(Valve, Passage):
     r"""Main stage of a piloted pressure valve by the equations of Varga & Keski-Honkola 2012.
 
     One coordinate, the stroke x of the plate, describes filling, overlap and emptying.
@@ -171,6 +172,7 @@ class MainStage(Passage):
         return self.mode if self.mode in _MODES else _MODES[0]
 
     def check(self) -> None:
+        super().check()
         curve = self.characteristic
         if curve is None and self.data is None:
             raise InputError("parts.no_characteristic", "characteristic")
@@ -211,7 +213,8 @@ class MainStage(Passage):
         return State("stroke", "m", 1e-3, LOOSER, 1.0), State("velocity", "m/s", 0.1, LOOSER, 1.0)
 
     def inputs(self) -> tuple[Input, ...]:
-        return (Input("pilot_pressure", "Pa", "pilot_pressure", kind="pressure", low=0.0, is_command=True),)
+        pilot = Input("pilot_pressure", "Pa", "pilot_pressure", kind="pressure", low=0.0, is_command=True)
+        return (pilot, *super().inputs())
 
     def start(self, scope: Scope) -> dict[str, Any]:
         return {"stroke": scope["initial_stroke"], "velocity": scope["initial_velocity"]}
@@ -220,7 +223,9 @@ class MainStage(Passage):
         return {"stroke": (self.curve, (float(self.lower_stop.position), float(self.upper_stop.position)))}
 
     def flows(self, scope: Scope, gas: Mapping[str, GasState]) -> PassageFlows:
-        stroke, velocity = scope.states["stroke"], scope.states["velocity"]
+        fault, stroke = FaultEffect.of(scope), scope.states["stroke"]
+        # All forces are those of the healthy plate, which moves faster.
+        velocity = scope.states["velocity"] * fault.slowness
         # The fraction of the poppet force that acts on the plate; it is 1 for positive strokes.
         lifted = contact.seat_fraction(stroke, scope["contact.width"])
         mass = scope["emptying_mass"] + (scope["moving_mass"] - scope["emptying_mass"]) * lifted
@@ -241,15 +246,17 @@ class MainStage(Passage):
         contact_fraction = lifted * (1.0 - lifted) * 4.0
         damped = 1.0 + contact_fraction * contact.saturation(scope["contact.dissipation"] * velocity)
         force = drive - (upper + lifted * lower * damped) - resistance
-        rates = {"stroke": velocity, "velocity": (force + self._stops(scope)) / mass}
+        acceleration = (force + self._stops(scope, velocity)) / (mass * fault.slowness * fault.slowness)
+        rates = self._rates_with_fault(scope, fault, acceleration)
         conductance, ratio = characteristic_at(self.curve, scope, "characteristic.", stroke)
-        size = conductance + scope["leak_conductance"], ratio
+        open_conductance, _ = characteristic_at(self.curve, scope, "characteristic.", scope["upper_stop.position"])
+        size = fault.leaking(conductance, open_conductance) + scope["leak_conductance"], ratio
         supply, outputs = named_flow(scope, gas, "supply", ("supply", "outlet"), size)
         opening = smoothstep(-stroke - scope["overlap"], 0.0, scope["exhaust_seat.opening"])
-        conductance = scope["exhaust_seat.sonic_conductance"] * opening + scope["exhaust_leak_conductance"]
-        size = conductance, scope["exhaust_seat.critical_ratio"]
+        conductance = scope["exhaust_seat.sonic_conductance"] * fault.leaking(opening)
+        size = conductance + scope["exhaust_leak_conductance"], scope["exhaust_seat.critical_ratio"]
         exhaust, exhaust_outputs = named_flow(scope, gas, "exhaust", ("outlet", "exhaust"), size)
-        outputs |= exhaust_outputs | {"stroke": (stroke, "m"), "velocity": (velocity, "m/s")}
+        outputs |= exhaust_outputs | {"stroke": (stroke, "m"), "velocity": (scope.states["velocity"], "m/s")}
         # -2 at the lower stop, -1 exhaust open, 0 both seats closed, 1 supply open, 2 at the upper stop. The stops take
         # precedence over the seats.
         code = where(stroke > 0.0, 1.0, where(stroke < -scope["overlap"], -1.0, 0.0))
@@ -260,8 +267,28 @@ class MainStage(Passage):
         hidden["outlet_pressure"] = gas["outlet"].pressure, "Pa"
         return PassageFlows((supply, exhaust), {name: outputs[name] for name in OUTPUTS}, rates, hidden)
 
-    def _stops(self, scope: Scope) -> Any:
+    def _rates_with_fault(self, scope: Scope, fault: FaultEffect, acceleration: Any) -> dict[str, Any]:
+        """Return the time derivatives of both states for the acceleration of the plate without a stuck plate.
+
+        A plate that is stuck at a seat or at a stop moves there like a critically damped oscillator. Its spring has the
+        force of the ambient pressure on the plate at the stroke between the stops.
+        """
         stroke, velocity = scope.states["stroke"], scope.states["velocity"]
+        travel = scope["upper_stop.position"] - scope["lower_stop.position"]
+        stiffness = scope["plate_area"] * scope.surroundings.pressure / travel
+        omega = sqrt(stiffness / scope["moving_mass"])
+
+        def approach(target: Any) -> Any:
+            return -omega * (omega * (stroke - target) + 2.0 * velocity)
+
+        open_stroke, closed_stroke = scope["upper_stop.position"], -0.5 * scope["overlap"]
+        acceleration = fault.forced(acceleration, approach(open_stroke), approach(closed_stroke))
+        # A plate that is released starts from rest.
+        acceleration = fault.held(acceleration) - fault.holds * omega * velocity
+        return {"stroke": fault.held(velocity), "velocity": acceleration}
+
+    def _stops(self, scope: Scope, velocity: Any) -> Any:
+        stroke = scope.states["stroke"]
 
         def force(name: str, depth: Any, speed: Any) -> Any:
             return contact.stop_force(depth, speed, scope[f"{name}.stiffness"], scope[f"{name}.dissipation"])

@@ -14,17 +14,19 @@ from poppet.parts import symbols
 from poppet.parts.captions import CaptionNumbers
 from poppet.parts.compound import Compound
 from poppet.parts.electronics import PRESETS, SCALES, Electronics
+from poppet.parts.faults import HEALTHY, NUMBERS, Valve
 from poppet.parts.fields import member, option, port, reference
 from poppet.parts.main_stage import OUTPUTS, MainStage
 from poppet.parts.part import AMBIENT
 from poppet.parts.pilot_stage import PilotStage, volume_notes
 
+_OF_MAIN_STAGE = ("data", "mode", "supply", "outlet", "exhaust", "fault", *NUMBERS)
 MIN_PLATEAU_ROWS, MIN_REVERSALS = 10, 6
 """Minimum count of rows in an evaluated plateau, and minimum count of sign changes in an oscillation."""
 
 
 @dataclass(frozen=True)
-class ProportionalValve(Compound):
+class ProportionalValve(Compound, Valve):
     """Electro-pneumatic pressure regulator.
 
     Notes
@@ -56,7 +58,7 @@ class ProportionalValve(Compound):
     preset: str = option(*PRESETS, doc="preset; variant of the parameter set in `data`")
     setpoint_type: str = option(*SCALES, doc="type of setpoint")
     pilot_exhaust: str | None = port("gas node into which the pilot is vented", optional=True)
-    main_stage: Any = member(MainStage, doc="main stage", inherited=("data", "mode", "supply", "outlet", "exhaust"))
+    main_stage: Any = member(MainStage, doc="main stage", inherited=_OF_MAIN_STAGE)
     pilot: Any = member(PilotStage, doc="pilot stage", inherited=("data", "supply", "exhaust"))
     electronics: Any = member(Electronics, doc="electronics", inherited=("data", "preset", "setpoint_type"))
 
@@ -68,7 +70,10 @@ class ProportionalValve(Compound):
         "electronics.outlet_pressure": "main_stage.outlet_pressure",
         "electronics.pilot_pressure": "pilot.pressure",
     }
-    inlets: ClassVar[Mapping[str, str]] = {name: f"electronics.{name}" for name in ("setpoint", "power", "input_fault")}
+    inlets: ClassVar[Mapping[str, str]] = {
+        **{name: f"electronics.{name}" for name in ("setpoint", "power", "input_fault")},
+        "fault": "main_stage.fault",
+    }
     # By member. Only the outputs of the pilot state have other names outside.
     outlets: ClassVar[Mapping[str, str]] = {
         **{name: f"electronics.{name}" for name in (
@@ -93,6 +98,19 @@ class ProportionalValve(Compound):
         "velocity": "main_stage.initial_velocity",
         "integral": "electronics.initial_integral",
     }
+
+    def __post_init__(self) -> None:
+        self.forget_defaults()
+        super().__post_init__()
+
+    def notes(self) -> tuple[Note, ...]:
+        return (*super().notes(), *self.fault_notes())
+
+    def outside(self) -> dict[str, str]:
+        names = super().outside()
+        if self.fault == HEALTHY:
+            del names["fault"]
+        return names
 
     def caption(self, numbers: CaptionNumbers) -> list[str]:
         count = sum(number.source.kind == "assumed" for number in self.numbers().values())
@@ -145,7 +163,9 @@ class ProportionalValve(Compound):
         match member:
             case "main_stage":
                 ports = {name: getattr(self, name) for name in ("supply", "outlet", "exhaust")}
-                return {"data": self.data, "mode": "regulator", **ports}
+                fault: dict[str, Any] = {"fault": self.fault} if self.fault in self.faults else {"fault": HEALTHY}
+                fault |= {name: None if fault["fault"] == HEALTHY else getattr(self, name) for name in NUMBERS}
+                return {"data": self.data, "mode": "regulator", **ports, **fault}
             case "pilot":
                 return {"data": self.data, "supply": self.supply, "exhaust": self.pilot_exhaust or AMBIENT}
             case _:

@@ -16,13 +16,8 @@ from poppet.laws.physics.compression import isentropic_compression_work
 from poppet.laws.physics.gas import AIR_GAS_CONSTANT
 from poppet.parts import symbols
 from poppet.parts.captions import CaptionNumbers
-from poppet.parts.fields import (
-    NumberLike,
-    model,
-    number,
-    option,
-    port,
-)
+from poppet.parts.faults import FaultEffect, Valve
+from poppet.parts.fields import NumberLike, model, number, option, port
 from poppet.parts.flow_path import FlowPath, named_flow
 from poppet.parts.part import AMBIENT, Flow, GasState, Input, Passage, PassageFlows, Scope, State, Surroundings
 from poppet.parts.two_positions import switching_rate
@@ -32,7 +27,7 @@ WORK_TOLERANCE = 100.0
 
 
 @dataclass(frozen=True)
-class PressureRegulator(FlowPath):
+class PressureRegulator(Valve, FlowPath):
     r"""Relieving pressure regulator, described by its characteristic values.
 
     .. math:: \dot z = \frac{1}{T} \begin{cases}
@@ -136,19 +131,19 @@ class PressureRegulator(FlowPath):
 
     def inputs(self) -> tuple[Input, ...]:
         setpoint = Input("setpoint", "Pa", "setpoint", "pressure", 0.0, delay="delay", is_command=True)
-        return (setpoint,)
+        return (setpoint, *super().inputs())
 
     def start(self, scope: Scope) -> dict[str, Any]:
         return {"position": scope["initial_position"]}
 
     def flows(self, scope: Scope, gas: Mapping[str, GasState]) -> PassageFlows:
-        position, droop = scope.states["position"], scope["droop"]
+        position, droop, fault = scope.states["position"], scope["droop"], FaultEffect.of(scope)
         error = (scope.inputs["setpoint"] - gas["outlet"].pressure) / droop
         half_width, relief = 0.5 * scope["hysteresis"] / droop, scope["relief_offset"] / droop
         # The limits are within both terms, so the friction does not prevent that the valves open completely.
-        opening_error = minimum(error - half_width, 1.0) - position
-        closing_error = maximum(error + half_width, -relief - 1.0) - position
-        rate = (maximum(opening_error, 0.0) + minimum(closing_error, 0.0)) / scope["lag"]
+        opening_error = fault.forced(minimum(error - half_width, 1.0), 1.0, 0.0) - position
+        closing_error = fault.forced(maximum(error + half_width, -relief - 1.0), 1.0, 0.0) - position
+        rate = (maximum(opening_error, 0.0) + minimum(closing_error, 0.0)) / (scope["lag"] * fault.slowness)
         conductance, ratio = self.size_at(scope, None)
         sizes = {
             "supply": (("supply", "outlet"), conductance, ratio, clip(position, 0.0, 1.0)),
@@ -161,10 +156,11 @@ class PressureRegulator(FlowPath):
         }
         flows, outputs = [], {"position": (position, "1")}
         for name, (ends, largest, critical_ratio, opening) in sizes.items():
+            opening = fault.leaking(opening)
             flow, flow_outputs = named_flow(scope, gas, name, ends, (largest * opening, critical_ratio))
             flows.append(flow)
             outputs |= {f"{name}_opening": (opening, "1"), **flow_outputs}
-        return PassageFlows(tuple(flows), outputs, {"position": rate})
+        return PassageFlows(tuple(flows), outputs, {"position": fault.held(rate)})
 
 
 AFTERCOOLER, UNCOOLED = "aftercooler", "none"

@@ -11,6 +11,8 @@ END_GAIN = 50.0
 DRIVE_GAIN = 10.0
 """Gain of the drive: the element has its full speed from a drive that exceeds the limit by 0.2 %."""
 
+FULL_DRIVE = 2.0
+"""Drive from which an element that friction holds has its full speed in all positions."""
 FRICTION = 0.8
 """Fraction of the half width of the hysteresis that is friction of a gradual element; the rest holds it at its seat."""
 
