@@ -37,6 +37,14 @@ def onset_inputs(inputs: Mapping[str, Input], signals: Collection[str], connecti
     return [a for a, item in inputs.items() if item.is_onset and a not in signals and a not in connections]
 
 
+def onset_field(address: str, item: Input) -> str:
+    """Return the address of the field with the time at which an input jumps.
+
+    The parameter of this time can belong to a member of a compound part, but the field belongs to the part.
+    """
+    return f"{address.partition('.')[0]}.{item.delay.rpartition('.')[2]}"
+
+
 def check_onsets(
     errors: ErrorCollector, inputs: Mapping[str, Input], driven: Collection[str], parameters: Mapping[str, float]
 ) -> None:
@@ -47,9 +55,6 @@ def check_onsets(
     for address in driven:
         item = inputs.get(address)
         if item is not None and item.is_onset:
-            owner = address.partition(".")[0]
-            start = parameters.get(f"{owner}.{item.delay}")
+            start = parameters.get(f"{address.partition('.')[0]}.{item.delay}")
             if start:
-                # The parameter can belong to a member of a compound part, but the field belongs to the part.
-                field = f"{owner}.{item.delay.rpartition('.')[2]}"
-                errors.add("faults.two_starts", field, input=address, time=start)
+                errors.add("faults.two_starts", onset_field(address, item), input=address, time=start)

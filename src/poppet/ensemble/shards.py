@@ -59,9 +59,6 @@ class PreparedPlan:
             self.kernel = self.kernel.observing(list(self.outputs.values()))
             self.outputs = {address: k for k, address in enumerate(self.outputs)}
         inputs = self.instance.model.inputs
-        delays = {item.delay for item in inputs if item.delay}
-        # A delay shifts breakpoints, which all runs of a batch share.
-        self.is_apart = bool(delays & {*plan.addresses})
         self.held = tuple(
             (k, self.instance.place(item.default))
             for k, item in enumerate(inputs)
@@ -76,19 +73,34 @@ class PreparedPlan:
         return units | {metric.name: metric.unit for metric in self.plan.metrics}
 
     @cached_property
-    def has_dependent_parameters(self) -> bool:
-        """True if other parameters of the circuit are computed from the uncertain parameters."""
+    def is_apart(self) -> bool:
+        """True if the uncertain parameters change a delay: it shifts breakpoints, which all runs of a batch share."""
+        delays = {item.delay for item in self.instance.model.inputs if item.delay}
+        if delays & {*self.plan.addresses} or not self.has_dependent_parameters:
+            return bool(delays & {*self.plan.addresses})
+        try:
+            parameters = self.instance.with_values(self.trial_values).parameters
+        except InputError:  # the combination can be invalid
+            return bool(delays)
+        return any(parameters[address] != self.instance.parameters[address] for address in delays)
+
+    @cached_property
+    def trial_values(self) -> dict[str, float]:
+        """Values of all uncertain parameters, as different from those of the circuit as possible."""
         plan = self.plan
         if plan.table is not None:
             # Use the rows that differ most from the circuit.
             nominal = np.array([self.instance.parameters.get(address, math.nan) for address in plan.addresses])
             rows = np.abs(plan.table[1] - nominal).argmax(axis=0)
             extremes = plan.table[1][rows, np.arange(len(rows))]
-            values = dict(zip(plan.addresses, extremes.tolist(), strict=True))
-        else:
-            values = {address: plan.quantile(address, 0.37) for address in plan.addresses}
+            return dict(zip(plan.addresses, extremes.tolist(), strict=True))
+        return {address: plan.quantile(address, 0.37) for address in plan.addresses}
+
+    @cached_property
+    def has_dependent_parameters(self) -> bool:
+        """True if other parameters of the circuit are computed from the uncertain parameters."""
         try:
-            return bool(self.instance.tied(values))
+            return bool(self.instance.tied(self.trial_values))
         except InputError:  # the combination can be invalid
             return True
 

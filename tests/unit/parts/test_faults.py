@@ -13,10 +13,16 @@ from poppet import (
     Circuit,
     DirectionalValve,
     FlowControlValve,
+    Orifice,
     PilotedCheckValve,
+    PressureRegulator,
+    ProportionalValve,
+    QuickExhaustValve,
     ReliefValve,
     Reservoir,
+    ShuttleValve,
     SpoolValve,
+    TwoPressureValve,
 )
 from poppet.parts.faults import FAULTS
 from poppet.parts.spool_functions import FUNCTIONS
@@ -147,6 +153,79 @@ def test_slow_spool_without_a_speed_limit_has_a_larger_time_constant():
     assert positions(slow, *times) == pytest.approx(positions(fast, *times), abs=1e-3)
 
 
+# --- Other valves ---
+
+
+@pytest.mark.parametrize("kind", [ShuttleValve, TwoPressureValve, QuickExhaustValve])
+@pytest.mark.parametrize(("fault", "position"), [("stuck_open", 0.0), ("stuck_closed", 1.0)])
+def test_stuck_element_of_a_logic_valve_stays_at_its_seat(kind, fault, position):
+    """Whatever the pressures at its ports: those of the inlets change places at 0.1 s."""
+    ports = {"inlet": "first", "outlet": "load"} if kind is QuickExhaustValve else {"a": "first", "b": "second"}
+    parts = {
+        "first": Reservoir(pressure="0 bar g"),
+        "second": Reservoir(pressure="2 bar g"),
+        "load": Chamber(volume="0.1 l"),
+        "link": Orifice(from_="second", to="load", **SIZE),
+        "valve": kind(**{"outlet": "load", **ports}, fault=fault, initial_position=0.5, **SIZE),
+    }
+    circuit = Circuit(parts, {"first.pressure": Steps([0.0, 0.1], [1e5, 5e5])})
+    assert positions(circuit, 0.05, 0.1, 0.2, 0.5) == [position] * 4
+
+
+def test_stuck_regulator_neither_regulates_nor_relieves():
+    """The load is vented from 0.1 s on; its pressure is above the setpoint before, and below it later."""
+    parts = {
+        "net": Reservoir(pressure="6 bar g"),
+        "load": Chamber(volume="0.1 l", initial_pressure="4 bar g"),
+        "vent": Orifice(from_="load", to="ambient", **SIZE),
+        "valve": PressureRegulator(supply="net", outlet="load", setpoint="3 bar g", fault="stuck_closed", **SIZE),
+    }
+    circuit = Circuit(parts, {"vent.opening": Steps([0.0, 0.1], [0.0, 1.0])})
+    recording = circuit.simulate(0.5, output_step=1e-3)
+    assert abs(recording["valve.exhaust_mass_flow_rate"]).max() < 1e-12
+    assert abs(recording["valve.supply_mass_flow_rate"]).max() < 1e-12
+    assert recording["load.pressure"][-1] == pytest.approx(1e5, rel=1e-3)
+
+
+def proportional_valve(**fields):
+    valve = ProportionalValve(supply="net", outlet="tank", exhaust="ambient", data="vppm_6l", **fields)
+    parts = {"net": Reservoir(pressure="8 bar g"), "tank": Chamber(volume="1 l"), "valve": valve}
+    return Circuit(parts, {"valve.setpoint": Constant(4e5)})
+
+
+def test_fault_of_a_proportional_valve_is_that_of_its_main_stage():
+    circuit = proportional_valve(fault="stuck_closed", fault_start="0.1 s")
+    recording = circuit.simulate(0.5, output_step=1e-2)
+    assert recording["valve.fault"][[5, 30]].tolist() == [0.0, 1.0]
+    overlap = circuit.parameters["valve.main_stage.overlap"]
+    assert recording["valve.stroke"][-1] == pytest.approx(-0.5 * overlap, abs=1e-9)
+    kept = recording["tank.pressure"][recording.time > 0.15]
+    assert np.ptp(kept) < 1.0
+    assert kept[0] < 3.5e5
+    assert "valve.fault" not in proportional_valve().inputs
+
+
+def test_all_faults_of_a_proportional_valve_share_their_equations():
+    circuits = [proportional_valve(fault=fault) for fault in FAULTS]
+    assert {circuit.structure for circuit in circuits} == {circuits[0].structure}
+    slow = circuits[FAULTS.index("slow")]
+    assert slow.numbers()["valve.slow_factor"].source.kind == "assumed"
+    assert slow.with_values({"valve.slow_factor": 3.0}).parameters["valve.main_stage.slow_factor"] == 3.0
+    assert slow.with_values({"valve.fault": "leak"}).parts["valve"].slow_factor is None
+
+
+def test_errors_of_a_proportional_valve_have_its_own_addresses():
+    with refused("fields.not_an_option", "fault", value="open"):
+        proportional_valve(fault="open")
+    with refused("fields.unknown", "main_stage.fault"):
+        proportional_valve(main_stage={"fault": "slow"})
+    circuit = proportional_valve(fault="slow", fault_start=0.1)
+    with refused("faults.two_starts", "valve.fault_start", input="valve.fault"):
+        circuit.with_signals({"valve.fault": Constant(1.0)})
+    codes = [(note.code, note.address) for note in proportional_valve(fault_start=0.1).static_notes]
+    assert ("faults.idle_start", "valve.fault_start") in codes
+
+
 # --- Defaults, notes and errors ---
 
 
@@ -189,3 +268,18 @@ def test_two_starts_are_rejected():
 def test_an_opening_without_a_position_can_neither_be_kept_nor_slowed_down(kind, fields, fault):
     with refused("faults.not_possible", "fault", fault=fault, possible=["stuck_open", "stuck_closed", "leak"]):
         kind(from_="tank", to="ambient", fault=fault, **fields, **SIZE)
+
+
+def test_fault_cannot_have_a_signal_and_be_connected():
+    circuit = seat_valve(fault="leak", fault_start=0.1)
+    with refused("faults.two_starts", "valve.fault_start"):
+        replace(circuit, connections={"valve.fault": "valve.position"})
+
+
+def test_a_connected_fault_follows_its_source():
+    """The valve leaks as far as another one is open."""
+    circuit = seat_valve(fault="leak")
+    parts = {**circuit.parts, "other": DirectionalValve(supply="net", outlet="tank", command=1.0, **SIZE)}
+    circuit = Circuit(parts, circuit.signals, connections={"valve.fault": "other.position"})
+    recording = circuit.simulate(0.05, output_step=1e-3)
+    assert recording["valve.fault"] == pytest.approx(recording["other.position"])

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from poppet.circuit.onset import Onset, onset_field
 from poppet.core.errors import ErrorCollector, InputError, NameSuggestion
 from poppet.core.number_format import USUAL, readable_unit
 from poppet.core.provenance import Number, Source
@@ -249,10 +250,13 @@ def _slider(export_model: ExportModel, circuit: BaseCircuit, address: str) -> Sl
         return Slider(
             address, item.value, low, high, item.low, item.high, item.unit, USUAL.get(item.unit, item.unit),
             "input, constant while the slider sets it", source, is_assumed=False, number=-1, inputs=(index,),
-            is_driven=item.is_driven, **_signal_and_delay(export_model, circuit, index),
+            is_driven=item.is_driven, **_signal_and_delay(export_model, index),
         )  # fmt: skip
     if default is not None:
         address = default.address
+    for onset, declared in circuit.inputs.items():
+        if declared.is_onset and onset_field(onset, declared) == address:
+            raise InputError("deploy.live.onset", address, input=onset)
     if address not in numbers:
         if address in parameters:
             raise InputError("deploy.live.derived", address)
@@ -287,7 +291,7 @@ def _slider(export_model: ExportModel, circuit: BaseCircuit, address: str) -> Sl
         address, value, low, high, least, most, number.unit, unit, spec.meaning, source,
         number.source.kind == "assumed", number=0, inputs=setters, is_driven=False, above=above, below=below,
         reference=number.reference,
-        **(_signal_and_delay(export_model, circuit, setters[0]) if is_input else {}),
+        **(_signal_and_delay(export_model, setters[0]) if is_input else {}),
     )  # fmt: skip
 
 
@@ -302,17 +306,20 @@ def _is_field(circuit: BaseCircuit, address: str) -> bool:
     return bool(path)
 
 
-def _signal_and_delay(export_model: ExportModel, circuit: BaseCircuit, index: int) -> dict[str, Any]:
+def _signal_and_delay(export_model: ExportModel, index: int) -> dict[str, Any]:
     """Return the signal and the delay of the input with the given index.
 
     The keys of the result are `course` and `delay`, the names of fields of a slider.
     """
-    item, signal = export_model.model.inputs[index], circuit.signals.get(export_model.inputs[index].address)
+    item = export_model.model.inputs[index]
+    delay, signal = export_model.instance.parameters.get(item.delay, 0.0), export_model.instance.signals.get(item.name)
+    if isinstance(signal, Onset):
+        signal, delay = signal.delayed(delay), 0.0
     course: dict[str, Any] = {"kind": "steps", "times": [], "values": []}
     if isinstance(signal, (Steps, Points)) and len(signal.times) <= MAX_POINTS:
         course |= {"times": list(map(float, signal.times)), "values": list(map(float, signal.values))}
         course["kind"] = "steps" if isinstance(signal, Steps) else "points"
-    return {"course": course, "delay": export_model.instance.parameters[item.delay] if item.delay else 0.0}
+    return {"course": course, "delay": delay}
 
 
 def _default_range(value: float, lower_limit: float, upper_limit: float, unit: str) -> tuple[float, float]:
