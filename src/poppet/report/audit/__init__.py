@@ -1,0 +1,1 @@
+"""Reports of the audits of a machine: energy, safety and faults."""
