@@ -229,7 +229,7 @@ def aliases(model: str, base_names: list[str]) -> list[str]:
     return names
 
 
-def component(row: Row, supply: Row | None, base_names: list[str]) -> Table:
+def component(row: Row, supply: Row | None, base_names: list[str], document_key: str) -> Table:
     """Return the table of a component; `supply` is the row of the path from the supply, if it is another one."""
     main = supply or row
     table = RULES[row["function"]](main)
@@ -249,15 +249,11 @@ def component(row: Row, supply: Row | None, base_names: list[str]) -> Table:
         **table,
         **flow,
         "printed": printed(row) | ({"flow path": f"{main['flow_path']}; {row['flow_path']}"} if supply else {}),
-        "document": key_of(row),
+        "document": document_key,
         "page": "" if row["page"] in ("n/a", "-") else row["page"],
         **({"doubts": found} if found else {}),
         **({"remarks": [row["notes"]]} if row["notes"] and row["function"] != "silencer" else {}),
     }
-
-
-def key_of(row: Row) -> str:
-    return re.sub(r"[^\w-]+", "_", row["document"])[:32].strip("_")
 
 
 def document(row: Row) -> Table:
@@ -269,6 +265,15 @@ def manufacturer_file(manufacturer: str, rows: list[Row]) -> Table:
     used = [row for row in rows if row["function"] in RULES and has_size(row)]
     supplies = {(r["model"], r["function"]): r for r in used if r["flow_path"].startswith("1->4/2 (P")}
     base_names = [model.partition(" (")[0] for model in dict.fromkeys(row["model"] for row in used)]
+    keys: dict[str, str] = {}
+    documents: Table = {}
+    for row in used:
+        if row["document"] not in keys:
+            # The first word of the series, with a number if another document has it.
+            word = re.split(r"[ ,/]", row["series"])[0]
+            number = sum(key.split(" ")[0] == word for key in documents) + 1
+            keys[row["document"]] = key = word if number == 1 else f"{word} {number}"
+            documents[key] = document(row)
     tables: Table = {}
     for row in used:
         # The path to the exhaust belongs to the component of the path from the supply.
@@ -279,8 +284,7 @@ def manufacturer_file(manufacturer: str, rows: list[Row]) -> Table:
             continue
         key = row["model"] if supply is None else f"{row['model']}, {row['function']}"
         assert key not in tables, key
-        tables[key] = component(row, supply, base_names)
-    documents = {key_of(row): document(row) for row in used}
+        tables[key] = component(row, supply, base_names, keys[row["document"]])
     return {"manufacturer": manufacturer, "documents": documents, "components": tables}
 
 

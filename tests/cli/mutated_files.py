@@ -101,6 +101,12 @@ def _recordings(path: Path) -> None:
         read_valve_recordings(file.content, path)
 
 
+def _components(path: Path) -> None:
+    from poppet.parts.component_file import read_components
+
+    read_components(path)
+
+
 NAMED_BY = {"discharge.csv": "fit.toml", "flow_points.csv": "flow.toml", "tank_charge.csv": "tank.toml"}
 
 
@@ -126,6 +132,11 @@ KINDS: dict[str, tuple[tuple[str, ...], Callable[[Path], Any], Callable[[Path], 
         ("bench/recordings.toml",),
         _recordings,
         lambda path: ["bench", "iso10094", "--recording", str(path)],
+    ),
+    "components": (
+        ("components/workshop.toml",),
+        _components,
+        lambda path: ["library", "--components", str(path)],
     ),
     "csv": (
         tuple(f"identify/{name}" for name in NAMED_BY),

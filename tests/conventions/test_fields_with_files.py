@@ -42,7 +42,7 @@ PROBES = ("probe.toml", "probe.csv", "probe.py")
 CODE = "import pathlib\npathlib.Path('executed').touch()\nf = len\n"
 FILES = {
     "circuit": {"parts.*.characteristic", "parts.*.main_stage.characteristic", "signals.*.path", "ensemble.file",
-                "ensemble.parameters.from_fit"},
+                "components", "ensemble.parameters.from_fit"},
     "fit": {"circuit", "recordings.*.file", "recordings.*.*.file"},
     "design": {"circuit", "known"},
     "characteristic": {"circuit", "tests.file", "tests.result"},
@@ -129,7 +129,18 @@ def _circuit_cases() -> Iterator[tuple[str, dict[str, Any], tuple[str, ...]]]:
             owner, key = ("metrics", "end") if name.startswith("metric") else ("parameters", "tank.volume")
             for path in _properties(definition, definitions, ()):
                 yield f"ensemble.{owner}.*.{path[0]}", base, ("ensemble", owner, key, path[0])
-    for top in ("title", "ambient", "gas", "run", "ensemble", "requirements", "connections", "parts", "signals"):
+    for top in (
+        "title",
+        "components",
+        "ambient",
+        "gas",
+        "run",
+        "ensemble",
+        "requirements",
+        "connections",
+        "parts",
+        "signals",
+    ):
         yield top, base, (top,)
         for path in _properties(schema["properties"][top], definitions, (top,)):
             tables = deepcopy(base)
@@ -211,7 +222,7 @@ def fields_that_open_files(folder: Path, name: str) -> set[str]:
                 if not isinstance(table, dict | list):
                     break
             else:
-                table[address[-1]] = probe
+                table[address[-1]] = [probe] if address == ("components",) else probe
                 path.write_text(toml_text(tables), encoding="utf-8")
                 opened = []
                 with suppress(PoppetError):

@@ -12,7 +12,9 @@ from poppet.circuit import signal_tables
 from poppet.circuit.file import ABOVE
 from poppet.circuit.options import Ambient, GasChoice, Run
 from poppet.core.provenance import SOURCE_KINDS
+from poppet.library.components import components
 from poppet.parts import KINDS
+from poppet.parts.components import MODEL
 from poppet.parts.conditions import MAX_LENGTH
 from poppet.parts.fields import OFF_ON, BodySpec, GroupSpec, MemberSpec, NumberSpec, OptionSpec, PortSpec, Spec, specs
 from poppet.parts.quantities import QUANTITIES
@@ -165,6 +167,8 @@ def _field(name: str, spec: Spec, owner: type) -> Schema:
             members = specs(spec.part).items()
             fields = {local: _field(local, s, spec.part) for local, s in members if local not in spec.inherited}
             return closed(fields, (), spec.doc)
+    if name == MODEL:
+        return _TEXT | {"examples": _models(getattr(owner, "kind", "")), "description": spec.doc}
     reference = _REFERENCES.get(f"{getattr(owner, 'kind', '')}.{name}") or _REFERENCES[name]
     return reference() | {"description": spec.doc}
 
@@ -191,6 +195,11 @@ def _number_schema(spec: NumberSpec, owner: type) -> Schema:
         "description": f"{spec.doc} [{spec.unit}]" + ("" if spec.default is None else f"; default {spec.default}"),
     }
     return schema if spec.default is None else schema | {"default": spec.default}
+
+
+def _models(kind: str) -> list[str]:
+    """Return the names of the components that a part of a kind can represent, for the completion of editors."""
+    return [*dict.fromkeys(name for component in components() if kind in component.kinds for name in component.names)]
 
 
 def _gas_name() -> Schema:
@@ -222,7 +231,6 @@ def _edge_table_schema() -> Schema:
 
 
 _REFERENCES: dict[str, Callable[[], Schema]] = {
-    "model": lambda: _TEXT | {"examples": ["SMC SY5000 (series value)"]},
     "data": lambda: {"enum": [name for name in library.sets() if name != "gases"]},
     "characteristic": lambda: {
         "anyOf": [

@@ -324,6 +324,8 @@ def _move_paths(table: Any, old: Path, new: Path) -> None:
     for key, value in table.items() if isinstance(table, dict) else ():
         if key in _PATHS and isinstance(value, str) and (old / value).is_file():
             table[key] = os.path.relpath(old / value, new)
+        elif key == "components" and isinstance(value, list):
+            table[key] = [os.path.relpath(old / path, new) for path in value]
         _move_paths(value, old, new)
 
 

@@ -425,10 +425,17 @@ def forget_component(part: Any, stated: Mapping[str, Number]) -> None:
     """
     for name, attribute_name, spec in declared(part.__class__, NumberSpec):
         value = getattr(part, attribute_name)
-        if not isinstance(value, Number) or is_symbolic(value.value):
+        if type(value) is not Number:
             continue
-        is_stated = isinstance(value.source, ComponentSource) and value.source.stated == value.value
-        if is_stated or (name in stated and value == default_number(name, spec.within(part))):
+        source = value.source
+        # Most parts have no component: the other tests are skipped.
+        if not (isinstance(source, ComponentSource) or name in stated) or is_symbolic(value.value):
+            continue
+        if isinstance(source, ComponentSource):
+            is_replaced = source.stated == value.value
+        else:
+            is_replaced = value == default_number(name, spec.within(part))
+        if is_replaced:
             object.__setattr__(part, attribute_name, None)
 
 

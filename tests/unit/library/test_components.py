@@ -401,6 +401,25 @@ def test_all_errors_of_a_component_file_have_lines(user_file):
     ]  # fmt: skip
 
 
+@pytest.mark.parametrize(
+    ("old", "new", "found"),
+    [
+        ('outlet_pressure = "5 bar g"', 'outlet_pressure = "6 bar g"', ["components.no_pressure_drop"]),
+        ('kinds = ["cylinder"]', "kinds = []", ["components.no_texts"]),
+        ('kinds = ["cylinder"]', 'kinds = ["cylindre"]', ["fields.not_an_option"]),
+        ('kinds = ["cylinder"]', 'kinds = ["reservoir"]', ["fields.not_an_option"]),
+        ('document = "drawing 17"', "", ["fields.missing"]),
+        ('title = "data sheet V100"', "", ["fields.missing"]),
+        ('manufacturer = "Acme"', "", ["fields.missing"]),
+        ('value = "380 l/min ANR"', 'value = "380 l/min"', ["quantity.flow_without_state"]),
+        ("[components.V100]", "[component.V100]", ["fields.unknown"]),
+    ],
+)
+def test_errors_of_a_component_file(user_file, old, new, found):
+    user_file.write_text(USER_FILE.replace(old, new), encoding="utf-8")
+    assert [code for code, _, _ in errors_of(user_file)] == found
+
+
 def test_two_components_of_one_name_are_refused_with_both_files(user_file):
     other = user_file.with_name("other.toml")
     other.write_text(USER_FILE, encoding="utf-8")
@@ -474,3 +493,23 @@ def test_a_search_with_an_invalid_condition(text, code):
 
 def test_the_list_has_a_row_for_each_component():
     assert len(component_list(components()).splitlines()) == len(components()) + 1
+
+
+def test_worst_cases_of_an_ensemble_name_the_component_file(user_file):
+    """A circuit file in another folder refers to the same component file."""
+    path = circuit_file(user_file.parent)
+    path.write_text(
+        path.read_text()
+        + """
+[ensemble]
+runs = 8
+[ensemble.parameters]
+"tank.volume" = { distribution = "uniform", low = "0.5 l", high = "2 l" }
+[ensemble.metrics]
+end = { of = "tank.pressure", metric = "final" }
+[requirements]
+empty = "end < 2 bar"
+"""
+    )
+    (case,) = poppet.load(path).ensemble(user_file.parent / "runs").save_worst(user_file.parent / "worst", 1)
+    assert float(poppet.load(case).parts["valve"].sonic_conductance) == pytest.approx(1.5e-8)

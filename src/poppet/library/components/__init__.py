@@ -200,45 +200,50 @@ def _component(
     documents: Mapping[str, Mapping[str, str]],
     path: str,
 ) -> CatalogueComponent | None:
-    """Return the component of one table, or None if the table is invalid."""
+    """Return the component of one table, or None if required fields are missing."""
     values = read_fields(errors, table, _COMPONENT, address, table="component")
-    for name in ("aliases", "kinds", "ports", "doubts", "remarks"):
-        values[name] = _texts(errors, values.get(name, []), f"{address}.{name}")
-    options = {
-        name: _texts(errors, words, f"{address}.options.{name}") for name, words in values.get("options", {}).items()
+    has_no_kind = values.get("kinds") == []
+    lists: dict[str, Any] = {
+        name: _texts(errors, values.pop(name, []), f"{address}.{name}")
+        for name in ("aliases", "kinds", "ports", "doubts", "remarks")
     }
-    flow = None
-    if table_of_flow := values.get("flow"):
-        numbers = read_fields(
-            errors, table_of_flow, _FLOW, f"{address}.flow", table="nominal flow", ambient_pressure=ATMOSPHERE
-        )
-        if len(numbers) == len(_FLOW):
-            flow = NominalFlow(**numbers, texts={name: str(table_of_flow[name]) for name in _FLOW})
-    if any(name not in values for name in ("fields", "document")):
+    options = {
+        name: _texts(errors, words, f"{address}.options.{name}") for name, words in values.pop("options", {}).items()
+    }
+    flow = _nominal_flow(errors, values.pop("flow", {}), f"{address}.flow")
+    if has_no_kind:
+        errors.add("components.no_texts", f"{address}.kinds", value=[])
+    if not {"fields", "document"} <= values.keys() or not lists["kinds"]:
         return None
     title = values.pop("document")
     document = documents.get(title, {"title": title})
-    for name in ("options", "flow"):
-        values.pop(name)
+    origin = {name: document.get(name, "") for name in ("year", "copy")}
+    # A document without a title is an error.
+    origin["document"] = document.get("title", title)
+    model = values.pop("model", key)
     return CatalogueComponent(
-        manufacturer=manufacturer,
-        model=values.pop("model", key),
-        document=document.get("title", title),
-        year=document.get("year", ""),
-        copy=document.get("copy", ""),
-        options=options,
-        flow=flow,
-        key=key,
-        path=path,
-        **values,
+        manufacturer, model, options=options, flow=flow, key=key, path=path, **lists, **origin, **values
     )
+
+
+def _nominal_flow(errors: ErrorCollector, table: Any, address: str) -> NominalFlow | None:
+    """Return a printed flow with its pressures, or None if the table is empty or invalid."""
+    if not table:
+        return None
+    numbers = read_fields(errors, table, _FLOW, address, table="nominal flow", ambient_pressure=ATMOSPHERE)
+    if len(numbers) < len(_FLOW):
+        return None
+    if numbers["outlet_pressure"] >= numbers["inlet_pressure"]:
+        texts = {name: str(table[f"{name}_pressure"]) for name in ("inlet", "outlet")}
+        errors.add("components.no_pressure_drop", f"{address}.outlet_pressure", **texts)
+    return NominalFlow(**numbers, texts={name: str(table[name]) for name in _FLOW})
 
 
 def _texts(errors: ErrorCollector, value: Any, address: str) -> tuple[str, ...]:
     """Return a list of texts; a single text is a list with one member."""
-    texts = [value] if isinstance(value, str) else value
-    if isinstance(texts, Sequence) and all(isinstance(text, str) and text for text in texts):
-        return tuple(texts)
+    members = [value] if isinstance(value, str) else value
+    if isinstance(members, Sequence) and all(isinstance(text, str) and text for text in members):
+        return tuple(members)
     errors.add("components.no_texts", address, value=value)
     return ()
 
