@@ -56,7 +56,7 @@ def trace(
 
     `parameters` are the addresses of all parameters, and `connections` maps inputs to outputs.
     """
-    return _Tracer(parts, connections or {}, parameters).model()
+    return Tracer(parts, connections or {}, parameters).model()
 
 
 def trace_program(
@@ -66,7 +66,7 @@ def trace_program(
 
     The model has relative time: the state of a timer is the time until it is due.
     """
-    tracer = _Tracer(parts, connections, parameters, has_relative_time=True)
+    tracer = Tracer(parts, connections, parameters, has_relative_time=True)
     return TracedProgram(tracer.model(), tracer.labels, tuple(tracer.selections))
 
 
@@ -95,7 +95,36 @@ class TracedProgram(NamedTuple):
     selections: tuple[TracedSelection, ...]
 
 
-class _Tracer:
+class TracedEquations(NamedTuple):
+    """Results of the methods of all elementary parts, by the name of the part.
+
+    `gas` contains the gas states, `rates` the derivatives of all states in the order of the state vector, and
+    `connected` pairs of the symbol and the expression of each connected input.
+    """
+
+    scopes: Mapping[str, Scope]
+    gas: Mapping[str, GasState]
+    passages: Mapping[str, PassageFlows]
+    balances: Mapping[str, GasBalance]
+    dynamics: Mapping[str, BodyDynamics]
+    forces: Mapping[str, ActuatorForce]
+    rates: Any
+    connected: Sequence[tuple[Any, Any]]
+
+
+class ModelExtension(NamedTuple):
+    """Integrals, each with its rate, and outputs, each with its SI unit, that are added to a model."""
+
+    integrals: list[Any]
+    outputs: dict[str, tuple[Any, str]]
+
+
+class Tracer:
+    """Trace of one circuit.
+
+    A subclass can add integrals and outputs to the model.
+    """
+
     def __init__(
         self, parts: Mapping[str, Part], connections: Mapping[str, str], parameters: tuple[str, ...],
         has_relative_time: bool = False,
@@ -151,7 +180,7 @@ class _Tracer:
 
         inputs = select({**self.input, **self.joined})
         states, memory = ({}, {}) if at_start else (select(self.symbols), select(self.memory))
-        body_name, motion = self._body(name), None
+        body_name, motion = self.body_of(name), None
         if body_name is not None:
             body, body_scope = self.parts[body_name], self.scope(body_name, at_start=at_start)
             assert isinstance(body, Body)
@@ -164,7 +193,7 @@ class _Tracer:
         """Return a mapping from the ports of a part to addresses of gas nodes."""
         return {port: _absolute(store, name) for port, store in self.parts[name].ports().items()}
 
-    def _body(self, name: str) -> str | None:
+    def body_of(self, name: str) -> str | None:
         """Return the address of the body on which a part acts, or None if it acts on no body."""
         body_name = self.parts[name].body_name()
         return None if body_name is None else _absolute(body_name, name)
@@ -201,8 +230,6 @@ class _Tracer:
             first = len(self.states) + len(quadratures)
             powers.append((name, tuple(range(first, first + len(dynamics[name].powers)))))
             quadratures += dynamics[name].powers
-        # No expression depends on the integrals: their symbols are not used.
-        x = ca.vertcat(*self.symbols.values(), ca.SX.sym("integrals", len(quadratures)))
         totals = {f"{name}.{key}": value for name, gas in balances.items() for key, value in gas.totals.items()}
         outputs = self._outputs(all_outputs) | totals
         # Hidden outputs can be connected to inputs, but are not outputs of the circuit.
@@ -213,6 +240,11 @@ class _Tracer:
         energies += [dynamics[name].energy for name in bodies]
         fired = ca.SX.sym("fired", len(self.timers))
         connected = self._connected(all_outputs, ca.vertcat(*rates))
+        equations = TracedEquations(scopes, gas, passages, balances, dynamics, forces, ca.vertcat(*rates), connected)
+        extension = self.extension(equations, len(self.states) + len(quadratures), len(outputs))
+        quadratures, outputs = [*quadratures, *extension.integrals], outputs | extension.outputs
+        # No expression depends on the integrals: their symbols are not used.
+        x = ca.vertcat(*self.symbols.values(), ca.SX.sym("integrals", len(quadratures)))
         start, memory_start = self._starts(connected)
         expressions = {
             "rates": ca.vertcat(*rates, *quadratures),
@@ -228,12 +260,12 @@ class _Tracer:
                 f"{name}.{value}" if isinstance(value, str) else value for value in (item.default, item.low, item.high)
             )
             delay = f"{name}.{item.delay}" if item.delay else ""
-            slope_of = self._shown(f"{name}.{item.slope_of}") if item.slope_of else ""
-            address = self._shown(f"{name}.{item.name}")
+            slope_of = self.shown_address(f"{name}.{item.slope_of}") if item.slope_of else ""
+            address = self.shown_address(f"{name}.{item.name}")
             inputs.append(InputInfo(address, item.unit, item.kind, default, low, high, delay, slope_of, item.at_rest))
         return Model(
             states=tuple(
-                StateInfo(self._shown(f"{name}.{s.name}"), s.unit, s.nominal, s.tolerance, s.floor, s.positive)
+                StateInfo(self.shown_address(f"{name}.{s.name}"), s.unit, s.nominal, s.tolerance, s.floor, s.positive)
                 for name, s in self.states
             ),
             n_quadratures=len(quadratures),
@@ -244,9 +276,9 @@ class _Tracer:
             stores=tuple(stores),
             bodies=tuple(powers),
             symbols={"t": self.t, "x": x, "u": self.u, "p": ca.vertcat(self.p, self.z), "fired": fired},
-            expressions={name: self._substitute(ca.SX(value), connected) for name, value in expressions.items()},
+            expressions={name: self.substitute(ca.SX(value), connected) for name, value in expressions.items()},
             memory=tuple(
-                (self._shown(name), unit)
+                (self.shown_address(name), unit)
                 for name, unit in zip(
                     self.memory_names, [*("s" for _ in self.timers), *(m.unit for _, m in self.remembered)], strict=True
                 )
@@ -254,7 +286,14 @@ class _Tracer:
             n_timers=len(self.timers),
         )
 
-    def _shown(self, address: str) -> str:
+    def extension(self, equations: TracedEquations, first_integral: int, first_output: int) -> ModelExtension:
+        """Return integrals and outputs that are added to the model.
+
+        `first_integral` and `first_output` are their first indices in the state vector and among the outputs.
+        """
+        return ModelExtension([], {})
+
+    def shown_address(self, address: str) -> str:
         """Return the public address of an element of the circuit.
 
         For elements inside compound parts, the equations use other addresses.
@@ -276,12 +315,13 @@ class _Tracer:
                 forces[name] = part.actuator_force(scopes[name], states)
         for name, part in self.parts.items():
             if isinstance(part, Body):
-                acting = [force for actuator, force in forces.items() if self._body(actuator) == name]
+                acting = [force for actuator, force in forces.items() if self.body_of(actuator) == name]
                 total = sum(force.force for force in acting)
                 dynamics[name] = part.dynamics(scopes[name], total, sum(force.friction for force in acting))
         return dynamics, forces
 
-    def _end(self, name: str, port: str | None) -> str | None:
+    def end_of(self, name: str, port: str | None) -> str | None:
+        """Return the gas node at a port of a part, or None for the outside of the circuit."""
         if port is None or port == SELF:
             return None if port is None else name
         return self._ports(name)[port]
@@ -299,8 +339,8 @@ class _Tracer:
         for name, result in passages.items():
             for flow in result.flows:
                 index = len(self.states) + len(quadratures)
-                source, target = self._end(name, flow.source), self._end(name, flow.target)
-                flows.append(FlowInfo(self._shown(f"{name}.{flow.name}"), source, target, index, index + 1))
+                source, target = self.end_of(name, flow.source), self.end_of(name, flow.target)
+                flows.append(FlowInfo(self.shown_address(f"{name}.{flow.name}"), source, target, index, index + 1))
                 quadratures += [flow.mass, flow.enthalpy]
                 if source is not None:
                     arriving[source].append((-flow.mass, -flow.enthalpy))
@@ -327,7 +367,7 @@ class _Tracer:
 
         The expressions do not contain symbols of other connected inputs. `rates` contains the state derivatives.
         """
-        shown = [self._shown(name) for name in all_outputs]
+        shown = [self.shown_address(name) for name in all_outputs]
         with ErrorCollector() as errors:
             for target, source in self.connections.items():
                 if source not in all_outputs:
@@ -342,13 +382,13 @@ class _Tracer:
                     # The unit of the input follows from a written unit, which can have another name (J, N m).
                     if input_unit and not same_dimension(unit, input_unit):
                         is_bare = input_unit == "1"
-                        facts: dict[str, Any] = {"source": self._shown(source), "unit": unit, "is_bare": is_bare}
+                        facts: dict[str, Any] = {"source": self.shown_address(source), "unit": unit, "is_bare": is_bare}
                         facts["given"] = "" if is_bare else input_unit
                         errors.add("wiring.condition_unit", self._place(target), **facts)
                     elif self.declared[target].is_integer and not self._is_integer(source):
-                        errors.add("wiring.no_integer", self._place(target), source=self._shown(source))
+                        errors.add("wiring.no_integer", self._place(target), source=self.shown_address(source))
                 elif unit != input_unit:
-                    facts = {"source": self._shown(source), "unit": unit, "wanted": input_unit}
+                    facts = {"source": self.shown_address(source), "unit": unit, "wanted": input_unit}
                     errors.add("wiring.other_unit", self._place(target), **facts)
         if not self.slopes:
             return connected
@@ -357,8 +397,10 @@ class _Tracer:
         slopes = {}
         for address, base in self.slopes.items():
             if self.ca.depends_on(expressions[base], self.ca.vertcat(self.t, self.u, self.z)):
-                raise InputError("wiring.no_slope", f"connections.{self._shown(base)}", source=self.connections[base])
-            slopes[address] = self._substitute(self.ca.jtimes(expressions[base], x, rates), connected)
+                raise InputError(
+                    "wiring.no_slope", f"connections.{self.shown_address(base)}", source=self.connections[base]
+                )
+            slopes[address] = self.substitute(self.ca.jtimes(expressions[base], x, rates), connected)
         return [*connected, *self._resolve(slopes)]
 
     def _unknown_source(self, target: str, source: str, outputs: Sequence[str]) -> InputError:
@@ -389,7 +431,7 @@ class _Tracer:
 
     def _place(self, target: str) -> str:
         """Return the address of the connection to an input: in its part, or in the table of connections."""
-        return self.declared[target].place if target in self.declared else f"connections.{self._shown(target)}"
+        return self.declared[target].place if target in self.declared else f"connections.{self.shown_address(target)}"
 
     def _limited(self, target: str, output: Any) -> casadi.SX:
         """Return the value of a connected input, clipped to the limits of the input.
@@ -421,14 +463,14 @@ class _Tracer:
             # A loop through a state or discrete state is allowed: these are separate symbols.
             order = list(TopologicalSorter(dependencies).static_order())
         except CycleError as error:
-            names = [*dict.fromkeys(self._shown(name) for name in error.args[1])]
+            names = [*dict.fromkeys(self.shown_address(name) for name in error.args[1])]
             raise InputError("wiring.loop", "connections", names=names) from None
         resolved: list[tuple[Any, Any]] = []
         for target in order:
-            resolved.append((self.joined[target], self._substitute(expressions[target], resolved)))
+            resolved.append((self.joined[target], self.substitute(expressions[target], resolved)))
         return resolved
 
-    def _substitute(self, expression: casadi.SX, connected: Sequence[tuple[Any, Any]]) -> casadi.SX:
+    def substitute(self, expression: casadi.SX, connected: Sequence[tuple[Any, Any]]) -> casadi.SX:
         """Return an expression in which symbols of connected inputs are replaced by expressions.
 
         `connected` contains pairs of such a symbol and its expression.
@@ -459,7 +501,7 @@ class _Tracer:
                 # The selector, then the results of all cases, case by case.
                 results = (case.values.get(result, 0.0) for case in item.cases for result in item.symbols)
                 selected += [item.selector, *results]
-            values = self._substitute(ca.vertcat(*new.values(), *named, *selected), connected)
+            values = self.substitute(ca.vertcat(*new.values(), *named, *selected), connected)
             if not timer.is_simultaneous:
                 values = ca.substitute([values], [self.z], [now])[0]
             for i, (label, (_, meaning)) in enumerate(labels.items(), len(new)):
@@ -503,7 +545,7 @@ class _Tracer:
         values = [x, z, defaults]
         present = [(s, ca.SX(v)) for s, v in zip(symbols, values, strict=True) if s.shape[0]]
         for _ in range(2):  # for connected inputs, then for the inputs on which these depend
-            x, z = (self._substitute(self._substitute(ca.SX(start), connected), present) for start in (x, z))
+            x, z = (self.substitute(self.substitute(ca.SX(start), connected), present) for start in (x, z))
         return x, z
 
     def _outputs(self, all_outputs: Mapping[str, tuple[Any, str]]) -> dict[str, tuple[Any, str]]:

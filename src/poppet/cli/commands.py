@@ -163,6 +163,30 @@ _COMMANDS = {
             "--report REPORT.html",
         ),
     ),
+    "audit energy": Command(
+        "air, energy and exergy of one machine cycle: balance, losses and consumption of each part",
+        "audit:audit_energy",
+        (
+            FILE,
+            WITH,
+            SET,
+            RESULT,
+            REPORT,
+            Option("--cycle TIMES", 'start and end of the cycle: "0.5 s, 1.9 s"', group="cycle"),
+            Option("--cycle-from STEP", "step of a sequence with which the cycle begins", group="cycle"),
+            Option(
+                "--cycles N",
+                "number of last cycles that are averaged (default: 1)",
+                keywords={"type": int, "default": 1},
+            ),
+            Option("--duration TIME", 'duration of the run: "60 s"'),
+        ),
+        (
+            "poppet audit energy two_cylinders.toml",
+            'poppet audit energy double_stroke.toml --cycle "2 s, 4 s" -o RESULT.toml --report REPORT.html',
+            "poppet audit energy two_cylinders.toml --cycle-from wait --cycles 3 --duration '20 s'",
+        ),
+    ),
     "check": Command(
         "report all errors of circuit files without running them",
         "circuit_files:check_files",

@@ -175,6 +175,7 @@ class MovingBody(Body):
     inertia_name: ClassVar[str]
     presliding: ClassVar[float]
     max_depth: ClassVar[float]  # largest initial penetration of a stop
+    contact: ClassVar[str] = "end_stop"  # name of the loss in `_stops`
 
     resume: ClassVar[dict[str, str]] = {"position": "initial_position", "velocity": "initial_velocity"}
 
@@ -331,7 +332,8 @@ class MovingBody(Body):
         rates: dict[str, Any] = {}
         friction_effort = self._friction(scope, added_friction, rates)
         stop_effort = self._stops(scope)
-        driving = effort - weight - scope.inputs[f"load_{self.effort}"]
+        load = scope.inputs[f"load_{self.effort}"]
+        driving = effort - weight - load
         total = driving - friction_effort + stop_effort
         rates |= {"position": velocity, "velocity": total / inertia}
         outputs: Quantities = {
@@ -354,7 +356,9 @@ class MovingBody(Body):
             outputs[f"breakaway_{self.effort}"] = (breakaway, self.effort_unit)
         # Separate powers: the scale of an energy residual is the energy transferred, not a small difference.
         powers = driving * velocity, (stop_effort - friction_effort) * velocity
-        return BodyDynamics(outputs, rates, 0.5 * inertia * velocity * velocity, powers)
+        loads = {"load": load * velocity, "weight": weight * velocity}
+        losses = {"friction": friction_effort * velocity, self.contact: -stop_effort * velocity}
+        return BodyDynamics(outputs, rates, 0.5 * inertia * velocity * velocity, powers, loads, losses)
 
     def _friction(self, scope: Scope, added: Any, rates: dict[str, Any]) -> Any:
         """Return the friction force or torque against the motion.
@@ -645,4 +649,5 @@ class Guide(Body):
 
     def dynamics(self, scope: Scope, force: Any, friction: Any) -> BodyDynamics:
         # The force that holds it against its actuators.
-        return BodyDynamics({"holding_force": (-force, "N")})
+        loads = {"load": force * scope.inputs["velocity"]}
+        return BodyDynamics({"holding_force": (-force, "N")}, loads=loads)

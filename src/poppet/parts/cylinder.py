@@ -169,7 +169,8 @@ class Piston(Actuator, Passage):
                 area = sign * scope[f"{side}_cushion.spear_area"] * closed
                 pressures = pressures + area * (gas[f"{side}_port"].pressure - gas[side].pressure)
         force = pressures - rod_area * scope.surroundings.pressure
-        force = force - scope["spring.rate"] * (scope["spring.preload"] + depth)
+        compression = scope["spring.preload"] + depth
+        force = force - scope["spring.rate"] * compression
         stop = scope["end_stop.stiffness"], scope["end_stop.dissipation"]
         stops = contact.stop_force(-depth, -out, *stop) - contact.stop_force(depth - scope["stroke_length"], out, *stop)
         seal_friction = scope["seal_friction"] * abs(gas["cap"].pressure - gas["rod"].pressure)
@@ -179,7 +180,10 @@ class Piston(Actuator, Passage):
             "piston_position": (depth, "m"),
             "piston_velocity": (out, "m/s"),
         }
-        return ActuatorForce(direction * (force + stops), outputs, friction=seal_friction)
+        return ActuatorForce(
+            direction * (force + stops), outputs, friction=seal_friction, losses={"end_stop": -stops * out},
+            energy=0.5 * scope["spring.rate"] * compression**2,
+        )  # fmt: skip
 
 
 @dataclass(frozen=True)

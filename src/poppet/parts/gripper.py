@@ -77,6 +77,7 @@ class Jaws(MovingBody):  # type: ignore[misc]  # the stops are no fields
     inertia_name: ClassVar[str] = "mass"
     presliding: ClassVar[float] = PRESLIDING
     max_depth: ClassVar[float] = 2e-3
+    contact: ClassVar[str] = "workpiece"
     lower_stop = upper_stop = None
 
     mass: NumberLike = number("kg", doc="moving mass of both jaws with their fingers", above=0.0)

@@ -188,7 +188,9 @@ class Muscle(MuscleLawPart, MovingGasStore, Actuator):
             resistance = resistance + level * sum(scope.states[name] for name in slips) / len(slips)
         force = taut(static - resistance, scope["slack_force"])
         outputs: Quantities = {"contraction": (contraction, "1"), "force": (force, "N")}
-        return ActuatorForce(scope["direction"] * force, outputs, rates)
+        # Elastic forces, damping and hysteresis; with the volume law `braid` also its deviation from the force law.
+        inside = pressure * self.volume_and_area(scope)[1] * speed - force * speed
+        return ActuatorForce(scope["direction"] * force, outputs, rates, losses={"inside": inside})
 
     # Notes on runs --------------------------------------------------------------------------------------------------
 

@@ -131,13 +131,16 @@ class ActuatorForce:
     """Force of an actuator on a body, and additional dry friction of the body [N].
 
     The force is positive towards larger positions. The class also contains outputs of the actuator and the time
-    derivatives of its states.
+    derivatives of its states. The power of the gas minus the power of the force is the sum of `losses`, by name [W],
+    and of the time derivative of `energy`, which is the elastic energy of the actuator [J].
     """
 
     force: Any
     outputs: Quantities = field(default_factory=dict)
     rates: dict[str, Any] = field(default_factory=dict)
     friction: Any = 0.0
+    losses: dict[str, Any] = field(default_factory=dict)
+    energy: Any = 0.0
 
 
 @dataclass(frozen=True)
@@ -145,12 +148,16 @@ class BodyDynamics:
     """Outputs of a body, time derivatives of its states (`rates`), and its energy [J].
 
     `powers` contains the power of the actuators minus the power of the load, and the power of friction and stops [W].
+    `loads` and `losses` contain the same powers of load, weight, friction and stops by name, positive if they take
+    energy from the body [W].
     """
 
     outputs: Quantities
     rates: dict[str, Any] = field(default_factory=dict)
     energy: Any = None
     powers: tuple[Any, ...] = ()
+    loads: dict[str, Any] = field(default_factory=dict)
+    losses: dict[str, Any] = field(default_factory=dict)
 
 
 @dataclass(frozen=True)

@@ -1,0 +1,153 @@
+"""Division of the air that a circuit consumes between its parts."""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from collections.abc import Iterator, Mapping, Set
+from dataclasses import dataclass
+
+import numpy as np
+
+from poppet.audit.energy_run import EnergyRun
+from poppet.circuit.energy_trace import FlowTerm
+from poppet.circuit.instance import Array
+
+RETURNED = 0.05
+"""Fraction of the air through a flow path that must return for both of its gas nodes to belong to one line."""
+PASSED, EMPTIED = 0.5, 0.5
+"""Limits of the air in an exhaust line: fraction that passes the line, and variation of the line that releases it.
+
+The variation is the range of the mass in a line, divided by its maximum: about 1 for a cylinder, and less for an
+accumulator. The air of an accumulator is consumed elsewhere."""
+
+
+@dataclass(frozen=True)
+class _Path:
+    """Flow path between a line and another node."""
+
+    flow: FlowTerm
+    sign: float  # 1 if positive flow enters the line, else -1
+    is_sink: bool  # the other node is the ambient, or a reservoir that does not supply air
+    is_used: bool  # air from one line to the exhaust line of another one
+
+
+@dataclass(frozen=True)
+class _Line:
+    """Gas nodes that exchange air in both directions, and their flow paths to other nodes."""
+
+    stores: frozenset[str]
+    paths: tuple[_Path, ...]
+
+
+def air_of_parts(
+    run: EnergyRun, masses: Mapping[str, Array], supplies: Set[str], tubes: Set[str] = frozenset()
+) -> dict[str, float]:
+    """Return the mass of air that each part consumes per cycle [kg].
+
+    A line consists of gas nodes between which air flows to and fro or through a tube, such as a cylinder chamber with
+    its tube. It
+    consumes the air that it releases to the ambient, and the increase of its mass. It also consumes the air that it
+    releases through an exhaust line, such as the volume of a silencer.
+
+    Supplied air that passes a line while the line releases air, such as the air of a nozzle or a leak, is the
+    consumption of this flow path. The rest is the consumption of the gas nodes of the line, in proportion to the range
+    of their masses. The sum of all parts is the air of all supplies.
+
+    Parameters
+    ----------
+    run : EnergyRun
+        Result of the audit run.
+    masses : mapping
+        Mapping from each gas node to its mass at the output times [kg].
+    supplies : set of str
+        Reservoirs that supply air. The empty name stands for flow sources.
+    tubes : set of str, optional
+        Parts that are tubes.
+
+    Returns
+    -------
+    dict
+        Mapping from parts to masses. Parts that consume no air are omitted.
+    """
+    consumed: dict[str, float] = defaultdict(float)
+    for flow in run.energy.flows:  # from a supply to the ambient
+        for node, other, sign in ((flow.source, flow.target, 1.0), (flow.target, flow.source, -1.0)):
+            if node in supplies and other not in masses and other not in supplies:
+                consumed[flow.part] += sign * run.integral(flow.net)
+    for line in _lines(run, masses, supplies, tubes):
+        released = 0.0
+        for path in line.paths:
+            outflow = -path.sign * run.integral(path.flow.net)
+            released += outflow if path.is_sink or path.is_used else 0.0
+        for flow, mass in _passing(run, line):
+            consumed[flow.part] += mass
+            released -= mass
+        change = sum(float(masses[name][-1] - masses[name][0]) for name in line.stores) / run.count
+        ranges = {name: float(np.ptp(masses[name])) for name in sorted(line.stores)}
+        total = sum(ranges.values())
+        for name, extent in ranges.items():
+            share = extent / total if total > 0.0 else 1.0 / len(ranges)
+            consumed[name.partition(".")[0]] += share * (released + change)
+    return {part: mass for part, mass in consumed.items() if mass != 0.0}
+
+
+def _lines(run: EnergyRun, masses: Mapping[str, Array], supplies: Set[str], tubes: Set[str]) -> Iterator[_Line]:
+    """Yield all lines of a circuit."""
+    stores_of = {name: frozenset({name}) for name in masses}
+    for flow in run.energy.flows:
+        forward = run.integral(flow.forward)
+        backward = forward - run.integral(flow.net)
+        is_inner = flow.source in masses and flow.target in masses
+        is_returned = min(forward, backward) > RETURNED * max(forward, backward)
+        if is_inner and (is_returned or flow.part in tubes):
+            joined = stores_of[flow.source] | stores_of[flow.target]
+            stores_of |= dict.fromkeys(joined, joined)
+
+    ends = {stores: tuple(_ends(run, stores)) for stores in stores_of.values()}
+    variations, exhausts = {}, set()
+    for stores, paths in ends.items():
+        mass = sum((masses[name] for name in stores), np.zeros(run.time.size))
+        variations[stores] = float(np.ptp(mass) / mass.max())
+        rates = [(sign * run.values[flow.rate], other) for flow, sign, other in paths]
+        arriving = sum((np.maximum(rate, 0.0) for rate, _ in rates), np.zeros(run.time.size))
+        exhausted = sum(
+            (np.maximum(-rate, 0.0) for rate, other in rates if other not in masses and other not in supplies),
+            np.zeros(run.time.size),
+        )
+        if np.trapezoid(np.minimum(arriving, exhausted), run.time) > PASSED * np.trapezoid(arriving, run.time):
+            exhausts.add(stores)
+    for stores, paths in ends.items():
+        line = []
+        for flow, sign, other in paths:
+            is_used = False
+            if other in masses:
+                before, after = stores_of[other], stores
+                if sign * run.integral(flow.net) < 0.0:
+                    before, after = after, before
+                is_used = after in exhausts and variations[before] > EMPTIED
+            line.append(_Path(flow, sign, other not in masses and other not in supplies, is_used))
+        yield _Line(stores, tuple(line))
+
+
+def _ends(run: EnergyRun, stores: frozenset[str]) -> Iterator[tuple[FlowTerm, float, str]]:
+    """Yield each flow path between a line and another node, with 1 if positive flow enters the line, else -1."""
+    for flow in run.energy.flows:
+        for sign, node, other in ((1.0, flow.target, flow.source), (-1.0, flow.source, flow.target)):
+            if node in stores and other not in stores:
+                yield flow, sign, other
+
+
+def _passing(run: EnergyRun, line: _Line) -> Iterator[tuple[FlowTerm, float]]:
+    """Yield the flow paths to the ambient through which supplied air passes a line, with its mass per cycle [kg]."""
+    rates = [(path, path.sign * run.values[path.flow.rate]) for path in line.paths]
+    arriving, leaving, supplied = (np.zeros(run.time.size) for _ in range(3))
+    for path, rate in rates:
+        arriving, leaving = arriving + np.maximum(rate, 0.0), leaving - np.minimum(rate, 0.0)
+        supplied += 0.0 if path.is_sink or path.is_used else np.maximum(rate, 0.0)
+    # Of the air that passes: fraction of each flow path, and fraction that is supplied.
+    passing = np.minimum(arriving, leaving) * supplied
+    divisor = np.where(passing > 0.0, arriving * leaving, 1.0)
+    for path, rate in rates:
+        share = np.maximum(-rate, 0.0) * passing / divisor
+        if path.is_sink and share.any():
+            yield path.flow, float(np.trapezoid(share, run.time)) / run.count
