@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections import defaultdict
 from collections.abc import Callable, Mapping
+from dataclasses import replace
 from typing import Any
 
 from poppet.audit.air import air_of_parts
@@ -68,7 +69,7 @@ def audit_energy(
     step : str, optional
         Step of a sequence with which the cycle begins (default: the first step that the sequence enters twice).
     count : int, optional
-        Number of successive cycles whose mean is evaluated.
+        Number of successive cycles whose mean is evaluated, at least 1. A stated period contains this number.
     duration : float or str, optional
         Duration of the run [s] (default: duration in the run options).
     tariff : Tariff, optional
@@ -97,12 +98,14 @@ def audit_energy(
     ----------
     Cai, Kawashima & Kagawa 2002, Power assessment of flowing compressed air, for the exergy of air; ISO 8778 for ANR.
     """
+    if count < 1:
+        raise InputError("cycle.no_count", "--cycles", value=count)
     run = circuit.run.changed(duration=duration)
     recording = circuit.simulate(run.duration, _output_step(circuit, run), progress=progress)
     if cycle is None:
         cycle = find_cycle(circuit, recording, step=step, count=count)
     elif isinstance(cycle, str):
-        cycle = read_cycle(cycle)
+        cycle = replace(read_cycle(cycle), count=count)
     end = float(recording.time[-1])
     if cycle.end > end * (1.0 + 1e-12):
         raise InputError("cycle.beyond_end", "--cycle", end=cycle.end, duration=end)

@@ -12,11 +12,11 @@ from poppet.circuit.circuit import BaseCircuit
 from poppet.circuit.energy_trace import EnergyModel, trace_energy
 from poppet.circuit.instance import Array
 from poppet.circuit.options import Run
-from poppet.core.errors import InputError, SimulationError
+from poppet.core.errors import SimulationError
 from poppet.engine.kernel import Kernel, compile_kernel
 from poppet.engine.lru_cache import LruCache
-from poppet.engine.problem import Problem, RawRun, ending, is_failure
-from poppet.engine.solve import solve
+from poppet.engine.problem import Outcome, Problem, RawRun, ending, is_failure
+from poppet.engine.solve import run_kernel
 
 ROWS = 2000
 """Number of output times in the period of an audit, which determine only the division of air between parts."""
@@ -25,8 +25,8 @@ MIN_STEPS = 200
 
 The integrals are not part of the error control. Steps can be long while all states change linearly, for example during
 choked flow into a tank."""
-FACTORS, TIGHTEST = (1.0, 0.1, 0.01), 1e-13
-"""Factors on the tolerance of repeated runs, if two runs have different steps, and the tightest tolerance."""
+FACTORS, TIGHTEST = (1.0, 0.1, 0.01, 1e-3), 1e-13
+"""Factors on the tolerance of the runs until one does not stall, and the tightest tolerance."""
 
 
 class EnergyKernel(NamedTuple):
@@ -91,36 +91,33 @@ def run_energy(
     energy, kernel = energy_kernel(circuit)
     problem = replace(circuit.instance, kernel=kernel).problem(run)
     start, end = period
+    failures = tuple(condition for condition in problem.stop_conditions if condition.is_failure)
     longest = min(problem.maximum_step, (end - start) / MIN_STEPS)
-    problem = replace(_with_breakpoint(problem, start), maximum_step=longest)
+    problem = replace(_with_breakpoint(problem, start), stop_conditions=failures, maximum_step=longest)
     # The first row of a run is its initial state.
     before = [] if start == 0.0 else [0.0]
     rows = np.linspace(start, end, ROWS + 1)
     for factor in FACTORS:
-        tried = replace(problem, relative_tolerance=max(factor * run.tolerance, TIGHTEST))
-        whole = _solve(tried, run.solver, [*before, *rows], progress)
-        values, initial = whole.values[:, len(before) :], problem.x0
-        if start == 0.0:
+        problem = replace(problem, relative_tolerance=max(factor * run.tolerance, TIGHTEST))
+        whole = _run_until(problem, [*before, *rows], progress)
+        if whole.outcome is not Outcome.STALLED:
             break
-        first = _solve(tried, run.solver, [0.0, start], progress)
-        initial, states = first.x, list(energy.states)
-        if np.array_equal(first.values[states, -1], values[states, 0]):
-            break
-    else:
-        raise InputError("energy.no_integrals", start=start, end=end)
+    if is_failure(problem, whole):
+        raise SimulationError(ending(problem, whole), None)
+    values, initial = whole.values[:, len(before) :], problem.x0
+    if before:
+        first, states = _run_until(problem, [0.0, start], progress), list(energy.states)
+        assert np.array_equal(first.values[states, -1], values[states, 0]), "two runs have different steps"
+        initial = first.x
     return EnergyRun(energy, count, (whole.x - initial) / count, rows, values)
 
 
-def _solve(problem: Problem, solver: str, grid: Sequence[float], progress: Callable[[float], Any] | None) -> RawRun:
+def _run_until(problem: Problem, grid: Sequence[float], progress: Callable[[float], Any] | None) -> RawRun:
     """Run a problem until the last of other output times."""
     # The segments of the inputs determine where a run ends.
     n = int(np.searchsorted(problem.starts, grid[-1]))
     segments = {name: getattr(problem, name)[:n] for name in ("starts", "courses", "jumps")}
-    problem = replace(problem, grid=np.array(grid), **segments)
-    raw = solve(problem, solver, progress)
-    if is_failure(problem, raw) or raw.time.size < len(grid):
-        raise SimulationError(ending(problem, raw), None)
-    return raw
+    return run_kernel(replace(problem, grid=np.array(grid), **segments), progress)
 
 
 def _with_breakpoint(problem: Problem, time: float) -> Problem:

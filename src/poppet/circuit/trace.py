@@ -199,6 +199,7 @@ class Tracer:
         return None if body_name is None else _absolute(body_name, name)
 
     def model(self) -> Model:
+        """Return the symbolic model of the circuit."""
         ca = self.ca
         scopes = {name: self.scope(name) for name in self.parts}
         gas = {name: part.gas(scopes[name]) for name, part in self.parts.items() if isinstance(part, Store)}

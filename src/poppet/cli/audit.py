@@ -4,12 +4,11 @@ from __future__ import annotations
 
 import argparse
 import math
-from pathlib import Path
 from typing import TYPE_CHECKING
 
 from poppet.cli.assignments import load_circuit
 from poppet.cli.progress import Spinner
-from poppet.cli.summary import print_notes, require_matplotlib, write_result
+from poppet.cli.summary import print_notes, print_written
 from poppet.core.number_format import aligned
 from poppet.core.toml_file import TomlFile
 
@@ -25,7 +24,6 @@ def audit_energy(options: argparse.Namespace) -> int:
     from poppet.audit.energy import audit_energy as audit
     from poppet.core.errors import InputError
 
-    require_matplotlib(options.report)
     circuit, notes = load_circuit(options)
     try:
         with Spinner("simulating", is_quiet=options.quiet):
@@ -37,12 +35,10 @@ def audit_energy(options: argparse.Namespace) -> int:
         raise TomlFile.read(options.file).located(error) from None
     print_notes([*notes, *result.notes])
 
-    def write_report(path: Path) -> None:
-        from poppet.report.audit.energy_report import write_energy_report
-
-        write_energy_report(result, circuit, path)
-
-    write_result(options, result, energy_summary(result), write_report)
+    if options.output:
+        result.save(options.output)
+    print(energy_summary(result))
+    print_written(options.output)
     return 0
 
 

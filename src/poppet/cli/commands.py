@@ -171,7 +171,6 @@ _COMMANDS = {
             WITH,
             SET,
             RESULT,
-            REPORT,
             Option("--cycle TIMES", 'start and end of the cycle: "0.5 s, 1.9 s"', group="cycle"),
             Option("--cycle-from STEP", "step of a sequence with which the cycle begins", group="cycle"),
             Option(
@@ -183,7 +182,7 @@ _COMMANDS = {
         ),
         (
             "poppet audit energy two_cylinders.toml",
-            'poppet audit energy double_stroke.toml --cycle "2 s, 4 s" -o RESULT.toml --report REPORT.html',
+            'poppet audit energy double_stroke.toml --cycle "2 s, 4 s" -o RESULT.toml',
             "poppet audit energy two_cylinders.toml --cycle-from wait --cycles 3 --duration '20 s'",
         ),
     ),

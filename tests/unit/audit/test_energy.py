@@ -1,0 +1,143 @@
+"""Energy audits: air of parts, categories of rows, files and the command."""
+
+from __future__ import annotations
+
+import pytest
+
+import poppet
+from poppet.audit.energy import audit_energy
+from poppet.audit.energy_result import CATEGORIES, EnergyAudit
+
+NOZZLE = """
+[parts.nozzle]
+kind = "orifice"
+from = "rail"
+to = "ambient"
+sonic_conductance = "0.2 dm^3/(s bar)"
+critical_ratio = 0.3
+"""
+MACHINE = """
+[parts.supply]
+kind = "reservoir"
+pressure = "6 bar g"
+[parts.inlet]
+kind = "orifice"
+from = "supply"
+to = "rail"
+sonic_conductance = "8 dm^3/(s bar)"
+critical_ratio = 0.3
+[parts.rail]
+kind = "chamber"
+volume = "1 l"
+initial_pressure = "6 bar g"
+[parts.valve]
+kind = "directional_valve"
+supply = "rail"
+outlet = "hose.1"
+exhaust = "damper"
+sonic_conductance = "2 dm^3/(s bar)"
+critical_ratio = 0.3
+[parts.hose]
+kind = "tube"
+from = "tank"
+length = "1 m"
+bore = "4 mm"
+cells = 2
+[parts.tank]
+kind = "chamber"
+volume = "0.2 l"
+[parts.damper]
+kind = "chamber"
+volume = "10 cm^3"
+[parts.silencer]
+kind = "orifice"
+from = "damper"
+to = "ambient"
+sonic_conductance = "1 dm^3/(s bar)"
+critical_ratio = 0.3
+[signals."valve.command"]
+kind = "square"
+low = 0
+high = 1
+frequency = "1 Hz"
+[run]
+duration = "4 s"
+"""
+
+
+def audit(text: str = MACHINE, **options) -> EnergyAudit:
+    return audit_energy(poppet.loads(text), **options)
+
+
+def test_the_consumer_of_air_is_the_volume_that_is_emptied():
+    """Neither the rail, from which the air comes, nor the damper through which it leaves."""
+    result = audit()
+    air = {row.part: row.air for row in result.parts}
+    volumes = {"tank": 0.2e-3, "hose": 0.25 * 3.14159265 * 4e-3**2}
+    assert air["tank"] + air["hose"] == pytest.approx(result.air_used, rel=3e-3)
+    assert air["hose"] / air["tank"] == pytest.approx(volumes["hose"] / volumes["tank"], rel=0.2)
+    assert abs(air["damper"]) + abs(air["rail"]) < 3e-3 * result.air_used
+    assert sum(air.values()) == pytest.approx(result.air_used, rel=1e-9)
+
+
+def test_air_that_passes_a_volume_is_that_of_its_nozzle():
+    without, result = audit(), audit(MACHINE + NOZZLE)
+    air = {row.part: row.air for row in result.parts}
+    (path,) = [path for path in result.flow_paths if path.part == "nozzle"]
+    assert air["nozzle"] == pytest.approx(path.air, rel=2e-2)
+    assert air["tank"] + air["hose"] == pytest.approx(without.air_used, rel=2e-2)
+
+
+def test_rows_have_a_part_and_a_category():
+    result = audit()
+    assert {row.category for row in result.rows} <= set(CATEGORIES)
+    assert {row.part for row in result.rows} <= {*poppet.loads(MACHINE).parts, ""}
+    throttling = {path.name: path.throttling for path in result.flow_paths}
+    assert sum(throttling.values()) == pytest.approx(result.total("throttling"), rel=1e-12)
+
+
+def test_a_vacuum_reservoir_supplies_exergy():
+    """Air from the ambient into a vacuum: the exergy R T_a ln(p_a/p) per mass is lost in the orifice."""
+    text = """
+[parts.pump]
+kind = "reservoir"
+pressure = "0.5 bar"
+[parts.leak]
+kind = "orifice"
+from = "ambient"
+to = "pump"
+sonic_conductance = "1 dm^3/(s bar)"
+critical_ratio = 0.3
+[run]
+duration = "1 s"
+"""
+    result = audit(text, cycle="0 s, 1 s")
+    assert result.exergy_supplied == pytest.approx(result.total("throttling"), rel=1e-12)
+    assert result.exergy_supplied > 0.0
+    assert result.air_used == 0.0  # a vacuum supplies no air
+
+
+def test_a_compressor_has_a_note():
+    text = """
+[parts.compressor]
+kind = "compressor"
+outlet = "tank"
+free_air_delivery = "100 l/min ANR"
+start_pressure = "6 bar g"
+stop_pressure = "8 bar g"
+[parts.tank]
+kind = "chamber"
+volume = "10 l"
+[run]
+duration = "5 s"
+"""
+    result = audit(text, cycle="1 s, 5 s")
+    assert [note.address for note in result.notes if note.code == "energy.compressor"] == ["compressor"]
+    assert result.air["compressor"] == pytest.approx(100e-3 / 60.0 * 4.0, rel=1e-6)
+    assert result.exergy_supplied > 0.0
+
+
+def test_the_model_of_an_audit_has_the_states_of_the_circuit():
+    circuit = poppet.loads(MACHINE)
+    plain = circuit.simulate()["tank.pressure"][-1]
+    assert audit_energy(circuit).recording["tank.pressure"][-1] == plain
