@@ -15,7 +15,10 @@ from poppet.circuit.options import Ambient, GasChoice, Run
 from poppet.circuit.schema import circuit_schema
 from poppet.cli.commands import COMMANDS
 from poppet.core.message_format import every_code, plain
+from poppet.library.components import CatalogueComponent, components
 from poppet.parts import KINDS
+from poppet.parts.component_search import flow_capacity, printed_flow_deviation
+from poppet.parts.components import numbers_of
 from poppet.parts.fields import BodySpec, GroupSpec, MemberSpec, NumberSpec, OptionSpec, PortSpec, specs
 
 ROOT = Path(__file__).resolve().parents[1]
@@ -33,6 +36,7 @@ def pages() -> Pages:
         **code_pages(),
         "reference/sections.md": section_page(),
         "reference/commands.md": command_page(),
+        "reference/components.md": component_page(),
         "reference/api.md": api_page(),
         "static/circuit.schema.json": json.dumps(circuit_schema(), indent=1),
     }
@@ -146,6 +150,45 @@ def section_page() -> str:
         required, optional = signal_tables.fields_of(signal)
         rows.append((f"`{signal}`", ", ".join(f"`{f}`" for f in required), ", ".join(f"`{f}`" for f in optional)))
     return "\n".join([*text, table(("kind", "required", "optional"), rows)])
+
+
+# --- Components ---
+
+
+def component_page() -> str:
+    """All components of the library, with sizes, documents and doubts."""
+    text = ["# Components", ""]
+    text += ["Components by manufacturer and catalogue number ([rules](../docs/components.md)). The deviation compares"]
+    text += ["a printed nominal flow with the flow from C and b. `*` marks an assumed b.", ""]
+    heads = ("model", "part", "numbers", "document and doubts")
+    by_manufacturer: dict[str, list[CatalogueComponent]] = {}
+    for component in components():
+        by_manufacturer.setdefault(component.manufacturer, []).append(component)
+    for manufacturer, found in by_manufacturer.items():
+        text += [f"## {manufacturer}", "", table(heads, map(component_row, found))]
+    page = "\n".join(text)
+    for plain_unit, unit in {"dm^3/(s bar)": "dm³/(s·bar)", "cm^3": "cm³", "mm^2": "mm²", "degC": "°C"}.items():
+        page = page.replace(plain_unit, unit)
+    return page
+
+
+def component_row(component: CatalogueComponent) -> tuple[str, ...]:
+    """Return the cells of a component."""
+    numbers = {name: number for kind in component.kinds for name, number in numbers_of(component, KINDS[kind]).items()}
+    texts = [f"{name.replace('_', ' ')} {number.display()}" for name, number in numbers.items()]
+    capacity, computed = flow_capacity(component), printed_flow_deviation(component)
+    texts += ["critical ratio 0.3*"] if capacity is not None and capacity.is_assumed else []
+    if component.flow is not None and computed is not None:
+        texts.append(f"printed flow {component.flow.texts['value']}, deviation {100.0 * computed[1]:+.2f} %")
+    function = str(component.printed.get("function", ""))
+    doubts = [f"Doubt: {doubt}." for doubt in component.doubts]
+    return (
+        prose(component.model),
+        ", ".join(f"[`{kind}`](parts/{kind}.md)" for kind in component.kinds)
+        + (f": {prose(function)}" if function else ""),
+        prose("; ".join(texts)),
+        prose(" ".join([f"{component.place}.", *doubts])),
+    )
 
 
 # --- Commands --------------------------------------------------------------------------------------------------------

@@ -1,4 +1,4 @@
-"""CatalogueComponent files of a circuit, which its list `components` names."""
+"""Component files of a circuit, which its list `components` names."""
 
 from __future__ import annotations
 

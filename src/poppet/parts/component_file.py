@@ -1,4 +1,4 @@
-"""CatalogueComponent files, with all numbers and options checked against the declarations of parts."""
+"""Component files, with all numbers and options checked against the declarations of parts."""
 
 from __future__ import annotations
 

@@ -25,7 +25,7 @@ FILES: Registry[Path] = Registry(
     {name: DATA / f"{name}.toml" for name in ("aventics", "camozzi", "ckd", "festo", "smc")},
     lambda name, value: isinstance(value, Path),
 )
-"""CatalogueComponent files by manufacturer. A file is read when a component of this manufacturer is requested."""
+"""Component files by manufacturer. A file is read when a component of this manufacturer is requested."""
 
 _FILE = {
     "manufacturer": Field(type="string", is_required=True, example='manufacturer = "SMC"', meaning="manufacturer"),
@@ -87,7 +87,7 @@ class NominalFlow:
 
 @dataclass(frozen=True, eq=False)
 class CatalogueComponent:
-    """CatalogueComponent of a manufacturer: numbers of a part with their document.
+    """Component of a manufacturer: numbers of a part with their document.
 
     Parameters
     ----------
@@ -147,10 +147,15 @@ class CatalogueComponent:
         return self.name, *(f"{self.manufacturer} {alias}" for alias in self.aliases)
 
     @property
-    def locator(self) -> str:
-        """CatalogueComponent, document, date and page, as the source of its numbers."""
+    def place(self) -> str:
+        """Document, date and page."""
         page = f"page {self.page}" if self.page[:1].isdigit() else self.page
-        return f"{self.name}: " + ", ".join(filter(None, (self.document, self.year, page)))
+        return ", ".join(filter(None, (self.document, self.year, page)))
+
+    @property
+    def locator(self) -> str:
+        """Component, document, date and page, as the source of its numbers."""
+        return f"{self.name}: {self.place}"
 
     def __str__(self) -> str:
         return self.name
