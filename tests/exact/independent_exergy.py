@@ -19,10 +19,11 @@ import math
 import sys
 from pathlib import Path
 
-from scipy.integrate import solve_ivp
+from scipy.integrate import simpson, solve_ivp
 
 sys.path.insert(0, str(Path(__file__).parent))
-from independent_sequences import AMBIENT, CP, CV, GAS, KAPPA, WARM, flow
+from independent_exhaust import Numbers, Plant, Run, elasto_plastic
+from independent_sequences import AMBIENT, CP, CV, GAS, KAPPA, WARM, flow, stop_force
 
 TERMS = "supplied", "throttling", "exhausted", "mixing", "heat"
 
@@ -85,3 +86,52 @@ def tank(
     p, t = (KAPPA - 1.0) * energy / volume, energy / (mass * CV)
     stored = enclosed_exergy(p, t, volume) - enclosed_exergy(p0, WARM, volume)
     return dict(zip(TERMS, map(float, terms), strict=True)) | {"stored": stored, "p": float(p), "t": float(t)}
+
+
+def machine_terms(machine: Numbers, run: Run, start: float, end: float) -> dict[str, float]:
+    """Return the exergy terms of a machine without faults between two times of a run, by Simpson's rule over its rows.
+
+    The keys are a term and a name: `throttling valveA.supply_a`, `mixing rail`, `friction slideA`, `supplied supply`.
+    """
+    plant = Plant(machine)
+    rows = [k for k, time in enumerate(run.time) if start - 1e-9 <= time <= end + 1e-9]
+    table = [_rates_of_terms(plant, run.states[k].tolist()) for k in rows]
+    times = run.time[rows]
+    terms = {key: float(simpson([row[key] for row in table], x=times)) for key in table[0]}
+    first, last = (_exergies(plant, run.states[rows[k]].tolist()) for k in (0, -1))
+    return terms | {f"stored {name}": last[name] - first[name] for name in first}
+
+
+def _rates_of_terms(plant: Plant, y: list[float]) -> dict[str, float]:
+    p, t = plant.gas(y)
+    terms = dict.fromkeys((f"mixing {name}" for name in plant.volumes), 0.0)
+    for passage in plant.flows(y, p, t):
+        q, source, target = passage.mass, passage.source, passage.target
+        temperature = passage.enthalpy / (CP * q) if q else WARM
+        terms[f"throttling {passage.name}"] = GAS * WARM * q * math.log(p[source] / p[target])
+        for node, sign in ((source, -1.0), (target, 1.0)):
+            if node not in plant.volumes:
+                name = f"exhausted {passage.name}" if node == "ambient" else f"supplied {node}"
+                terms[name] = (1.0 if node == "ambient" else -1.0) * sign * q * flow_exergy(p[node], temperature)
+            elif q:
+                entropy = CP * (temperature / t[node] - 1.0 - math.log(temperature / t[node]))
+                terms[f"mixing {node}"] += sign * q * WARM * entropy
+    for name, heat in plant.heats(t).items():
+        terms[f"heat {name}"] = heat * (WARM / t[name] - 1.0)
+    for k, (name, drive) in enumerate(plant.machine["drives"].items()):
+        x, v, z = y[plant.first_drive + 3 * k : plant.first_drive + 3 * k + 3]
+        terms[f"friction slide{name}"] = elasto_plastic(drive, v, z)[0] * v
+        terms[f"stops cylinder{name}"] = -(stop_force(-x, -v) - stop_force(x - drive["stroke"], v)) * v
+        terms[f"work slide{name}"] = drive["load"] * v
+    return terms
+
+
+def _exergies(plant: Plant, y: list[float]) -> dict[str, float]:
+    """Return the exergy of the gas in each volume, and the kinetic energies."""
+    p, t = plant.gas(y)
+    values = {}
+    for k, name in enumerate(plant.volumes):
+        values[name] = enclosed_exergy(p[name], t[name], y[2 * k + 1] * GAS * t[name] / p[name])
+    for k, (name, drive) in enumerate(plant.machine["drives"].items()):
+        values[f"motion {name}"] = 0.5 * drive["mass"] * y[plant.first_drive + 3 * k + 1] ** 2
+    return values

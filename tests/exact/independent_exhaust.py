@@ -12,8 +12,8 @@ from __future__ import annotations
 
 import math
 import sys
-from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
@@ -199,6 +199,7 @@ class Run:
     positions: Mapping[str, np.ndarray]
     spools: Mapping[str, np.ndarray]
     steps: tuple[tuple[float, str], ...]
+    states: np.ndarray = field(default_factory=lambda: np.empty(0))
 
     def exhaust_time(self, volume: str, event: float, threshold: float = THRESHOLD) -> float:
         """Return the time after the event at which a pressure falls below a threshold for good."""
@@ -216,6 +217,17 @@ class Run:
         """Return the path and the net displacement of a piston after an event."""
         position = self.positions[drive][self.time >= event - 1e-12]
         return float(np.sum(np.abs(np.diff(position)))), float(position[-1] - position[0])
+
+
+@dataclass(frozen=True)
+class Passage:
+    """Flow of mass and enthalpy through a path."""
+
+    name: str
+    source: str
+    target: str
+    mass: float
+    enthalpy: float
 
 
 class Plant:
@@ -268,46 +280,64 @@ class Plant:
             p[name], t[name] = (KAPPA - 1.0) * energy / size, energy / (mass * CV)
         return p, t
 
-    def rates(self, y: list[float]) -> list[float]:
+    def flows(self, y: list[float], p: dict[str, float], t: dict[str, float]) -> list[Passage]:
+        """Return the flow through each path, positive from its source to its target."""
+        passages = []
+        for name, source, target, c, b in self._paths(y):
+            q, h = flow(p[source], p[target], t[source], t[target], c, b) if c > 0.0 else (0.0, 0.0)
+            passages.append(Passage(name, source, target, q, h))
+        return passages
+
+    def _paths(self, y: list[float]) -> Iterator[tuple[str, str, str, float, float]]:
+        """Yield name, source, target, C and b of each flow path."""
         machine = self.machine
-        p, t = self.gas(y)
-        heat, mass = dict.fromkeys(p, 0.0), dict.fromkeys(p, 0.0)
-
-        def move(source: str, target: str, c: float, b: float) -> None:
-            if c > 0.0:
-                q, h = flow(p[source], p[target], t[source], t[target], c, b)
-                mass[source] -= q
-                mass[target] += q
-                heat[source] -= h
-                heat[target] += h
-
         for source, target, c, b in machine["paths"]:
-            move(source, target, c, b)
-        z_rate = self._regulate(y[self.first_spool - 1], p, move) if machine["regulator"] else 0.0
-        spool_rates = []
+            yield f"{source} to {target}", source, target, c, b
+        if r := machine["regulator"]:
+            z, relief = y[self.first_spool - 1], r["relief"] / r["droop"]
+            yield "regulator.supply", r["supply"], r["outlet"], r["c"] * min(max(z, 0.0), 1.0), r["b"]
+            relieving = min(max(-z - relief, 0.0), 1.0)
+            yield "regulator.exhaust", r["outlet"], "ambient", r["c_out"] * relieving, r["b_out"]
         for k, (name, valve) in enumerate(machine["valves"].items()):
-            s = y[self.first_spool + k]
-            spool_rates.append(self._spool_rate(name, s))
-            self._valve_flows(name, valve, s, move)
+            s, leak = y[self.first_spool + k], LEAK if self.faults.get(name) == "leak" else 0.0
+            openings = (min(max(side, 0.0), 1.0) for side in (s, -s))
+            forward, back = (opening + leak * (1.0 - opening) for opening in openings)
+            exhaust = valve.get("exhaust", "ambient")
+            ways = {"supply_a": (valve["supply"], valve["a"], forward), "exhaust_a": (valve["a"], exhaust, back),
+                    "supply_b": (valve["supply"], valve.get("b"), back),
+                    "exhaust_b": (valve.get("b"), exhaust, forward)}  # fmt: skip
+            for edge, (c, b) in valve["edges"].items():
+                source, target, opening = ways[edge]
+                yield f"{name}.{edge}", source, target, c * opening, b
+
+    def heats(self, t: dict[str, float]) -> dict[str, float]:
+        """Return the heat flow from the wall to the gas in each volume."""
+        walls = {name: wall for name, (_, wall, _) in self.machine["chambers"].items()}
+        for name, drive in self.machine["drives"].items():
+            walls |= dict.fromkeys((f"cylinder{name}.cap", f"cylinder{name}.rod"), drive["wall"])
+        return {name: wall * (WARM - t[name]) for name, wall in walls.items()}
+
+    def rates(self, y: list[float]) -> list[float]:
+        p, t = self.gas(y)
+        heat, mass = dict.fromkeys(p, 0.0) | self.heats(t), dict.fromkeys(p, 0.0)
+        for passage in self.flows(y, p, t):
+            mass[passage.source] -= passage.mass
+            mass[passage.target] += passage.mass
+            heat[passage.source] -= passage.enthalpy
+            heat[passage.target] += passage.enthalpy
+        z_rate = self._regulator_rate(y[self.first_spool - 1], p) if self.machine["regulator"] else 0.0
+        spool_rates = [self._spool_rate(name, y[self.first_spool + k]) for k, name in enumerate(self.machine["valves"])]
         motion: list[float] = []
-        for k, (name, drive) in enumerate(machine["drives"].items()):
+        for k, (name, drive) in enumerate(self.machine["drives"].items()):
             x, v, z = y[self.first_drive + 3 * k : self.first_drive + 3 * k + 3]
             motion += self._motion(name, drive, (x, v, z), p, heat)
-        for name, (_, wall, _) in machine["chambers"].items():
-            heat[name] += wall * (WARM - t[name])
-        for name, drive in machine["drives"].items():
-            for side in ("cap", "rod"):
-                volume = f"cylinder{name}.{side}"
-                heat[volume] += drive["wall"] * (WARM - t[volume])
         stored = [value for name in self.volumes for value in (heat[name], mass[name])]
         return [*stored, z_rate, *spool_rates, *motion]
 
-    def _regulate(self, z: float, p: dict[str, float], move: Callable[..., None]) -> float:
+    def _regulator_rate(self, z: float, p: dict[str, float]) -> float:
         r = self.machine["regulator"]
         error = (r["setpoint"] - p[r["outlet"]]) / r["droop"]
         half, relief = 0.5 * r["hysteresis"] / r["droop"], r["relief"] / r["droop"]
-        move(r["supply"], r["outlet"], r["c"] * min(max(z, 0.0), 1.0), r["b"])
-        move(r["outlet"], "ambient", r["c_out"] * min(max(-z - relief, 0.0), 1.0), r["b_out"])
         rising, falling = min(error - half, 1.0) - z, max(error + half, -relief - 1.0) - z
         return (max(rising, 0.0) + min(falling, 0.0)) / r["lag"]
 
@@ -321,18 +351,6 @@ class Plant:
             wanted = 1.0 if fault == "stuck_open" else -1.0
         speed = min(max(25.0 * (wanted - s), -1.0), 1.0)
         return 2.0 * speed / (valve["on"] if speed > 0.0 else valve["off"]) / (SLOW if fault == "slow" else 1.0)
-
-    def _valve_flows(self, name: str, valve: Numbers, s: float, move: Callable[..., None]) -> None:
-        leak = LEAK if self.faults.get(name) == "leak" else 0.0
-        openings = (min(max(side, 0.0), 1.0) for side in (s, -s))
-        forward, back = (opening + leak * (1.0 - opening) for opening in openings)
-        exhaust = valve.get("exhaust", "ambient")
-        ways = {"supply_a": (valve["supply"], valve["a"], forward), "exhaust_a": (valve["a"], exhaust, back),
-                "supply_b": (valve["supply"], valve.get("b"), back),
-                "exhaust_b": (valve.get("b"), exhaust, forward)}  # fmt: skip
-        for edge, (c, b) in valve["edges"].items():
-            source, target, opening = ways[edge]
-            move(source, target, c * opening, b)
 
     def _motion(
         self, name: str, drive: Numbers, state: tuple[float, float, float], p: dict[str, float], heat: dict[str, float]
@@ -403,7 +421,12 @@ class Controller:
 
 
 def simulate(
-    machine: Numbers, duration: float, event: Event | None = None, fault: Fault | None = None, tolerance: float = 1e-8
+    machine: Numbers,
+    duration: float,
+    event: Event | None = None,
+    fault: Fault | None = None,
+    tolerance: float = 1e-8,
+    rows_per_ms: int = 1,
 ) -> Run:
     """Simulate a machine; the times of event and fault are whole milliseconds."""
     plant = Plant(machine)
@@ -431,26 +454,27 @@ def simulate(
     while k < last:
         end = min([k + chunk, last, *(mark for mark in marks if mark > k)])
         found = odeint(
-            lambda t, y: plant.rates(y.tolist()), y, 1e-3 * np.arange(k, end + 1),
+            lambda t, y: plant.rates(y.tolist()), y, np.linspace(1e-3 * k, 1e-3 * end, (end - k) * rows_per_ms + 1),
             rtol=tolerance, atol=tolerance * sizes, tfirst=True, mxstep=100000,
         )  # fmt: skip
         chunk = min(2 * chunk, 128)
-        for row in found[1:]:
-            k, y = k + 1, row
-            rows.append(row)
-            if act(k, row):
+        for n in range(rows_per_ms, len(found), rows_per_ms):
+            k, y = k + 1, found[n]
+            rows.extend(found[n - rows_per_ms + 1 : n + 1])
+            if act(k, y):
                 chunk = 16
                 break
-    return _run(plant, np.array(rows), tuple(controller.log) if controller else ())
+    return _run(plant, 1e-3 / rows_per_ms, np.array(rows), tuple(controller.log) if controller else ())
 
 
-def _run(plant: Plant, rows: np.ndarray, steps: tuple[tuple[float, str], ...]) -> Run:
+def _run(plant: Plant, step: float, rows: np.ndarray, steps: tuple[tuple[float, str], ...]) -> Run:
     gas = [plant.gas(row.tolist())[0] for row in rows]
     drives, valves = plant.machine["drives"], plant.machine["valves"]
     return Run(
-        time=1e-3 * np.arange(len(rows)),
+        time=step * np.arange(len(rows)),
         pressures={name: np.array([p[name] for p in gas]) for name in plant.volumes},
         positions={name: rows[:, plant.first_drive + 3 * k] for k, name in enumerate(drives)},
         spools={name: rows[:, plant.first_spool + k] for k, name in enumerate(valves)},
         steps=steps,
+        states=rows,
     )
