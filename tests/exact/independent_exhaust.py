@@ -183,7 +183,7 @@ class Event:
 
 @dataclass(frozen=True)
 class Fault:
-    """Fault of a valve from a time on: stuck_open, stuck_closed, stuck, slow or leak."""
+    """Fault of a valve or of the regulator from a time on: stuck_open, stuck_closed, stuck, slow or leak."""
 
     valve: str
     word: str
@@ -295,13 +295,13 @@ class Plant:
             yield f"{source} to {target}", source, target, c, b
         if r := machine["regulator"]:
             z, relief = y[self.first_spool - 1], r["relief"] / r["droop"]
-            yield "regulator.supply", r["supply"], r["outlet"], r["c"] * min(max(z, 0.0), 1.0), r["b"]
-            relieving = min(max(-z - relief, 0.0), 1.0)
+            filling = self.leaking("regulator", min(max(z, 0.0), 1.0))
+            yield "regulator.supply", r["supply"], r["outlet"], r["c"] * filling, r["b"]
+            relieving = self.leaking("regulator", min(max(-z - relief, 0.0), 1.0))
             yield "regulator.exhaust", r["outlet"], "ambient", r["c_out"] * relieving, r["b_out"]
         for k, (name, valve) in enumerate(machine["valves"].items()):
-            s, leak = y[self.first_spool + k], LEAK if self.faults.get(name) == "leak" else 0.0
-            openings = (min(max(side, 0.0), 1.0) for side in (s, -s))
-            forward, back = (opening + leak * (1.0 - opening) for opening in openings)
+            s = y[self.first_spool + k]
+            forward, back = (self.leaking(name, min(max(side, 0.0), 1.0)) for side in (s, -s))
             exhaust = valve.get("exhaust", "ambient")
             ways = {"supply_a": (valve["supply"], valve["a"], forward), "exhaust_a": (valve["a"], exhaust, back),
                     "supply_b": (valve["supply"], valve.get("b"), back),
@@ -309,6 +309,10 @@ class Plant:
             for edge, (c, b) in valve["edges"].items():
                 source, target, opening = ways[edge]
                 yield f"{name}.{edge}", source, target, c * opening, b
+
+    def leaking(self, valve: str, opening: float) -> float:
+        """Return an opening of a valve, with the leak if it has one."""
+        return opening + (LEAK * (1.0 - opening) if self.faults.get(valve) == "leak" else 0.0)
 
     def heats(self, t: dict[str, float]) -> dict[str, float]:
         """Return the heat flow from the wall to the gas in each volume."""
@@ -335,11 +339,15 @@ class Plant:
         return [*stored, z_rate, *spool_rates, *motion]
 
     def _regulator_rate(self, z: float, p: dict[str, float]) -> float:
-        r = self.machine["regulator"]
+        r, fault = self.machine["regulator"], self.faults.get("regulator")
+        if fault == "stuck":
+            return 0.0
+        if fault in ("stuck_open", "stuck_closed"):
+            return ((fault == "stuck_open") - z) / r["lag"]
         error = (r["setpoint"] - p[r["outlet"]]) / r["droop"]
         half, relief = 0.5 * r["hysteresis"] / r["droop"], r["relief"] / r["droop"]
         rising, falling = min(error - half, 1.0) - z, max(error + half, -relief - 1.0) - z
-        return (max(rising, 0.0) + min(falling, 0.0)) / r["lag"]
+        return (max(rising, 0.0) + min(falling, 0.0)) / r["lag"] / (SLOW if fault == "slow" else 1.0)
 
     def _spool_rate(self, name: str, s: float) -> float:
         valve, fault, commands = self.machine["valves"][name], self.faults.get(name), self.commands[name]

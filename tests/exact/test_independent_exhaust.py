@@ -96,7 +96,7 @@ def test_a_stuck_valve_keeps_the_pressure() -> None:
 WORDS = ("stuck_open", "stuck_closed", "stuck", "slow", "leak")
 
 
-@pytest.mark.parametrize("valve", ["valveA", "valveB"])
+@pytest.mark.parametrize("valve", ["valveA", "valveB", "regulator"])
 @pytest.mark.parametrize("word", WORDS)
 def test_each_fault_of_the_machine(valve: str, word: str) -> None:
     expected = simulate(two_cylinders(), 3.2, fault=Fault(valve, word, 0.3))
