@@ -42,6 +42,8 @@ from poppet.timeseries.recording import Recording
 
 AT_AMBIENT = 1e-6
 """Largest relative difference from the ambient pressure of a reservoir that receives exhaust air."""
+CLOSED, INTEGRATED = 1e-9, 1e-3
+"""Residual of a balance, and integration error, relative to the sum of all rows, above which a note reports them."""
 LOSSES = (THROTTLING, MIXING, HEAT, FRICTION, EXHAUSTED)
 """Categories of exergy that is lost in a part."""
 
@@ -115,7 +117,7 @@ def audit_energy(
     tubes = {name for name, part in circuit.parts.items() if part.kind == TUBE}
     rows = tuple(_balance_rows(circuit, recording, result))
     flow_paths = tuple(_flow_paths(circuit, result))
-    return EnergyAudit(
+    audit = EnergyAudit(
         circuit.title,
         cycle,
         _air_of_supplies(circuit, result, supplies),
@@ -126,6 +128,7 @@ def audit_energy(
         notes=(*recording.remarks, *cycle.notes(), *_limits(circuit, result, rows)),
         recording=recording,
     )
+    return replace(audit, notes=(*audit.notes, *_accuracy_notes(audit)))
 
 
 def _output_step(circuit: BaseCircuit, run: Run) -> float | None:
@@ -236,6 +239,22 @@ def _part_rows(circuit: BaseCircuit, rows: tuple[BalanceRow, ...], air: Mapping[
 def _limits(circuit: BaseCircuit, run: EnergyRun, rows: tuple[BalanceRow, ...]) -> list[Note]:
     """Return notes on what the balances do not contain."""
     heats = {row.name: row.exergy for row in rows if row.category == HEAT}
-    implied = [Note("energy.implied_heat", name, exergy=heats[name]) for name in run.energy.implied if name in heats]
+    notes = [Note("energy.implied_heat", name, exergy=heats[name]) for name in run.energy.implied if name in heats]
+    # A polytropic pilot volume has no input for the rate of its displacement.
+    driven = [name for name in run.energy.implied if f"{name}.displacement" in circuit.signals]
+    notes += [Note("energy.unknown_work", name) for name in driven]
     compressors = [name for name, part in circuit.parts.items() if part.kind == "compressor"]
-    return [*implied, *(Note("energy.compressor", name) for name in compressors)]
+    return [*notes, *(Note("energy.compressor", name) for name in compressors)]
+
+
+def _accuracy_notes(audit: EnergyAudit) -> list[Note]:
+    """Return notes on a balance that does not close, and on inaccurate integrals."""
+    notes = []
+    residual = max((audit.residual(quantity) for quantity in ("energy", "exergy")), key=abs)
+    if abs(residual) > CLOSED:
+        notes.append(Note("energy.not_closed", residual=residual))
+    errors = [abs(audit.total(INTEGRATION, quantity=quantity)) for quantity in ("energy", "exergy")]
+    scale = sum(abs(row.exergy) for row in audit.rows)
+    if max(errors) > INTEGRATED * scale:
+        notes.append(Note("energy.inaccurate", error=max(errors)))
+    return notes

@@ -2,11 +2,15 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import pytest
 
 import poppet
 from poppet.audit.energy import audit_energy
 from poppet.audit.energy_result import CATEGORIES, EnergyAudit
+from poppet.engine.lru_cache import LruCache
+from poppet.parts.cylinder import Piston
 
 NOZZLE = """
 [parts.nozzle]
@@ -141,3 +145,80 @@ def test_the_model_of_an_audit_has_the_states_of_the_circuit():
     circuit = poppet.loads(MACHINE)
     plain = circuit.simulate()["tank.pressure"][-1]
     assert audit_energy(circuit).recording["tank.pressure"][-1] == plain
+
+
+CYLINDER = """
+[parts.supply]
+kind = "reservoir"
+pressure = "6 bar g"
+[parts.fill]
+kind = "orifice"
+from = "supply"
+to = "cylinder.cap"
+sonic_conductance = "1 dm^3/(s bar)"
+critical_ratio = 0.3
+[parts.cylinder]
+kind = "cylinder"
+acting = "single"
+body = "slide"
+bore = "32 mm"
+stroke_length = "20 mm"
+cap = { dead_volume = "5 cm^3" }
+spring = { rate = "2 N/mm", preload = "5 mm" }
+[parts.slide]
+kind = "mass"
+mass = "1 kg"
+[run]
+duration = "0.2 s"
+"""
+
+
+def test_an_undeclared_loss_is_reported(monkeypatch):
+    """The impact on the cover is a loss of the piston. A part that does not declare its loss leaves a residual."""
+    assert abs(audit(CYLINDER, cycle="0 s, 0.2 s").residual()) < 1e-12
+    original = Piston.actuator_force
+    monkeypatch.setattr(Piston, "actuator_force", lambda *arguments: replace(original(*arguments), losses={}))
+    monkeypatch.setattr("poppet.audit.energy_run._KERNELS", LruCache(1))
+    result = audit(CYLINDER, cycle="0 s, 0.2 s")
+    assert [note.code for note in result.notes][-1] == "energy.not_closed"
+
+
+def test_a_spring_stores_its_energy():
+    result = audit(CYLINDER, cycle="0 s, 0.2 s")
+    rows = {row.name: row.exergy for row in result.rows}
+    positions = result.recording["cylinder.piston_position"][[0, -1]] + 5e-3
+    assert rows["cylinder.piston.spring"] == pytest.approx(1e3 * float(positions[1] ** 2 - positions[0] ** 2), rel=1e-9)
+
+
+def test_inaccurate_integrals_are_reported():
+    circuit = poppet.loads(CYLINDER)
+    rough = replace(circuit, run=circuit.run.changed(relative_tolerance=0.05))
+    assert "energy.inaccurate" in [note.code for note in audit_energy(rough, cycle="0 s, 0.2 s").notes]
+
+
+def test_unknown_work_on_a_pilot_volume_is_named():
+    text = """
+[parts.supply]
+kind = "reservoir"
+pressure = "6 bar g"
+[parts.pilot]
+kind = "pilot_stage"
+data = "vppm_6l"
+thermal = "polytropic"
+supply = "supply"
+exhaust = "ambient"
+[signals."pilot.displacement"]
+kind = "sine"
+mean = "0 cm^3"
+amplitude = "0.1 cm^3"
+frequency = "2 Hz"
+[signals."pilot.fill_duty"]
+kind = "square"
+low = 0
+high = 1
+frequency = "1 Hz"
+[run]
+duration = "2 s"
+"""
+    notes = {note.code: note.address for note in audit(text).notes}
+    assert notes["energy.unknown_work"] == notes["energy.implied_heat"] == "pilot"
