@@ -12,7 +12,7 @@ from poppet.audit.energy_run import EnergyRun
 from poppet.circuit.energy_trace import FlowTerm
 from poppet.circuit.instance import Array
 
-RETURNED = 0.05
+RETURNED = 0.5
 """Fraction of the air through a flow path that must return for both of its gas nodes to belong to one line."""
 PASSED, EMPTIED = 0.5, 0.5
 """Limits of the air in an exhaust line: fraction that passes the line, and variation of the line that releases it.
