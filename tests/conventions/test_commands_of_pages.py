@@ -41,6 +41,7 @@ SHORTER = (
     (r"^(poppet bench iso10094 (?!--recording)\S+)(.*?)( --tests \S+)?$", r'\1\2 --tests leakage --volume "1 l"'),
     (r"^poppet (bench limits|control tune .*--amplitude) .*", ""),
     (r"^(poppet control compare .*) --draws 100", r"\1 --draws 3"),
+    (r"^(poppet audit safety .*)$", r"\1 --samples 0"),
     (r"^(poppet ensemble .*) --runs 100000", r"\1 --runs 200"),
     (r"^(poppet size .*) --yield .*$", r"\1"),
 )

@@ -26,6 +26,15 @@ UNITS = Option("--units LIST", 'units of the results: "bar,degC,l/min ANR" or AD
 SELECT = Option("--select LIST", 'outputs of the results: "tank.*,valve.stroke"')
 ALL = Option("--all", "include internal outputs of the parts: sensors, integrals, duties")
 PYTHON = Option("--allow-python", "execute the Python functions in files that the circuit file uses as metrics")
+THRESHOLD = Option(
+    "--threshold PRESSURE",
+    "gauge pressure of an exhausted volume (default: 0.5 bar)",
+    keywords={"default": "0.5 bar"},
+)
+KINDS = Option(
+    "--kinds LIST",
+    "faults: stuck_open, stuck_closed, stuck, slow, leak (default of faults: all; of audit safety: the first three)",
+)
 TUNE, COMPARE = ("tune",), ("compare",)
 
 _COMMANDS = {
@@ -184,6 +193,59 @@ _COMMANDS = {
             "poppet audit energy two_cylinders.toml",
             'poppet audit energy double_stroke.toml --cycle "2 s, 4 s" -o RESULT.toml',
             "poppet audit energy two_cylinders.toml --cycle-from wait --cycles 3 --duration '20 s'",
+        ),
+    ),
+    "audit safety": Command(
+        "exhaust times and travels after an event, in normal operation and with each stuck valve",
+        "safety:run_audit",
+        (
+            FILE,
+            WITH,
+            SET,
+            Option(
+                "--event ADDRESS=VALUE ...",
+                'value of an input from the event on: supply.pressure="0 bar g", plc.emergency=1; may be repeated',
+            ),
+            Option(
+                "--at TIME ...",
+                'time of the event: "0.5 s"; or steps: the start and the quarters of each step. The default is steps, '
+                "or 20 times of the run without a sequence; may be repeated",
+            ),
+            THRESHOLD,
+            Option("--duration TIME", "simulated time after the event (default: 10 s)", keywords={"default": "10 s"}),
+            KINDS,
+            Option(
+                "--samples N",
+                "samples of the uncertain parameters of the table ensemble, for 95 % intervals (default: 50)",
+                keywords={"type": int},
+            ),
+            Option("--seed N", "seed of the samples", keywords={"type": int}),
+            RESULT,
+            REPORT,
+        ),
+        (
+            'poppet audit safety machine.toml --event supply.pressure="0 bar g"',
+            "poppet audit safety machine.toml --event plc.halt=1 --event valveA.command=0 --at steps -o safety.toml",
+            'poppet audit safety machine.toml --event supply.pressure="0 bar g" --at "1.9 s" --report safety.html',
+        ),
+    ),
+    "faults": Command(
+        "consequences of every single fault of the valves: waiting steps, uncommanded motion, trapped pressure",
+        "safety:run_faults",
+        (
+            FILE,
+            WITH,
+            SET,
+            Option("--at TIME", "start of each fault (default: 0 s)", keywords={"default": "0 s"}),
+            Option("--duration TIME", "duration of each run (default: that of the file)"),
+            THRESHOLD,
+            KINDS,
+            RESULT,
+            REPORT,
+        ),
+        (
+            "poppet faults machine.toml",
+            'poppet faults machine.toml --kinds stuck,leak --at "1.6 s" -o faults.toml --report faults.html',
         ),
     ),
     "check": Command(

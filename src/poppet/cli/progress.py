@@ -93,6 +93,17 @@ class PointProgress(_Display):
         self._show(f"{done} of {total}, {following}; Ctrl-C keeps the computed points", done, total)
 
 
+class CaseProgress(_Display):
+    """Progress of several runs of different cases, shown as the number of completed runs."""
+
+    def __call__(self, done: int, total: int, last: str) -> None:
+        """Show the number of completed runs and the case of the last one.
+
+        `done` of `total` runs are completed. `last` is the name of the case of the last run.
+        """
+        self._show(f"{done} of {total} runs, {last}; Ctrl-C keeps the completed runs", done, total)
+
+
 class FitProgress(_Display):
     """Progress of a fit, shown as the number of evaluations and the lowest cost."""
 

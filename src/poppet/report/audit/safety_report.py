@@ -98,7 +98,10 @@ def _time(value: float, duration: float) -> str:
 
 
 def _interval(text: str, low: float | None, high: float | None, shown: Callable[[float], str]) -> str:
-    return text if low is None or high is None else f"{text} ({shown(low)} to {shown(high)})"
+    # An interval of equal texts adds nothing, for example if no sample is exhausted.
+    if low is None or high is None or text == shown(low) == shown(high):
+        return text
+    return f"{text} ({shown(low)} to {shown(high)})"
 
 
 def distance_text(row: Travel | None) -> str:
@@ -157,7 +160,7 @@ def exhaust_table(audit: SafetyAudit) -> ReportTable:
     for volume in audit.volumes:
         normal = audit.exhaust_of(volume)
         worst = _worst(row for row in audit.exhaust if row.volume == volume and row.fault)
-        pressures = f"{normal.start_pressure / 1e5:z.3g} → {normal.end_pressure / 1e5:z.3g}"
+        pressures = f"{round(normal.start_pressure / 1e5, 3):z.3g} → {round(normal.end_pressure / 1e5, 3):z.3g}"
         cells = [code(volume), _verdict(time_text(normal, audit.duration), normal.is_safe), pressures]
         if isinstance(worst, ExhaustTime):
             cells += [_verdict(time_text(worst, audit.duration), worst.is_safe), code(worst.fault), _reason(worst)]

@@ -1,0 +1,88 @@
+"""Commands `poppet audit safety` and `poppet faults`: tables, files, progress and errors."""
+
+from __future__ import annotations
+
+import json
+import tomllib
+from pathlib import Path
+
+import pytest
+
+import poppet
+from poppet.audit import safety_runs
+from poppet.cli.main import run
+
+MACHINE = str(Path(poppet.__file__).parent / "cli" / "templates" / "machine.toml")
+AUDIT = ["audit", "safety", MACHINE, "--event", "supply.pressure=0 bar g"]
+
+
+def test_the_audit_prints_the_worst_and_writes_all(tmp_path, capsys):
+    result, page = tmp_path / "safety.toml", tmp_path / "safety.html"
+    options = ["--at", "1.6 s", "--duration", "2 s", "--kinds", "stuck", "-o", str(result), "--report", str(page)]
+    assert run([*AUDIT, *options]) == 0
+    text = capsys.readouterr().out
+    assert "Event supply.pressure = 0 bar g, at t = 1.6 s." in text
+    assert "remains below 0.5 bar g" in text
+    assert "not within 2 s" in text
+    assert "trapped by" in text
+    assert "ISO 13849" in text
+    content = tomllib.loads(result.read_text())
+    assert {row["fault"] for row in content["exhaust"]} >= {"", "valveA.stuck", "valveB.stuck"}
+    assert {row["body"] for row in content["travel"]} == {"slideA", "slideB"}
+    assert "<html" in page.read_text()
+
+
+def test_moments_of_the_steps_without_faults(tmp_path, capsys):
+    path = tmp_path / "safety.json"
+    options = ["--at", "steps", "--duration", "0.5 s", "--kinds", "", "-o", str(path)]
+    assert run([*AUDIT, *options]) == 0
+    captured = capsys.readouterr()
+    assert "at 20 moments; each row has the worst" in captured.out
+    assert "No fault was simulated" in captured.err
+    assert len(json.loads(path.read_text())["moments"]) == 20
+
+
+def test_an_interrupted_audit_keeps_what_is_complete(tmp_path, monkeypatch, capsys):
+    def run_all(self, cases):
+        yield cases[0], self.run(cases[0])
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr(safety_runs.SafetyRuns, "run_all", run_all)
+    path = tmp_path / "safety.toml"
+    assert run([*AUDIT, "--at", "1.6 s", "--duration", "1 s", "-o", str(path)]) == 130
+    content = tomllib.loads(path.read_text())
+    assert content["is_whole"] is False
+    assert {row["fault"] for row in content["exhaust"]} == {""}
+    assert "interrupted" in capsys.readouterr().err
+
+
+def test_the_fault_table(tmp_path, capsys):
+    result, page = tmp_path / "faults.toml", tmp_path / "faults.html"
+    assert run(["faults", MACHINE, "--kinds", "stuck_open,leak", "-o", str(result), "--report", str(page)]) == 0
+    text = capsys.readouterr().out
+    assert "valveA.stuck_open" in text
+    assert "slideA moves by" in text
+    assert "stop a step sequence" in text
+    words = [row["word"] for row in tomllib.loads(result.read_text())["faults"] if row["valve"] == "valveA"]
+    assert words == ["stuck_open", "leak"]
+    assert "<html" in page.read_text()
+
+
+@pytest.mark.parametrize(
+    ("arguments", "text"),
+    [
+        (["audit", "safety", MACHINE], "The event has no input"),
+        (["audit", "safety", MACHINE, "--event", "supply.presure=0 bar g"], "Did you mean supply.pressure"),
+        (["audit", "safety", MACHINE, "--event", "supply.pressure"], "--event"),
+        ([*AUDIT, "--at", "9 s"], "which ends at 3.2 s, so the event never happens"),
+        (["audit", "safety", MACHINE, "--event", "supply.pressure=8 bar g", "--at", "1 s"], "never happens"),
+        ([*AUDIT, "--threshold", "5 mm"], "threshold"),
+        ([*AUDIT, "--kinds", "stuk"], "stuck"),
+        ([*AUDIT, "--samples", "5"], "has no table ensemble"),
+        (["faults", MACHINE, "--at", "4 s"], "is not within the run"),
+        (["faults", MACHINE, "--duration", "2"], "duration"),
+    ],
+)
+def test_invalid_arguments(arguments, text, capsys):
+    assert run(arguments) == 2
+    assert text in capsys.readouterr().err
