@@ -36,13 +36,15 @@ class Hold(NamedTuple):
 class FinalState:
     """State at the end of a run, at which flow paths are tested.
 
-    `problem` defines the run of the circuit with these `parts`.
+    `problem` defines the run of the circuit with these `parts`. `stuck` is the name of a valve that is stuck, or empty.
     """
 
-    def __init__(self, problem: Problem, parts: Mapping[str, Part], ambient_pressure: float) -> None:
+    def __init__(self, problem: Problem, parts: Mapping[str, Part], ambient_pressure: float, stuck: str = "") -> None:
         self.problem, self.model = problem, problem.kernel.model
         self.closing = {name for name, part in parts.items() if isinstance(part, Valve)}
-        self.regulators = {name for name, part in parts.items() if isinstance(part, PressureRegulator)}
+        # A regulator that is closed at its setpoint opens as soon as the pressure falls, unless it is stuck.
+        regulators = {name for name, part in parts.items() if isinstance(part, PressureRegulator)}
+        self.regulators = regulators - {stuck}
         call = Call(replace(problem, grid=problem.grid[-1:]))
         run = call.run()
         self.is_valid = run.outcome.is_success and run.time.size == 1

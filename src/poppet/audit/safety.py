@@ -18,7 +18,7 @@ from poppet.audit.safety_runs import AuditCase, AuditRunResult, SafetyRuns
 from poppet.audit.valve_faults import STUCK_KINDS, read_kinds, split_faults, valves_of
 from poppet.circuit.circuit import BaseCircuit
 from poppet.core.codes import Note
-from poppet.core.errors import ErrorCollector, InputError
+from poppet.core.errors import ErrorCollector, InputError, UnitError
 from poppet.core.units import quantity
 from poppet.ensemble import plan_of
 from poppet.timeseries.recording import Recording
@@ -146,13 +146,15 @@ def audit_safety(
 
 
 def read_positive(name: str, given: Any, unit: str, kind: Any) -> float:
-    """Return a positive threshold or duration in SI units."""
-    # A threshold is always a gauge pressure: `0.5 bar` and `0.5 bar g` are the same.
-    text = given.strip() if isinstance(given, str) else given
-    if kind == "pressure_difference" and isinstance(text, str) and text.endswith((" g", "(g)", "barg")):
-        read = quantity(text, unit, kind="pressure", name=name)
-    else:
-        read = quantity(text, unit, kind=kind, name=name)
+    """Return a positive threshold or duration in SI units; a threshold can be written as a gauge pressure."""
+    try:
+        read = quantity(given, unit, kind=kind, name=name)
+    except UnitError:
+        if kind != "pressure_difference":
+            raise
+        read = quantity(given, unit, kind="pressure", name=name)
+        if read.reference != "gauge":
+            raise
     if not read.value > 0.0:
         raise InputError("safety.not_positive", name, shown=str(given))
     return read.value

@@ -14,7 +14,7 @@ from poppet.audit.events import event_signals, with_switches
 from poppet.audit.pressure_holds import FinalState
 from poppet.audit.safety_result import EventValue, Moment, SafetyCurves
 from poppet.audit.settling import Motion, motion_of, sample_times, time_below
-from poppet.audit.valve_faults import ValveFault, with_idle_faults
+from poppet.audit.valve_faults import STUCK_KINDS, ValveFault, with_idle_faults
 from poppet.audit.volumes import bodies_of, volumes_of
 from poppet.circuit.circuit import BaseCircuit
 from poppet.core.codes import Note
@@ -148,4 +148,6 @@ class SafetyRuns:
 
     def final_state(self, case: AuditCase) -> FinalState:
         """Return the state at the end of one run, at which flow paths can be tested."""
-        return FinalState(self.problem(case), self.circuit.parts, self.circuit.surroundings.pressure)
+        fault = self.faults[case.fault] if case.fault >= 0 else None
+        stuck = fault.valve if fault is not None and fault.word in STUCK_KINDS else ""
+        return FinalState(self.problem(case), self.circuit.parts, self.circuit.surroundings.pressure, stuck)

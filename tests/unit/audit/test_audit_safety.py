@@ -50,10 +50,10 @@ def tank_circuit(**fields) -> Circuit:
     return Circuit({"tank": tank, "dump": dump}).with_values({"run.duration": "2 s"})
 
 
-@pytest.mark.parametrize("threshold", ["0.5 bar", "2 bar", 3e4])
+@pytest.mark.parametrize("threshold", ["0.5 bar", "0.5 bar g", "2 bar", 3e4])
 def test_exhaust_time_of_a_tank(threshold):
     audit = audit_safety(tank_circuit(), {"dump.command": 0}, at="0.7 s", threshold=threshold, duration="20 s")
-    level = {"0.5 bar": 5e4, "2 bar": 2e5}.get(threshold, threshold)
+    level = {"0.5 bar": 5e4, "0.5 bar g": 5e4, "2 bar": 2e5}.get(threshold, threshold)
     assert audit.threshold == level
     row = audit.exhaust_of("tank")
     assert row.time == pytest.approx(emptying_time(7e5, AMBIENT + level, 2e-3, 1e-8, 0.3), rel=2e-5)
@@ -341,6 +341,7 @@ def test_an_interrupted_audit_keeps_complete_faults():
         (VENT, {"at": "-1 s"}, "safety.outside_run", "at"),
         (VENT, {"at": "0.5"}, None, "at"),
         (VENT, {"threshold": "0 bar"}, "safety.not_positive", "threshold"),
+        (VENT, {"threshold": "1.5 bar abs"}, None, "threshold"),
         (VENT, {"duration": "0 s"}, "safety.not_positive", "duration"),
         (VENT, {"kinds": ["stuk"]}, "fields.not_an_option", "kinds"),
         (VENT, {"samples": 10}, "safety.no_distributions", ""),
