@@ -16,6 +16,7 @@ _EFFECTS = {
     "A body moves without a command": ("moves_without_command", "moves", "never"),
     "A body does not reach its position, or passes it": ("position", "position", "never"),
     "A volume keeps its pressure": ("pressure_stays", "pressure stays", "never"),
+    "A pressure is too high": ("pressure_high", "pressure high", "never"),
     "The fault remains hidden": ("hidden", "hidden", "open"),
 }
 """Lines of the summary, with effect, label and style class of the mark in the table."""
@@ -68,7 +69,7 @@ def _lead(table: FaultTable) -> str:
 def effects_of(row: FaultRow) -> set[str]:
     """Return the effects of a fault that the summary counts."""
     kinds = {consequence.kind for consequence in row.consequences}
-    effects = kinds & {"failed", "moves_without_command", "pressure_stays"}
+    effects = kinds & {"failed", "moves_without_command", "pressure_stays", "pressure_high"}
     effects |= {"position"} if kinds & {"not_reached", "overtravel"} else set()
     effects |= {"stops"} if row.stops_machine else set()
     return effects | ({"hidden"} if row.is_hidden else set())
