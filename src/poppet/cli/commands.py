@@ -433,7 +433,6 @@ _COMMANDS = {
         (
             "poppet library",
             "poppet library varga2012",
-            "poppet library nitrogen",
             'poppet library "SMC SY5000"',
             'poppet library --find "5/2, C > 3 dm^3/(s bar)"',
         ),

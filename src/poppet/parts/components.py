@@ -11,6 +11,7 @@ from poppet.core.errors import ErrorCollector, InputError
 from poppet.core.provenance import ComponentSource, Number
 from poppet.library.components import CatalogueComponent, find_variants
 from poppet.parts.fields import (
+    DefaultWord,
     NumberSpec,
     OptionSpec,
     PortSpec,
@@ -27,8 +28,8 @@ MODEL = "model"
 def select_component(part: Any) -> CatalogueComponent:
     """Return the component that the field `model` of a new part selects.
 
-    The options of the part select one of several variants of a component. An option with its default value gets the
-    word of the component, if the component has only one.
+    The options of the part select one of several variants of a component. An option that is not specified gets the word
+    of the component, if the component has only one.
     """
     model = part.model
     if isinstance(model, str):
@@ -64,7 +65,7 @@ def _with_option(part: Any, option: str, variants: list[CatalogueComponent], nam
     if word not in spec.choices:  # an error, which is reported with those of the other fields
         return variants
     if word not in words:
-        if word != spec.choices[0]:
+        if not isinstance(word, DefaultWord):
             raise InputError("components.other_option", option, name=name, word=word, words=words)
         if len(words) > 1:
             raise InputError("components.no_option", option, name=name, words=words)

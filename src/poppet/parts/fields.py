@@ -186,13 +186,19 @@ def laminar_limit() -> NumberLike:
     return number("1", 0.999, low=0.5, below=1.0, doc=doc, note="width of the C1 zone")
 
 
+class DefaultWord(str):
+    """Word of an option that is not specified; `complete` replaces it by an ordinary text."""
+
+    __slots__ = ()
+
+
 def option(default: str, *choices: str, doc: str) -> str:
     """Declare a field whose value is one of several words.
 
     `default` is the default, and the further arguments are the other valid words. The keyword `doc` is the meaning of
     the field.
     """
-    return _field(OptionSpec(doc, (default, *choices)), default)
+    return _field(OptionSpec(doc, (default, *choices)), DefaultWord(default))
 
 
 OFF_ON = ("false", "true")
@@ -541,6 +547,7 @@ def _read_field(
             if argument not in spec.choices:
                 near = NameSuggestion(str(argument), spec.choices)
                 raise InputError("fields.not_an_option", address, value=argument, meaning=spec.meaning, suggestion=near)
+            return str(argument)
         case PortSpec() | BodySpec():
             if argument is None and not spec.optional:
                 code = "fields.missing_port" if isinstance(spec, PortSpec) else "fields.missing_body"

@@ -6,7 +6,7 @@ import csv
 import math
 import pickle
 import re
-from dataclasses import fields
+from dataclasses import fields, replace
 from pathlib import Path
 
 import pytest
@@ -100,6 +100,23 @@ def test_every_printed_flow_follows_from_c_and_b():
     assert len(checked) > 40
     beyond = {name: deviation for name, deviation in checked.items() if abs(deviation) > 0.01}
     assert beyond == pytest.approx(KNOWN_DEVIATIONS, abs=0.005)
+
+
+def test_the_page_states_the_counts():
+    found = components()
+    with_flow = [component for component in found if printed_flow_deviation(component)]
+    with_ratio = [component for component in with_flow if "critical_ratio" in component.fields]
+    capacities = [capacity for capacity in map(flow_capacity, found) if capacity]
+    statements = [
+        f"contains {len(found)} components with {len({component.name for component in found})} names",
+        f"{sum(bool(component.doubts) for component in found)} of them have doubts",
+        f"for {sum(capacity.is_assumed for capacity in capacities)}, b is assumed",
+        f"For {len(with_ratio)} components, documents print C, b and a flow",
+        f"{sum(abs(printed_flow_deviation(component)[1]) < 0.002 for component in with_ratio)} of these flows follow",
+        f"For {len(with_flow) - len(with_ratio)} components, C was computed from the printed flow",
+    ]
+    page = " ".join((ROOT / "docs" / "components.md").read_text(encoding="utf-8").split())
+    assert [statement for statement in statements if statement not in page] == []
 
 
 def test_the_passport_shows_a_deviation_and_the_doubt():
@@ -236,7 +253,11 @@ def test_the_only_word_of_an_option_is_set():
     component = CatalogueComponent(
         "Acme", "V5", ("spool_valve",), {"sonic_conductance": 1e-8}, "sheet", options={"function": ("5/2 bistable",)}
     )
-    assert valve(model=component).function == "5/2 bistable"
+    part = valve(model=component)
+    assert part.function == "5/2 bistable"
+    assert replace(part, critical_ratio=0.4).function == "5/2 bistable"
+    with refused("components.other_option", "function", word="proportional"):
+        valve(model=component, function="proportional")
 
 
 def test_a_component_of_another_kind_names_the_kind():
