@@ -16,6 +16,7 @@ import numpy as np
 from poppet import Circuit
 from poppet.library.gases import GASES
 from poppet.parts import KINDS
+from poppet.parts.faults import Valve
 from poppet.timeseries.recording import Recording
 from poppet.timeseries.signals import Steps
 
@@ -173,9 +174,14 @@ def draw_fields(fields: Fields, numbers: np.random.Generator) -> Fields:
     }
 
 
-def random_circuit(shape: np.random.Generator, numbers: np.random.Generator) -> RandomCircuit:
-    """Return a circuit of two to six gas volumes, and flow paths of random kinds between them."""
-    builder = _Builder(shape, numbers)
+def random_circuit(
+    shape: np.random.Generator, numbers: np.random.Generator, *, has_faults: bool = False
+) -> RandomCircuit:
+    """Return a circuit of two to six gas volumes, and flow paths of random kinds between them.
+
+    With `has_faults`, all valves have a random fault, from a random time on or as far as a random signal.
+    """
+    builder = _Builder(shape, numbers, has_faults)
     builder.add_volumes()
     for k in range(int(shape.integers(3, 9))):
         item = PASSAGES[shape.integers(len(PASSAGES))]
@@ -188,8 +194,8 @@ def random_circuit(shape: np.random.Generator, numbers: np.random.Generator) -> 
 class _Builder:
     """Parts, signals and flows of a random circuit."""
 
-    def __init__(self, shape: np.random.Generator, numbers: np.random.Generator) -> None:
-        self.shape, self.numbers = shape, numbers
+    def __init__(self, shape: np.random.Generator, numbers: np.random.Generator, has_faults: bool) -> None:
+        self.shape, self.numbers, self.has_faults = shape, numbers, has_faults
         self.is_closed = bool(shape.random() < 0.3)
         self.parts: dict[str, Any] = {}
         self.stores: list[str] = []
@@ -335,7 +341,16 @@ class _Builder:
         if item.is_driven and not self.is_closed and self.is_drawn(0.8):
             ends = {"supply": "supply", "vacuum": self._add_void(f"void_{name}"), "exhaust": "ambient"}
         option = item.options[self.shape.integers(len(item.options))]
-        self.add(name, item.kind, **ends, **item.fields, **option)
+        fault: Fields = {}
+        if self.has_faults and issubclass(KINDS[item.kind], Valve):
+            # The words have the same equations, so they are numbers.
+            fault = {"fault": either(*KINDS[item.kind].faults), "slow_factor": logarithmic(1.0, 30.0),
+                     "leak_fraction": uniform(0.0, 1.0)}  # fmt: skip
+            if self.is_drawn(0.4):
+                self.signals[f"{name}.fault"] = either(0.0, 1.0, uniform(0.0, 1.0))
+            else:
+                fault["fault_start"] = either(0.0, logarithmic(1e-3, 1.0))
+        self.add(name, item.kind, **ends, **item.fields, **option, **fault)
         flows = [(f"{name}.{output}", ends[first], ends[second]) for output, (first, second) in item.flows.items()]
         self.groups += [tuple(flows)] if item.is_driven else [(flow,) for flow in flows]
         self.signals |= {f"{name}.{address}": draw for address, draw in item.inputs.items()}

@@ -8,6 +8,9 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from poppet.parts import KINDS
+from poppet.parts.faults import Valve
+
 sys.path.insert(0, str(Path(__file__).parent))
 from seeded_pneumatics import AMBIENT, PASSAGES, WARM, RandomCircuit, entropy_production, gas_entropy, random_circuit
 
@@ -37,12 +40,13 @@ def violations(item: RandomCircuit) -> list[str]:
     return found
 
 
-def run_circuits(shapes: range, each: int) -> set[str]:
+def run_circuits(shapes: range, each: int, *, has_faults: bool = False) -> set[str]:
     """Check random circuits, and return the kinds of flow paths in them."""
     kinds: set[str] = set()
     for shape in shapes:
         for number in range(each):
-            item = random_circuit(np.random.default_rng([1, shape]), np.random.default_rng([2, shape, number]))
+            generators = np.random.default_rng([1, shape]), np.random.default_rng([2, shape, number])
+            item = random_circuit(*generators, has_faults=has_faults)
             assert violations(item) == [], (shape, number)
             kinds |= item.kinds
     return kinds
@@ -50,6 +54,16 @@ def run_circuits(shapes: range, each: int) -> set[str]:
 
 def test_a_few_random_circuits_obey_the_second_law_and_keep_their_balances() -> None:
     run_circuits(range(1000, 1004), 5)
+
+
+def test_a_few_random_circuits_with_faults_obey_the_second_law_and_keep_their_balances() -> None:
+    run_circuits(range(2000, 2003), 5, has_faults=True)
+
+
+@pytest.mark.parametrize(("shapes", "each"), [(40, 10), pytest.param(500, 10, marks=pytest.mark.slow)])
+def test_random_circuits_with_faults_obey_the_second_law_and_keep_their_balances(shapes: int, each: int) -> None:
+    valves = {item.kind for item in PASSAGES if issubclass(KINDS[item.kind], Valve)}
+    assert run_circuits(range(3000, 3000 + shapes), each, has_faults=True) >= valves
 
 
 @pytest.mark.parametrize(("shapes", "each"), [(30, 10), pytest.param(500, 20, marks=pytest.mark.slow)])

@@ -143,7 +143,7 @@ class BaseCircuit(HtmlMixin):
                 )  # fmt: skip
             check_starts(errors, self.parts, self.signals)
             signals = {a: signal for a, signal in self.signals.items() if a.partition(".")[0] not in checked}
-            check_signals(errors, signals, self.inputs, self.parameters)
+            check_signals(errors, signals, self.inputs, self.parameters, self.parts)
             check_onsets(errors, self.inputs, {*self.signals, *self.connections}, self.parameters)
         # Parts name outputs, whose names and units only the model contains.
         if self._declared and (like is None or like.structure != self.structure):

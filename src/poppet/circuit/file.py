@@ -97,7 +97,7 @@ def read_circuit(file: TomlFile, circuit_class: type[CircuitT]) -> CircuitT:
         check_wiring(errors, parts.wiring)
         check_bodies(errors, parts.wiring)
         signals = parts.signals(tables["signals"])
-        check_signals(errors, signals, parts.inputs, parts.numbers)
+        check_signals(errors, signals, parts.inputs, parts.numbers, parts.made)
         check_starts(errors, parts.made, signals, "parts.")
         connections = dict(_flatten(tables["connections"]))
         # An invalid part has unknown inputs and outputs: connections are checked only if all parts are valid.
@@ -180,7 +180,7 @@ class _Parts:
                 elif owner in self.wiring and owner not in self.made:  # an invalid part has unknown inputs
                     check_signal_table(table)
                 else:
-                    self.errors.extend([unknown_input(address, self.inputs)])
+                    self.errors.extend([unknown_input(f"signals.{address}", self.inputs, self.made)])
         return signals
 
     def check_stated_connections(self, tables: Mapping[str, Any], connections: Mapping[str, str]) -> None:

@@ -15,6 +15,7 @@ from typing import Any, NamedTuple
 from poppet.circuit.options import Ambient, GasChoice, Run
 from poppet.core.errors import ErrorCollector, InputError, NameSuggestion
 from poppet.parts.fields import BodySpec, MemberSpec, PortSpec, attribute, specs
+from poppet.parts.faults import Valve
 from poppet.parts.part import AMBIENT, TUBE, Body, Input, Part, PartConnection, Passage, Store, is_port
 from poppet.parts.sources import Reservoir
 from poppet.timeseries.segments import Signal
@@ -241,7 +242,7 @@ def find_drives(wiring: Wiring, connections: Mapping[str, str], inputs: Mapping[
 
 
 def check_connections(
-    errors: ErrorCollector, connections: Mapping[str, str], parts: Collection[str], inputs: Mapping[str, Input],
+    errors: ErrorCollector, connections: Mapping[str, str], parts: Mapping[str, Part], inputs: Mapping[str, Input],
     signals: Collection[str], declared: Mapping[str, PartConnection],
 ) -> None:  # fmt: skip
     """Collect errors of connections.
@@ -263,10 +264,7 @@ def check_connections(
         if item is not None and (item.by_signal or item.slope_of):
             errors.add("wiring.signal_only", f"connections.{target}")
         elif item is None:
-            suggestion = NameSuggestion(target, inputs)
-            errors.add(
-                "names.unknown", f"connections.{target}", meaning="an input of this circuit", suggestion=suggestion
-            )
+            errors.extend([unknown_input(f"connections.{target}", inputs, parts)])
         elif not isinstance(source, str) or source.partition(".")[0] not in parts:
             example = f"{next(iter(parts), 'part')}.pressure"
             errors.add("wiring.no_output", f"connections.{target}", source=source, example=example)
@@ -276,15 +274,17 @@ def check_connections(
 
 
 def check_signals(
-    errors: ErrorCollector, signals: Mapping[str, Signal], inputs: Mapping[str, Input], numbers: Mapping[str, float]
-) -> None:
+    errors: ErrorCollector, signals: Mapping[str, Signal], inputs: Mapping[str, Input], numbers: Mapping[str, float],
+    parts: Mapping[str, Part],
+) -> None:  # fmt: skip
     """Collect errors of signals.
 
     The errors are unknown inputs, and signal values outside the limits of an input.
     """
     for address, signal in signals.items():
         if address not in inputs or inputs[address].slope_of:
-            errors.extend([unknown_input(address, [name for name, item in inputs.items() if not item.slope_of])])
+            names = [name for name, item in inputs.items() if not item.slope_of]
+            errors.extend([unknown_input(f"signals.{address}", names, parts)])
         elif not isinstance(signal, Signal):
             errors.add("wiring.no_signal", f"signals.{address}")
         else:
@@ -324,7 +324,14 @@ def check_starts(
             part.check_start(body.initial_travel() if signal is None else float(signal.table(1.0).evaluate(0.0)))
 
 
-def unknown_input(address: str, inputs: Collection[str]) -> InputError:
-    """Return the error for a signal whose address is not an input."""
-    suggestion = NameSuggestion(address, inputs)
-    return InputError("names.unknown", f"signals.{address}", meaning="an input of this circuit", suggestion=suggestion)
+def unknown_input(address: str, inputs: Collection[str], parts: Mapping[str, Part]) -> InputError:
+    """Return the error for a signal or a connection of an input that does not exist.
+
+    `address` begins with the name of the table, such as `signals.valve.command`.
+    """
+    name = address.partition(".")[2]
+    owner, _, local = name.partition(".")
+    if local == "fault" and isinstance(parts.get(owner), Valve):
+        return InputError("faults.no_input", address, valve=owner)
+    suggestion = NameSuggestion(name, inputs)
+    return InputError("names.unknown", address, meaning="an input of this circuit", suggestion=suggestion)

@@ -283,3 +283,10 @@ def test_a_connected_fault_follows_its_source():
     circuit = Circuit(parts, circuit.signals, connections={"valve.fault": "other.position"})
     recording = circuit.simulate(0.05, output_step=1e-3)
     assert recording["valve.fault"] == pytest.approx(recording["other.position"])
+
+
+def test_a_healthy_valve_has_no_input_for_a_fault():
+    with refused("faults.no_input", "signals.valve.fault", valve="valve"):
+        seat_valve({"valve.fault": Constant(1.0)})
+    with refused("faults.no_input", "connections.valve.fault", valve="valve"):
+        replace(seat_valve(), connections={"valve.fault": "valve.position"})
