@@ -14,8 +14,8 @@ from typing import Any, NamedTuple
 
 from poppet.circuit.options import Ambient, GasChoice, Run
 from poppet.core.errors import ErrorCollector, InputError, NameSuggestion
-from poppet.parts.fields import BodySpec, MemberSpec, PortSpec, attribute, specs
 from poppet.parts.faults import Valve
+from poppet.parts.fields import BodySpec, MemberSpec, PortSpec, attribute, specs
 from poppet.parts.part import AMBIENT, TUBE, Body, Input, Part, PartConnection, Passage, Store, is_port
 from poppet.parts.sources import Reservoir
 from poppet.timeseries.segments import Signal

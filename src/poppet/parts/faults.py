@@ -135,9 +135,11 @@ class Valve(Part):
         return (*super().notes(), *self.fault_notes())
 
     def fault_notes(self) -> tuple[Note, ...]:
-        """Return a note if a start is specified without a fault."""
-        is_idle = self.fault == HEALTHY and self.fault_start is not None
-        return (Note("faults.idle_start", "fault_start"),) if is_idle else ()
+        """Return a note on the fault, or on a start without a fault."""
+        start: Any = self.fault_start
+        if self.fault == HEALTHY:
+            return () if start is None else (Note("faults.idle_start", "fault_start"),)
+        return (Note("faults.present", "fault", fault=self.fault, start="" if start is None else start.display()),)
 
     def options(self) -> dict[str, str]:
         # The fault is a parameter: one compiled model serves all faults of a valve.

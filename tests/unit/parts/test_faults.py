@@ -26,6 +26,7 @@ from poppet import (
 )
 from poppet.parts.faults import FAULTS
 from poppet.parts.spool_functions import FUNCTIONS
+from poppet.report.circuit.schematic import part_caption
 from poppet.signals import Constant, Steps
 from refusals import refused
 
@@ -290,3 +291,13 @@ def test_a_healthy_valve_has_no_input_for_a_fault():
         seat_valve({"valve.fault": Constant(1.0)})
     with refused("faults.no_input", "connections.valve.fault", valve="valve"):
         replace(seat_valve(), connections={"valve.fault": "valve.position"})
+
+
+def test_a_result_and_a_drawing_name_the_fault():
+    circuit = seat_valve(fault="stuck_closed", fault_start="20 ms")
+    (note,) = (note for note in circuit.static_notes if note.code == "faults.present")
+    assert (note.address, note.facts["fault"], note.facts["start"]) == ("valve.fault", "stuck_closed", "20 ms")
+    assert "fault: stuck closed" in part_caption(circuit, "valve")
+    assert not any("fault" in line for line in part_caption(seat_valve(), "valve"))
+    codes = [(note.code, note.address) for note in proportional_valve(fault="leak").static_notes]
+    assert codes.count(("faults.present", "valve.fault")) == 1

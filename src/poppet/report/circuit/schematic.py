@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 from poppet.parts import Reservoir, Store, Tube
 from poppet.parts.captions import ASSUMED, CaptionNumbers, format_value
+from poppet.parts.faults import HEALTHY, Valve
 from poppet.parts.part import AMBIENT, Body, Controller
 from poppet.parts.symbols import OPEN_END, Symbol, rectangle
 from poppet.report.circuit.layout import BoxPosition, Edge, Graph, Layout, assign_layers
@@ -117,7 +118,11 @@ def part_caption(circuit: BaseCircuit, name: str) -> list[str]:
     def parameter(local: str) -> float:
         return circuit.parameters[f"{name}.{local}"]
 
-    return circuit.parts[name].caption(CaptionNumbers(parameter, signals, circuit.surroundings.pressure))
+    part = circuit.parts[name]
+    fault = []
+    if isinstance(part, Valve) and part.fault != HEALTHY:
+        fault = [f"fault: {part.fault.replace('_', ' ')}"]
+    return [*part.caption(CaptionNumbers(parameter, signals, circuit.surroundings.pressure)), *fault]
 
 
 @dataclass(frozen=True)
