@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+import casadi as ca
 import numpy as np
 import pytest
 
@@ -24,7 +25,7 @@ from poppet import (
     SpoolValve,
     TwoPressureValve,
 )
-from poppet.parts.faults import FAULTS
+from poppet.parts.faults import FAULTS, FaultEffect
 from poppet.parts.spool_functions import FUNCTIONS
 from poppet.report.circuit.schematic import part_caption
 from poppet.signals import Constant, Steps
@@ -63,6 +64,16 @@ def test_a_valve_without_a_fault_has_neither_input_nor_parameters_of_faults():
     assert [name for name in circuit.inputs if "fault" in name] == []
     assert [name for name in circuit.parameters if name.partition(".")[2] in ("fault_start", "slow_factor")] == []
     assert circuit.structure == seat_valve().structure
+
+
+def test_a_healthy_valve_has_the_equations_of_a_valve_without_faults():
+    """The default effect adds no operation to an expression, and changes no bit of a float."""
+    healthy, x, y = FaultEffect(), ca.SX.sym("x"), ca.SX.sym("y")
+    for value, other in ((ca.sin(x), y), (0.1 + 0.2, 1.0 / 3.0), (-1e-300, 1e300)):
+        results = [healthy.forced(value, other, 0.0), healthy.held(value), healthy.leaking(value, other)]
+        results += [value * healthy.slowness, value / healthy.slowness]
+        for result in results:
+            assert ca.is_equal(result, value, 9) if isinstance(value, ca.SX) else result == value
 
 
 def test_all_faults_share_their_equations():
@@ -301,3 +312,16 @@ def test_a_result_and_a_drawing_name_the_fault():
     assert not any("fault" in line for line in part_caption(seat_valve(), "valve"))
     codes = [(note.code, note.address) for note in proportional_valve(fault="leak").static_notes]
     assert codes.count(("faults.present", "valve.fault")) == 1
+
+
+@pytest.mark.parametrize("build", [seat_valve, proportional_valve], ids=["valve", "compound"])
+def test_an_uncertain_start_shifts_the_breakpoint_of_each_run(build):
+    circuit = build(fault="stuck_open", fault_start=0.05).with_values({"run.duration": 0.2})
+    parameters = {"valve.fault_start": {"distribution": "uniform", "low": 0.03, "high": 0.15}}
+    metrics = {"end": {"of": "tank.pressure", "metric": "mean"}}
+    rows = circuit.ensemble(runs=3, parameters=parameters, metrics=metrics).dataset.columns("runs")
+    assert len(set(rows["end"])) == 3
+    for start, end in zip(rows["valve.fault_start"], rows["end"], strict=True):
+        single = circuit.with_values({"valve.fault_start": float(start)}).simulate()
+        pressure = single["tank.pressure"]
+        assert end == pytest.approx(np.trapezoid(pressure, single.time) / single.time[-1], rel=1e-6)
