@@ -31,11 +31,16 @@ def show_library(options: argparse.Namespace) -> None:
 def _entry(name: str) -> str:
     """Return the text of a set, a characteristic, a gas or a component."""
     from poppet import library
+    from poppet.library.components import component_names, find_variants
 
-    # Only the names of components contain a blank, after the manufacturer.
-    if " " not in name.strip():
+    others = (*library.sets(), *library.characteristics(), *library.gas_names())
+    key = name.casefold()
+    # The manufacturer before the catalogue number is easily forgotten.
+    is_component = " " in name.strip() or (
+        not NameSuggestion(name, others).names and any(key in full_name.casefold() for full_name in component_names())
+    )
+    if name in others or not is_component:
         return library.describe(name)
-    from poppet.library.components import find_variants
     from poppet.report.component_passport import passports
 
     return passports(find_variants(name))

@@ -318,12 +318,12 @@ def variants_of(name: str, components: Iterable[CatalogueComponent]) -> tuple[Ca
 
 
 def _unknown(name: str, others: Iterable[CatalogueComponent]) -> InputError:
-    names = [*component_names(), *(name for component in others for name in component.names)]
+    valid = [*components(), *others]
     key = _key(name)
     # A name without its manufacturer, or the beginning of a catalogue number, is as common as a misspelt one.
-    similar = [valid for valid in names if key in _key(valid) or _key(valid).partition(" ")[2] == key]
-    suggestion = NameSuggestion(name, names)
-    names = similar[:3] or suggestion.names
+    matching = (tuple(n for n in component.names if key and key in _key(n)) for component in valid)
+    similar = [*dict.fromkeys(min(names, key=len) for names in matching if names)]
+    names = similar[:3] or NameSuggestion(name, [name for component in valid for name in component.names]).names
     return InputError("components.unknown", name=name, names=names)
 
 
