@@ -17,7 +17,7 @@ from poppet.core.symbolic import where
 from poppet.core.units import quantity
 from poppet.parts.part import Controller, ControlOutputs, Input, Scope
 from poppet.timeseries.segments import SegmentTable, Signal, held
-from poppet.timeseries.signals import Constant, Steps
+from poppet.timeseries.signals import Chirp, Constant, Pwm, Steps
 
 AnyCircuit = TypeVar("AnyCircuit", bound=BaseCircuit)
 
@@ -122,6 +122,25 @@ def with_switches(circuit: AnyCircuit, events: tuple[EventValue, ...]) -> AnyCir
         connections |= {event.address: f"{name}.output", f"{name}.source": event.replaced}
     parts = {**circuit.parts, **{name: EventSwitch(unit=event.unit) for name, event in switches.items()}}
     return replace(circuit, parts=parts, connections=connections)
+
+
+def with_fixed_sweeps(circuit: AnyCircuit) -> AnyCircuit:
+    """Return a copy of a circuit whose chirps keep their duration in a longer run.
+
+    A chirp without a duration sweeps during the whole run, which an audit extends.
+    """
+    if circuit.run.duration is None:
+        return circuit
+    duration = float(circuit.run.duration)  # type: ignore[arg-type]
+
+    def fixed(signal: Signal) -> Signal:
+        if isinstance(signal, Chirp) and signal.duration is None:
+            return replace(signal, duration=duration)
+        if isinstance(signal, Pwm) and isinstance(signal.duty, Signal):
+            return replace(signal, duty=fixed(signal.duty))
+        return signal
+
+    return circuit.with_signals({address: fixed(signal) for address, signal in circuit.signals.items()})
 
 
 def _switch_name(circuit: BaseCircuit, events: tuple[EventValue, ...], event: EventValue) -> str:

@@ -10,7 +10,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from poppet.audit.events import event_signals, with_switches
+from poppet.audit.events import event_signals, with_fixed_sweeps, with_switches
 from poppet.audit.pressure_holds import FinalState
 from poppet.audit.safety_result import EventValue, Moment, SafetyCurves
 from poppet.audit.settling import Motion, motion_of, sample_times, time_below
@@ -60,7 +60,7 @@ class SafetyRuns:
         self, circuit: BaseCircuit, events: tuple[EventValue, ...], faults: Sequence[ValveFault], threshold: float,
         duration: float,
     ) -> None:  # fmt: skip
-        self.circuit = with_idle_faults(with_switches(circuit, events), faults)
+        self.circuit = with_idle_faults(with_switches(with_fixed_sweeps(circuit), events), faults)
         self.events, self.faults, self.threshold = events, tuple(faults), threshold
         self.moments: tuple[Moment, ...] = ()
         self.samples: tuple[Mapping[str, float], ...] = ()

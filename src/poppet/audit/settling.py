@@ -58,13 +58,17 @@ def time_below(time: FloatArray, excess: FloatArray) -> float:
     if last == time.size - 1:
         return math.inf
     first = min(max(last - 1, 0), max(time.size - 4, 0))
-    t, y = time[first : first + 4], excess[first : first + 4]
+    t, differences = time[first : first + 4].tolist(), excess[first : first + 4].tolist()
+    # Newton's form of the cubic.
+    for order in range(1, len(t)):
+        for k in range(len(t) - 1, order - 1, -1):
+            differences[k] = (differences[k] - differences[k - 1]) / (t[k] - t[k - order])
     low, high = float(time[last]), float(time[last + 1])
-    weights = [1.0 / np.prod(t[k] - np.delete(t, k)) for k in range(t.size)]
     # Bisection: the cubic has the signs of the samples at both ends.
     for _ in range(60):
-        middle = 0.5 * (low + high)
-        value = sum(w * v * np.prod(middle - np.delete(t, k)) for k, (w, v) in enumerate(zip(weights, y, strict=True)))
+        middle, value = 0.5 * (low + high), 0.0
+        for node, difference in zip(reversed(t), reversed(differences), strict=True):
+            value = value * (middle - node) + difference
         low, high = (middle, high) if value > 0.0 else (low, middle)
     return high
 

@@ -23,7 +23,7 @@ from poppet import (
 from poppet.audit.safety import audit_safety
 from poppet.audit.safety_result import SafetyAudit
 from poppet.core.errors import InputError
-from poppet.signals import Constant, Steps
+from poppet.signals import Chirp, Constant, Steps
 
 AMBIENT, T = 1e5, 293.15
 R = 287.05287  # of dry air, ISO 2533
@@ -388,3 +388,11 @@ def test_a_signal_continues_until_the_event():
         audit_safety(circuit, {"valve.command": 0}, at=["0.1 s", "0.6 s"], kinds=())
     assert (caught.value.code, caught.value.facts["time"]) == ("safety.no_change", 0.1)
     assert audit_safety(circuit, {"valve.command": 0}, at="0.6 s", kinds=()).travel_of("load").is_stopped
+
+
+def test_a_sweep_is_that_of_the_run_without_an_event():
+    circuit = falling_circuit().with_signals({"load.load_force": Chirp(0.0, 100.0, 0.5, 8.0)})
+    stated = circuit.with_signals({"load.load_force": Chirp(0.0, 100.0, 0.5, 8.0, duration=1.0)})
+    options = {"at": "0.6 s", "duration": "3 s", "kinds": ()}
+    sweeps = [audit_safety(each, {"valve.command": 0}, **options).travel_of("load").path for each in (circuit, stated)]
+    assert sweeps[0] == sweeps[1]
