@@ -252,7 +252,7 @@ def _distance(result: AuditRunResult, body: str) -> float:
 def _interval(
     runs: SafetyRuns, results: Results, worst: Mapping[tuple[int, str], AuditCase], fault: int, name: str
 ) -> dict[str, Any]:
-    """Return the limits of the 95 % interval of a time or distance; empty without samples.
+    """Return the limits of the 95 % interval of a time or distance; empty without samples or with missing runs.
 
     Each sample has the largest value of the moments that are the worst of any volume or body with this fault.
     """
@@ -260,7 +260,9 @@ def _interval(
     values = []
     for k in range(len(runs.samples)):
         cases = [AuditCase(fault, moment, k) for moment in moments]
-        if all(case in results and results[case].failure is None for case in cases):
+        if not all(case in results for case in cases):
+            return {}  # interrupted
+        if all(results[case].failure is None for case in cases):
             values.append(max(_value(results[case], name) for case in cases))
     if not values:
         return {}

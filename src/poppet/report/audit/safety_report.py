@@ -99,7 +99,7 @@ def _time(value: float, duration: float) -> str:
 
 def _interval(text: str, low: float | None, high: float | None, shown: Callable[[float], str]) -> str:
     # An interval of equal texts adds nothing, for example if no sample is exhausted.
-    if low is None or high is None or text == shown(low) == shown(high):
+    if low is None or high is None or (shown(low) == shown(high) and shown(low) in text):
         return text
     return f"{text} ({shown(low)} to {shown(high)})"
 
