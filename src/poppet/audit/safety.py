@@ -182,7 +182,8 @@ def _check_changes(
             idle.append(moment)
     if idle and (is_stated or len(idle) == len(moments)):
         raise InputError(
-            "safety.no_change", events[0].address, events=[event.shown for event in events], time=idle[0].time,
+            "safety.no_change", events[0].address, events=[event.shown for event in events],
+            time=idle[0].time if is_stated else None,
             is_always=not is_stated,
         )  # fmt: skip
 

@@ -163,7 +163,8 @@ def exhaust_table(audit: SafetyAudit) -> ReportTable:
         pressures = f"{round(normal.start_pressure / 1e5, 3):z.3g} → {round(normal.end_pressure / 1e5, 3):z.3g}"
         cells = [code(volume), _verdict(time_text(normal, audit.duration), normal.is_safe), pressures]
         if isinstance(worst, ExhaustTime):
-            cells += [_verdict(time_text(worst, audit.duration), worst.is_safe), code(worst.fault), _reason(worst)]
+            cells += [_verdict(time_text(worst, audit.duration), worst.is_safe), code(worst.fault)]
+            cells.append(_reason(worst if normal.is_safe else normal))
         else:
             cells += ["", "", _reason(normal)]
         rows.append(cells)
