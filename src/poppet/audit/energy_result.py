@@ -232,7 +232,7 @@ class EnergyAudit(ResultFileMixin):
                 "energy_residual": self.residual("energy"),
             },
             "air_l_anr": {name: volume / LITRE for name, volume in self.air.items()},
-            "findings": grouped(self.notes),
+            "findings": [str(note) for note in grouped(self.notes)],
             "leaks": [
                 {"part": leak.part, "flow_path": leak.flow_path, "air_l_anr_per_cycle": leak.air / LITRE,
                  "air_l_anr_per_min": leak.air / LITRE * 60.0 / cycle.duration, "exergy_j": leak.exergy,

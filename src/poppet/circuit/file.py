@@ -35,7 +35,7 @@ from poppet.parts.fields import from_table
 from poppet.parts.part import Controller, ControlOutputs, Input, PartConnection, Scope, Store, Surroundings
 
 TOP_LEVEL = ("title", "components", "parts", "signals", "connections", "ambient", "gas", "run")
-ABOVE = ("ensemble", "requirements")
+ABOVE = ("ensemble", "requirements", "audit")
 """Tables that the packages above read."""
 
 

@@ -1,19 +1,24 @@
-"""Command `poppet audit energy`: air, energy and exergy of one machine cycle."""
+"""Command `poppet audit energy`: air, energy, exergy, cost, leaks and savings of one machine cycle."""
 
 from __future__ import annotations
 
 import argparse
 import math
-from typing import TYPE_CHECKING
+from collections.abc import Mapping
+from dataclasses import replace
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
 
-from poppet.cli.assignments import load_circuit
+from poppet.cli.assignments import load_circuit, read_assignments
 from poppet.cli.progress import Spinner
-from poppet.cli.summary import print_notes, print_written
+from poppet.cli.summary import print_notes, require_matplotlib, write_result
 from poppet.core.number_format import aligned
 from poppet.core.toml_file import TomlFile
 
 if TYPE_CHECKING:
     from poppet.audit.energy_result import EnergyAudit
+    from poppet.audit.savings import Measure
+    from poppet.circuit.circuit import BaseCircuit
 
 
 def audit_energy(options: argparse.Namespace) -> int:
@@ -21,25 +26,65 @@ def audit_energy(options: argparse.Namespace) -> int:
 
     The result is the exit code.
     """
+    from poppet.audit.circuit_leaks import find_leaks
     from poppet.audit.energy import audit_energy as audit
+    from poppet.audit.savings import find_savings
     from poppet.core.errors import InputError
 
+    require_matplotlib(options.report)
     circuit, notes = load_circuit(options)
+    measures = read_measures(options.saving)
     try:
+        settings: dict[str, Any] = {
+            "cycle": options.cycle, "step": options.cycle_from or "", "count": options.cycles,
+            "duration": options.duration, "tariff": _read_tariff(circuit, options),
+        }  # fmt: skip
+
+        def run(changed: BaseCircuit) -> EnergyAudit:
+            return audit(changed, **settings)
+
         with Spinner("simulating", is_quiet=options.quiet):
-            result = audit(
-                circuit, cycle=options.cycle, step=options.cycle_from or "", count=options.cycles,
-                duration=options.duration,
-            )  # fmt: skip
+            result = run(circuit)
+            leaks, leak_notes = find_leaks(circuit, result, run, options.leak)
+        with Spinner("simulating savings", is_quiet=options.quiet):
+            no_savings: Any = (), ()
+            savings, saving_notes = no_savings if options.no_savings else find_savings(circuit, result, run, measures)
     except InputError as error:
         raise TomlFile.read(options.file).located(error) from None
+    result = replace(result, leaks=leaks, savings=savings, notes=(*result.notes, *leak_notes, *saving_notes))
     print_notes([*notes, *result.notes])
 
-    if options.output:
-        result.save(options.output)
-    print(energy_summary(result))
-    print_written(options.output)
+    def write_report(path: Path) -> None:
+        from poppet.report.audit.energy_report import write_energy
+
+        write_energy(result, path, circuit)
+
+    write_result(options, result, energy_summary(result), write_report)
     return 0
+
+
+def _read_tariff(circuit: BaseCircuit, options: argparse.Namespace) -> Any:
+    """Return the tariff of the table [audit] of a circuit file, in which options replace fields."""
+    from poppet.audit.tariff import FIELDS, read_tariff
+
+    table = {} if circuit.origin is None else circuit.origin.tables.get("audit", {})
+    if not isinstance(table, Mapping):
+        return read_tariff(table, "audit")
+    stated = {name: vars(options)[name] for name in ("tariff", *FIELDS) if vars(options)[name] is not None}
+    return read_tariff({**table, **stated}, "audit")
+
+
+def read_measures(texts: list[str]) -> list[Measure] | None:
+    """Return the measures of the option --saving; None if there are none, for the default measures.
+
+    Examples
+    --------
+    >>> read_measures(["cylinder.bore=25 mm, supply.pressure=5 bar g"])[0].values
+    {'cylinder.bore': '25 mm', 'supply.pressure': '5 bar g'}
+    """
+    from poppet.audit.savings import Measure
+
+    return [Measure(text, read_assignments(text.split(","), "--saving")) for text in texts] or None
 
 
 def energy_summary(audit: EnergyAudit) -> str:
@@ -55,18 +100,49 @@ def energy_summary(audit: EnergyAudit) -> str:
         ["supplied exergy", f"{audit.exergy_supplied:.6g}", "J", ""],
         ["work on loads", f"{audit.work:.6g}", "J", ""],
     ]
-    for name, value, unit in (("cost", audit.cost, "currency"), ("CO2", audit.co2, "kg")):
-        if not math.isnan(value):
-            word = audit.tariff.currency if unit == "currency" and audit.tariff is not None else unit
-            facts.append([name, f"{value:.4g}", word, ""])
+    if audit.tariff is not None:
+        cycles, hours = audit.tariff.cycles_per_year(cycle.duration), audit.tariff.hours.display()
+        for name, value, unit in (("cost", audit.cost, audit.tariff.currency), ("CO2", audit.co2, "kg")):
+            if not math.isnan(value):
+                facts.append([f"{name} per year", f"{value * cycles:.4g}", unit, f"{cycles:.4g} cycles in {hours}"])
     balance = [["balance", "energy [J]", "exergy [J]", "% of supply"]]
     for category in CATEGORIES:
         energy, exergy = audit.total(category, quantity="energy"), audit.total(category)
         share = 100.0 * exergy / audit.exergy_supplied if audit.exergy_supplied > 0.0 else math.nan
-        balance.append([category, f"{energy:.4f}", f"{exergy:.4f}", f"{share:.2f}"])
+        balance.append([category, f"{energy:z.4f}", f"{exergy:z.4f}", f"{share:z.2f}"])
     residuals = (f"{audit.residual(quantity):.1e}" for quantity in ("energy", "exergy"))
     balance.append(["residual / sum of rows", *residuals, ""])
     parts = [["part", "air [l ANR]", "lost exergy [J]", "mainly by"]]
     parts += [[row.part, f"{row.air / LITRE:.5f}", f"{row.exergy_lost:.4f}", row.category] for row in audit.parts]
     tables = aligned(facts, (1,)), aligned(balance, range(1, 4)), aligned(parts, (1, 2))
-    return "\n\n".join(filter(None, [audit.title, *tables]))
+    return "\n\n".join(filter(None, [audit.title, *tables, _leak_text(audit), _saving_text(audit)]))
+
+
+def _leak_text(audit: EnergyAudit) -> str:
+    from poppet.audit.energy_result import LITRE
+
+    currency = "" if audit.tariff is None else audit.tariff.currency
+    heads = ["leak", "air [l ANR]", "lost exergy [J]", *([f"cost [{currency}/year]"] if currency else [])]
+    rows = [
+        [
+            leak.flow_path,
+            f"{leak.air / LITRE:.5f}",
+            f"{leak.exergy:.4f}",
+            *([f"{leak.cost_per_year:.4g}"] * bool(currency)),
+        ]
+        for leak in audit.leaks
+    ]
+    return aligned([heads, *rows], range(1, len(heads))) if rows else ""
+
+
+def _saving_text(audit: EnergyAudit) -> str:
+    from poppet.audit.energy_result import LITRE
+
+    currency = "" if audit.tariff is None else audit.tariff.currency
+    heads = ["saving", "air [l ANR]", "exergy [J]", "cycle [s]", *([f"cost [{currency}/year]"] if currency else [])]
+    rows = []
+    for row in audit.savings:
+        values = [f"{row.air / LITRE:.5f}", f"{row.exergy:.4f}", f"{row.cycle_time:.5g}"]
+        values += [f"{row.cost_per_year:.4g}"] if currency else []
+        rows.append([f"{row.measure}, upper bound" if row.is_bound else row.measure, *values])
+    return aligned([heads, *rows], range(1, len(heads))) if rows else ""

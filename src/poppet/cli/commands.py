@@ -180,6 +180,7 @@ _COMMANDS = {
             WITH,
             SET,
             RESULT,
+            REPORT,
             Option("--cycle TIMES", 'start and end of the cycle: "0.5 s, 1.9 s"', group="cycle"),
             Option("--cycle-from STEP", "step of a sequence with which the cycle begins", group="cycle"),
             Option(
@@ -188,11 +189,33 @@ _COMMANDS = {
                 keywords={"type": int, "default": 1},
             ),
             Option("--duration TIME", 'duration of the run: "60 s"'),
+            Option("--tariff PRICE", 'price of electricity, "0.20 EUR/kWh", or of air at ANR, "0.02 EUR/m^3"'),
+            Option("--specific-energy ENERGY", 'electricity per volume of air (default: "0.12 kWh/m^3")'),
+            Option("--emission MASS", 'CO2 per electrical energy: "0.4 kg/kWh"'),
+            Option("--hours TIME", 'operating time per year (default: "4000 h")'),
+            Option("--leak ADDRESS ...", "part or flow path that is a leak; may be repeated"),
+            Option(
+                "--saving CHANGES ...",
+                "measure that is simulated, in place of the default measures: "
+                '"cylinder.bore=25 mm, supply.pressure=5 bar g"; may be repeated',
+                group="savings",
+            ),
+            Option("--no-savings", "simulate no measures", group="savings"),
         ),
         (
             "poppet audit energy two_cylinders.toml",
-            'poppet audit energy double_stroke.toml --cycle "2 s, 4 s" -o RESULT.toml',
+            'poppet audit energy double_stroke.toml --cycle "2 s, 4 s" -o RESULT.toml --report REPORT.html',
             "poppet audit energy two_cylinders.toml --cycle-from wait --cycles 3 --duration '20 s'",
+            'poppet audit energy two_cylinders.toml --tariff "0.20 EUR/kWh" --emission "0.4 kg/kWh"',
+        ),
+    ),
+    "audit leaks": Command(
+        "flow and cost of the leaks in a leak survey of a plant",
+        "audit_leaks:survey_leaks",
+        (Option("FILE", "leak survey (.toml)"), RESULT),
+        (
+            "poppet audit leaks leak_survey.toml",
+            "poppet audit leaks leak_survey.toml -o RESULT.toml",
         ),
     ),
     "audit safety": Command(
