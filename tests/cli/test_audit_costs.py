@@ -78,14 +78,15 @@ def test_invalid_options_are_rejected_before_a_result_is_written(poppet, tmp_pat
     assert not output.exists()
 
 
-def test_an_invalid_tariff_of_a_file_has_its_line(poppet, tmp_path):
+def test_an_invalid_tariff_of_a_file_is_rejected_with_its_line(poppet, tmp_path):
     file = tmp_path / "machine.toml"
     text = Path(MACHINE).read_text(encoding="utf-8") + AUDIT.replace("0.02 CHF/m^3", "0.02")
     file.write_text(text, encoding="utf-8")
     line = next(number for number, line in enumerate(text.splitlines(), 1) if line.startswith("tariff"))
-    code, _, errors = poppet("audit", "energy", str(file))
-    assert code == 2
-    assert f"machine.toml:{line}: audit.tariff" in errors
+    for command in (("audit", "energy"), ("check",)):
+        code, _, errors = poppet(*command, str(file))
+        assert code == 2
+        assert f"machine.toml:{line}: audit.tariff" in errors
 
 
 def test_a_survey_is_printed_and_written(poppet, tmp_path):

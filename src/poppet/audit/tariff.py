@@ -6,12 +6,15 @@ import math
 import re
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from poppet.core.errors import ErrorCollector, InputError, NameSuggestion, UnitError
 from poppet.core.provenance import Number
 from poppet.core.units import convert, same_dimension
 from poppet.parts.fields import NumberSpec, default_number, read_number, split_source
+
+if TYPE_CHECKING:
+    from poppet.circuit.circuit import BaseCircuit
 
 FIELDS = {
     "specific_energy": NumberSpec(
@@ -136,6 +139,25 @@ def read_tariff(table: Mapping[str, Any] | None = None, address: str = "") -> Ta
                 with errors.collecting():
                     values[name] = read_number(f"{prefix}{name}", spec, table[name])
     return Tariff(**values)  # type: ignore[arg-type]
+
+
+def tariff_of(circuit: BaseCircuit, values: Mapping[str, Any] | None = None) -> Tariff:
+    """Return the tariff in the table [audit] of a circuit file, in which `values` replace fields.
+
+    Parameters
+    ----------
+    circuit : Circuit
+        A circuit. Without this table, the tariff has `values` and defaults.
+    values : mapping, optional
+        Fields of `read_tariff`; a value of None does not replace the field.
+
+    Returns
+    -------
+    Tariff
+    """
+    table = {} if circuit.origin is None else circuit.origin.tables.get("audit", {})
+    replaced = {name: value for name, value in (values or {}).items() if value is not None}
+    return read_tariff({**table, **replaced} if isinstance(table, Mapping) else table, "audit")
 
 
 def _read_price(address: str, argument: Any) -> Number:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import argparse
 import math
-from collections.abc import Mapping
 from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -29,15 +28,17 @@ def audit_energy(options: argparse.Namespace) -> int:
     from poppet.audit.circuit_leaks import find_leaks
     from poppet.audit.energy import audit_energy as audit
     from poppet.audit.savings import find_savings
+    from poppet.audit.tariff import FIELDS, tariff_of
     from poppet.core.errors import InputError
 
     require_matplotlib(options.report)
     circuit, notes = load_circuit(options)
     measures = read_measures(options.saving)
     try:
+        tariff = tariff_of(circuit, {name: vars(options)[name] for name in ("tariff", *FIELDS)})
         settings: dict[str, Any] = {
             "cycle": options.cycle, "step": options.cycle_from or "", "count": options.cycles,
-            "duration": options.duration, "tariff": _read_tariff(circuit, options),
+            "duration": options.duration, "tariff": tariff,
         }  # fmt: skip
 
         def run(changed: BaseCircuit) -> EnergyAudit:
@@ -61,17 +62,6 @@ def audit_energy(options: argparse.Namespace) -> int:
 
     write_result(options, result, energy_summary(result), write_report)
     return 0
-
-
-def _read_tariff(circuit: BaseCircuit, options: argparse.Namespace) -> Any:
-    """Return the tariff of the table [audit] of a circuit file, in which options replace fields."""
-    from poppet.audit.tariff import FIELDS, read_tariff
-
-    table = {} if circuit.origin is None else circuit.origin.tables.get("audit", {})
-    if not isinstance(table, Mapping):
-        return read_tariff(table, "audit")
-    stated = {name: vars(options)[name] for name in ("tariff", *FIELDS) if vars(options)[name] is not None}
-    return read_tariff({**table, **stated}, "audit")
 
 
 def read_measures(texts: list[str]) -> list[Measure] | None:

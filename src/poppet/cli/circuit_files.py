@@ -46,7 +46,11 @@ def check_files(options: argparse.Namespace) -> None:
             # A file without a duration is valid: the option --duration can set it.
             if circuit.run.duration is not None:
                 circuit.run.grid()
-            if "ensemble" in circuit.origin[0]:
+            if "audit" in circuit.origin.tables:
+                from poppet.audit.tariff import tariff_of
+
+                tariff_of(circuit)
+            if "ensemble" in circuit.origin.tables:
                 from poppet.ensemble import plan_of
 
                 plan = plan_of(circuit, allow_python=True)  # executes nothing

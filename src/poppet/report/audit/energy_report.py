@@ -396,7 +396,7 @@ def _step_figures(circuit: BaseCircuit | None, recording: Recording | None) -> s
 
 
 def _tariff_table(audit: EnergyAudit) -> ReportTable | str:
-    if audit.tariff is None:
+    if audit.tariff is None or (audit.tariff.price is None and audit.tariff.emission is None):
         return ""
     rows = [
         (name.replace("_", " "), pretty(number.display()), str(number.source))
