@@ -19,6 +19,7 @@ ROWS = (
     FaultRow("first", "stuck_closed", (MOVES, STAYS)),
     FaultRow("first", "leak", (Consequence("none", "first"),)),
     FaultRow("second", "slow", (Consequence("cycle_time", "plc", 2.4, 2.1, "s"),)),
+    FaultRow("second", "stuck", (Consequence("pressure_high", "tank", 8e5, 6e5, "Pa"),)),
 )
 TABLE = FaultTable("Press", 1.0, 10.0, 5e4, ROWS, (OmittedFault("check", "slow", "It has no switching time."),), 2.1)
 
@@ -42,16 +43,18 @@ def test_every_consequence_is_a_sentence_of_the_page(page):
 
 
 def test_effects_are_counted(page):
-    counts = dict(re.findall(r"<tr><td>([^<]*)</td><td class=\"number\">(\d) of 4</td></tr>", page))
+    counts = dict(re.findall(r"<tr><td>([^<]*)</td><td class=\"number\">(\d) of 5</td></tr>", page))
     assert counts == {
         "The machine stops: a step waits or times out": "1",
         "A body moves without a command": "1",
         "A body does not reach its position, or passes it": "1",
         "A volume keeps its pressure": "1",
+        "A pressure is too high": "1",
         "The fault remains hidden": "1",
     }
     assert [effects_of(row) for row in ROWS] == [
         {"stops", "position"}, {"moves_without_command", "pressure_stays"}, {"hidden"}, set(),
+        {"pressure_high"},
     ]  # fmt: skip
 
 

@@ -47,7 +47,7 @@ def audit(**changes: object) -> SafetyAudit:
             travel("arm", "", math.pi / 180.0, "rad"),
             travel("load", "dump.stuck", 0.05),
             travel("arm", "dump.stuck", 0.0, "rad"),
-            travel("load", "valve.stuck", math.inf),
+            travel("load", "valve.stuck", math.inf, low=0.1, high=math.inf),
             travel("arm", "valve.stuck", math.radians(12.0), "rad"),
         ),
         "curves": tuple(

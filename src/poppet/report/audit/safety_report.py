@@ -113,12 +113,13 @@ def distance_text(row: Travel | None) -> str:
     def shown(value: float) -> str:
         if math.isnan(value):
             return "run failed"
-        return f"{value * factor:z.3g} {unit}" if math.isfinite(value) else "does not stop"
+        if math.isinf(value):
+            return "does not stop"
+        return f"{value * factor:z.3g} {unit}" if abs(value * factor) < 1e3 else f"{value * factor:.0f} {unit}"
 
-    text = shown(row.distance)
     if math.isinf(row.distance):
-        text = f"does not stop: {shown(row.path)} so far"
-    return _interval(text, row.low, row.high, shown)
+        return f"does not stop: {shown(row.path)} so far"
+    return _interval(shown(row.distance), row.low, row.high, shown)
 
 
 def _verdict(text: str, is_good: bool) -> Markup:
