@@ -46,6 +46,19 @@ def test_the_result_has_cost_leaks_and_savings(poppet, tmp_path):
     assert "<h2>Savings</h2>" in report.read_text(encoding="utf-8")
 
 
+def test_a_named_leak_is_not_reusable_exhaust_air(poppet, tmp_path):
+    output = tmp_path / "result.json"
+    bounds = []
+    for options in ((), ("--leak", "valveA.exhaust_a")):
+        assert (
+            poppet("audit", "energy", MACHINE, "--saving", "cylinderA.bore=25 mm", "-o", str(output), *options)[0] == 0
+        )
+        content = json.loads(output.read_text(encoding="utf-8"))
+        bounds.append(content["savings"][-1]["exergy_j"])
+    (path,) = (row for row in content["flow_paths"] if row["name"] == "valveA.exhaust_a_mass_flow_rate")
+    assert bounds[0] - bounds[1] == pytest.approx(path["throttling_j"], rel=1e-9)
+
+
 def test_the_circuit_file_has_a_tariff_that_options_override(poppet, tmp_path):
     file, output = tmp_path / "machine.toml", tmp_path / "result.json"
     file.write_text(Path(MACHINE).read_text(encoding="utf-8") + AUDIT, encoding="utf-8")

@@ -47,12 +47,13 @@ def audit_energy(options: argparse.Namespace) -> int:
         with Spinner("simulating", is_quiet=options.quiet):
             result = run(circuit)
             leaks, leak_notes = find_leaks(circuit, result, run, options.leak)
-        with Spinner("simulating savings", is_quiet=options.quiet):
-            no_savings: Any = (), ()
-            savings, saving_notes = no_savings if options.no_savings else find_savings(circuit, result, run, measures)
+        result = replace(result, leaks=leaks, notes=(*result.notes, *leak_notes))
+        if not options.no_savings:
+            with Spinner("simulating savings", is_quiet=options.quiet):
+                savings, saving_notes = find_savings(circuit, result, run, measures)
+            result = replace(result, savings=savings, notes=(*result.notes, *saving_notes))
     except InputError as error:
         raise TomlFile.read(options.file).located(error) from None
-    result = replace(result, leaks=leaks, savings=savings, notes=(*result.notes, *leak_notes, *saving_notes))
     print_notes([*notes, *result.notes])
 
     def write_report(path: Path) -> None:
