@@ -31,7 +31,9 @@ PRESSURE = 0.1
 STEADY = 0.9
 """Fraction of a pressure to which it can fall during the last tenth of a run if it stays."""
 MISSING = 0.5
-"""Fraction of the highest gauge pressure below which a pressure is missing."""
+"""Fraction of the highest gauge pressure, or of the deepest vacuum, below which it is missing."""
+MIN_VACUUM = 1e4
+"""Smallest vacuum below the ambient that counts [Pa]."""
 DURATION, AIR = 0.05, 0.05
 """Smallest relative changes of a stroke time or cycle time, and of the air consumption, that count."""
 MIN_AIR = 1e-6
@@ -83,7 +85,7 @@ def find_consequences(runs: RunPair) -> tuple[Consequence, ...]:
     for body, unit in bodies_of(runs.circuit).items():
         consequences += _of_body(runs, body, unit)
     for volume, addresses in volumes_of(runs.circuit).items():
-        consequences += _of_volume(runs, volume, addresses)
+        consequences += [*_of_volume(runs, volume, addresses), *_of_vacuum(runs, volume, addresses)]
     # Stroke times are comparable only if all sequences complete their steps.
     if not any(item.kind in ("waits", "timed_out", "diverts") for item in consequences):
         consequences += _of_strokes(runs)
@@ -228,6 +230,14 @@ def _of_volume(runs: RunPair, volume: str, addresses: tuple[str, ...]) -> Iterat
     if peak - highest > max(runs.threshold, PRESSURE * highest):
         facts = _rounded(peak), _rounded(highest), "Pa", float(time[int(faulty.argmax())])
         yield Consequence("pressure_high", volume, *facts)
+
+
+def _of_vacuum(runs: RunPair, volume: str, addresses: tuple[str, ...]) -> Iterator[Consequence]:
+    ambient = runs.circuit.surroundings.pressure
+    pairs = [runs.series(address) for address in addresses]
+    usual, vacuum = (ambient - min(float(pair[k].min()) for pair in pairs) for k in range(2))
+    if usual > MIN_VACUUM and vacuum < MISSING * usual:
+        yield Consequence("vacuum_missing", volume, _rounded(max(vacuum, 0.0)), _rounded(usual), "Pa")
 
 
 def _rounded(pressure: float) -> float:

@@ -97,6 +97,14 @@ def test_the_arm_of_the_example_waits():
     assert "moves_without_command" not in kinds_of(table, "grip.stuck_open")
 
 
+def test_a_cup_without_its_ejector_has_no_vacuum():
+    table = fault_table(load(EXAMPLES / "vacuum.toml"), kinds=["stuck_closed", "stuck_open"])
+    missing = consequence(table, "valve.stuck_closed", "vacuum_missing", "cup")
+    assert missing.value == pytest.approx(0.0, abs=1e3)
+    assert 1e4 < missing.healthy < 1e5
+    assert "vacuum_missing" not in kinds_of(table, "valve.stuck_open")
+
+
 def simple_circuit() -> Circuit:
     """A 3/2 valve fills and vents a tank behind a check valve that the run never needs."""
     parts = {
