@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections import defaultdict
 from collections.abc import Iterator, Mapping, Set
 from dataclasses import dataclass
@@ -13,7 +14,9 @@ from poppet.circuit.energy_trace import FlowTerm
 from poppet.circuit.instance import Array
 
 RETURNED = 0.5
-"""Fraction of the air through a flow path that must return for both of its gas nodes to belong to one line."""
+"""Fraction of the air through a flow path that must return for both of its gas nodes to belong to one line.
+
+The masses of both gas nodes must also rise and fall together, unlike those on both sides of a piston that leaks."""
 PASSED, EMPTIED = 0.5, 0.5
 """Limits of the air in an exhaust line: fraction that passes the line, and variation of the line that releases it.
 
@@ -45,13 +48,13 @@ def air_of_parts(
     """Return the mass of air that each part consumes per cycle [kg].
 
     A line consists of gas nodes between which air flows to and fro or through a tube, such as a cylinder chamber with
-    its tube. It
-    consumes the air that it releases to the ambient, and the increase of its mass. It also consumes the air that it
-    releases through an exhaust line, such as the volume of a silencer.
+    its tube. It consumes the air that it releases to the ambient, and the increase of its mass. It also consumes the
+    air that it releases through an exhaust line, such as the volume of a silencer.
 
     Supplied air that passes a line while the line releases air, such as the air of a nozzle or a leak, is the
-    consumption of this flow path. The rest is the consumption of the gas nodes of the line, in proportion to the range
-    of their masses. The sum of all parts is the air of all supplies.
+    consumption of the flow path through which it enters or leaves the line, whichever throttles more. The rest is the
+    consumption of the gas nodes of the line, in proportion to the range of their masses. The sum of all parts is the
+    air of all supplies.
 
     Parameters
     ----------
@@ -74,12 +77,13 @@ def air_of_parts(
         for node, other, sign in ((flow.source, flow.target, 1.0), (flow.target, flow.source, -1.0)):
             if node in supplies and other not in masses and other not in supplies:
                 consumed[flow.part] += sign * run.integral(flow.net)
+    losses = {flow.name: _loss(run, flow) for flow in run.energy.flows}
     for line in _lines(run, masses, supplies, tubes):
         released = 0.0
         for path in line.paths:
             outflow = -path.sign * run.integral(path.flow.net)
             released += outflow if path.is_sink or path.is_used else 0.0
-        for flow, mass in _passing(run, line):
+        for flow, mass in _passing(run, line, losses):
             consumed[flow.part] += mass
             released -= mass
         change = sum(float(masses[name][-1] - masses[name][0]) for name in line.stores) / run.count
@@ -91,6 +95,13 @@ def air_of_parts(
     return {part: mass for part, mass in consumed.items() if mass != 0.0}
 
 
+def _loss(run: EnergyRun, flow: FlowTerm) -> float:
+    """Return the exergy that a flow path loses by throttling per mass of air in both directions [J/kg]."""
+    loss = math.fsum(run.integral(t.exergy) for t in run.energy.terms if (t.kind, t.name) == ("throttling", flow.name))
+    mass = 2.0 * run.integral(flow.forward) - run.integral(flow.net)
+    return loss / mass if mass > 0.0 else 0.0
+
+
 def _lines(run: EnergyRun, masses: Mapping[str, Array], supplies: Set[str], tubes: Set[str]) -> Iterator[_Line]:
     """Yield all lines of a circuit."""
     stores_of = {name: frozenset({name}) for name in masses}
@@ -99,7 +110,9 @@ def _lines(run: EnergyRun, masses: Mapping[str, Array], supplies: Set[str], tube
         backward = forward - run.integral(flow.net)
         is_inner = flow.source in masses and flow.target in masses
         is_returned = min(forward, backward) > RETURNED * max(forward, backward)
-        if is_inner and (is_returned or flow.part in tubes):
+        if is_inner and (
+            flow.part in tubes or (is_returned and _rise_together(masses[flow.source], masses[flow.target]))
+        ):
             joined = stores_of[flow.source] | stores_of[flow.target]
             stores_of |= dict.fromkeys(joined, joined)
 
@@ -129,6 +142,10 @@ def _lines(run: EnergyRun, masses: Mapping[str, Array], supplies: Set[str], tube
         yield _Line(stores, tuple(line))
 
 
+def _rise_together(first: Array, second: Array) -> bool:
+    return float(np.dot(first - first.mean(), second - second.mean())) > 0.0
+
+
 def _ends(run: EnergyRun, stores: frozenset[str]) -> Iterator[tuple[FlowTerm, float, str]]:
     """Yield each flow path between a line and another node, with 1 if positive flow enters the line, else -1."""
     for flow in run.energy.flows:
@@ -137,17 +154,22 @@ def _ends(run: EnergyRun, stores: frozenset[str]) -> Iterator[tuple[FlowTerm, fl
                 yield flow, sign, other
 
 
-def _passing(run: EnergyRun, line: _Line) -> Iterator[tuple[FlowTerm, float]]:
-    """Yield the flow paths to the ambient through which supplied air passes a line, with its mass per cycle [kg]."""
+def _passing(run: EnergyRun, line: _Line, losses: Mapping[str, float]) -> Iterator[tuple[FlowTerm, float]]:
+    """Yield flow paths with the mass of supplied air that passes a line per cycle [kg].
+
+    The flow path is that of the inlet or that of the outlet to the exhaust side, whichever has the larger loss by
+    throttling. `losses` contains these losses by flow path [J/kg].
+    """
     rates = [(path, path.sign * run.values[path.flow.rate]) for path in line.paths]
-    arriving, leaving, supplied = (np.zeros(run.time.size) for _ in range(3))
+    zero = np.zeros(run.time.size)
+    inlets = [(path.flow, np.maximum(rate, 0.0)) for path, rate in rates if not (path.is_sink or path.is_used)]
+    arriving = sum((np.maximum(rate, 0.0) for _, rate in rates), zero)
+    leaving = sum((np.maximum(-rate, 0.0) for _, rate in rates), zero)
+    factor = np.minimum(arriving, leaving) / np.where((arriving > 0.0) & (leaving > 0.0), arriving * leaving, 1.0)
     for path, rate in rates:
-        arriving, leaving = arriving + np.maximum(rate, 0.0), leaving - np.minimum(rate, 0.0)
-        supplied += 0.0 if path.is_sink or path.is_used else np.maximum(rate, 0.0)
-    # Of the air that passes: fraction of each flow path, and fraction that is supplied.
-    passing = np.minimum(arriving, leaving) * supplied
-    divisor = np.where(passing > 0.0, arriving * leaving, 1.0)
-    for path, rate in rates:
-        share = np.maximum(-rate, 0.0) * passing / divisor
-        if path.is_sink and share.any():
-            yield path.flow, float(np.trapezoid(share, run.time)) / run.count
+        if path.is_sink or path.is_used:
+            leaves = factor * np.maximum(-rate, 0.0)
+            for inlet, enters in inlets:
+                mass = float(np.trapezoid(leaves * enters, run.time)) / run.count
+                if mass > 0.0:
+                    yield max(inlet, path.flow, key=lambda flow: losses.get(flow.name, 0.0)), mass

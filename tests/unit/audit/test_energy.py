@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from pathlib import Path
 
 import pytest
 
@@ -91,6 +92,40 @@ def test_air_that_passes_a_volume_is_that_of_its_nozzle():
     (path,) = [path for path in result.flow_paths if path.part == "nozzle"]
     assert air["nozzle"] == pytest.approx(path.air, rel=2e-2)
     assert air["tank"] + air["hose"] == pytest.approx(without.air_used, rel=2e-2)
+
+
+DOUBLE_STROKE = Path(__file__).parents[3] / "examples" / "double_stroke.toml"
+SILENCER_VOLUME = """
+[parts.damper]
+kind = "chamber"
+volume = "20 cm^3"
+[parts.silencer]
+kind = "silencer"
+from = "damper"
+to = "ambient"
+sonic_conductance = "1 dm^3/(s bar)"
+critical_ratio = 0.3
+"""
+
+
+def test_air_past_a_piston_is_that_of_the_cylinder():
+    """Both chambers exchange air through the leak, but they are not one volume through which the valve blows."""
+    text = DOUBLE_STROKE.read_text(encoding="utf-8")
+    leakage = 'body = "slide"\nleakage = { sonic_conductance = "0.005 dm^3/(s bar)" }'
+    result = audit(text.replace('body = "slide"', leakage), cycle="8 s, 16 s")
+    air = {row.part: row.air for row in result.parts}
+    lines = 2.0 * 12.6e-6 * 6.0  # 6 bar above ambient
+    assert air["cylinder"] == pytest.approx(result.air_used - lines, rel=0.01)
+    assert abs(air.get("valve", 0.0)) < 1e-3 * result.air_used
+
+
+def test_a_leak_into_a_silencer_volume_is_that_of_the_valve():
+    text = DOUBLE_STROKE.read_text(encoding="utf-8") + SILENCER_VOLUME
+    text = text.replace("[parts.valve]", '[parts.valve]\nexhaust_a = "damper"\nexhaust_b = "damper"')
+    faulty = text.replace("[parts.valve]", '[parts.valve]\nfault = "leak"\nleak_fraction = 0.01')
+    healthy, leaking = (audit(each, cycle="8 s, 16 s") for each in (text, faulty))
+    air = {row.part: row.air for row in leaking.parts}
+    assert air["valve"] == pytest.approx(leaking.air_used - healthy.air_used, rel=0.01)
 
 
 def test_rows_have_a_part_and_a_category():
