@@ -94,12 +94,14 @@ def read_events(circuit: BaseCircuit, values: Mapping[str, Any]) -> tuple[EventV
                 continue
             with errors.collecting():
                 read = quantity(argument, item.unit, kind=item.kind, name=address)  # type: ignore[arg-type]
-                value = read.value + (circuit.surroundings.pressure if read.reference == "gauge" else 0.0)
+                is_gauge = read.reference == "gauge"
+                value = read.value + (circuit.surroundings.pressure if is_gauge else 0.0)
                 low, high = (_limit(circuit, address, limit) for limit in (item.low, item.high))
                 if not low <= value <= high:
                     raise InputError("inputs.outside", address, given=argument, low=low, high=high, unit=item.unit)
                 text = argument if isinstance(argument, str) else ""
-                events.append(EventValue(address, value, item.unit, text, circuit.connections.get(address, "")))
+                source = circuit.connections.get(address, "")
+                events.append(EventValue(address, value, item.unit, text, source, is_gauge))
     return tuple(events)
 
 

@@ -24,6 +24,7 @@ class EventValue:
     unit: str
     text: str = ""  # as the user wrote it
     replaced: str = ""  # output that drives the input before the event; empty for a signal or a default
+    is_gauge: bool = False  # refers to the ambient pressure
 
     @property
     def shown(self) -> str:

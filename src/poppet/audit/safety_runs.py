@@ -89,11 +89,18 @@ class SafetyRuns:
         values: dict[str, Any] = dict(self.samples[case.sample]) if case.sample >= 0 else {}
         values |= self.faults[case.fault].values(moment) if case.fault >= 0 else {}
         circuit = self.circuit.with_values(values) if values else self.circuit
-        circuit = circuit.with_signals(event_signals(circuit, self.events, moment))
+        shift = self._ambient_pressure(case) - self.circuit.surroundings.pressure
+        events = tuple(replace(event, value=event.value + shift) if event.is_gauge else event for event in self.events)
+        circuit = circuit.with_signals(event_signals(circuit, events, moment))
         end = moment + float(self.time[-1])
         # Without the stop conditions of the file, which could end the run before the volumes are exhausted.
         problem = circuit.instance.problem(circuit.run.changed(duration=end, output_step=end, stop_when=()))
         return replace(problem, grid=np.append(moment + self.time[:-1], end))
+
+    def _ambient_pressure(self, case: AuditCase) -> float:
+        """Return the ambient pressure of one run, to which gauge pressures refer [Pa]."""
+        sample = self.samples[case.sample] if case.sample >= 0 else {}
+        return sample.get("ambient.pressure", self.circuit.surroundings.pressure)
 
     def run(self, case: AuditCase) -> AuditRunResult:
         """Run one case, and return its results."""
@@ -115,7 +122,7 @@ class SafetyRuns:
         )  # fmt: skip
 
     def _evaluate(self, case: AuditCase, raw: RawRun) -> AuditRunResult:
-        time, ambient = self.time, self.circuit.surroundings.pressure
+        time, ambient = self.time, self._ambient_pressure(case)
         gauge = {
             volume: raw.values[[self.rows[address] for address in addresses]].max(axis=0) - ambient
             for volume, addresses in self.volumes.items()
