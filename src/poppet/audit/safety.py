@@ -190,6 +190,8 @@ def _check_changes(
 
 def _samples(circuit: BaseCircuit, count: int, seed: int | None, duration: float) -> tuple[Mapping[str, float], ...]:
     """Return samples of the uncertain parameters of the table `ensemble`, by address."""
+    if count < 0:
+        raise InputError("safety.negative_samples", "samples", value=count)
     if "ensemble" not in circuit.origin.tables:
         raise InputError("safety.no_distributions")
     if circuit.run.duration is None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 import tomllib
 
 import numpy as np
@@ -265,6 +266,22 @@ sampling = "latin"
 """
 
 
+def test_gauge_pressures_of_a_sample_refer_to_its_ambient_pressure():
+    """The interval is that of the audits at both limits, which contain the time without a change."""
+    text = UNCERTAIN.replace('initial_pressure = "6 bar g"', 'initial_pressure = "7 bar"')
+    ambient = '"ambient.pressure" = { distribution = "uniform", low = "0.6 bar", high = "1 bar" }'
+    uncertain = re.sub('"tank.volume" = .*', ambient, text)
+    options = {"at": "0.5 s", "duration": "4 s", "kinds": ()}
+    times = [
+        audit_safety(loads(f'{text}[ambient]\npressure = "{pressure} bar"\n'), {"dump.command": 0}, **options)
+        .exhaust_of("tank")
+        .time
+        for pressure in (1.0, 0.6)
+    ]
+    interval = audit_safety(loads(uncertain), {"dump.command": 0}, samples=100, **options).exhaust_of("tank")
+    assert (interval.low, interval.high) == pytest.approx(times, rel=0.02)
+
+
 def test_intervals_of_a_time_that_is_proportional_to_a_uniform_volume():
     options = {"at": "0.5 s", "samples": 200, "duration": "8 s", "kinds": ("stuck",)}
     audit = audit_safety(loads(UNCERTAIN), {"dump.command": 0}, **options)
@@ -345,6 +362,7 @@ def test_an_interrupted_audit_keeps_complete_faults():
         (VENT, {"duration": "0 s"}, "safety.not_positive", "duration"),
         (VENT, {"kinds": ["stuk"]}, "fields.not_an_option", "kinds"),
         (VENT, {"samples": 10}, "safety.no_distributions", ""),
+        (VENT, {"samples": -1}, "safety.negative_samples", "samples"),
         ({"supply.pressure": "6 bar g"}, {"at": "0.5 s"}, "safety.no_change", "supply.pressure"),
         ({"supply.pressure": "6 bar g"}, {}, "safety.no_change", "supply.pressure"),
         ({"valve.command": 0}, {"at": "0.1 s"}, "safety.no_change", "valve.command"),
