@@ -25,6 +25,8 @@ MIN_STEPS = 200
 
 The integrals are not part of the error control. Steps can be long while all states change linearly, for example during
 choked flow into a tank."""
+ROUNDING = 1e-12
+"""Relative difference of two times that are equal except for rounding errors."""
 FACTORS, TIGHTEST = (1.0, 0.1, 0.01, 1e-3), 1e-13
 """Factors on the tolerance of the runs until one does not stall, and the tightest tolerance."""
 
@@ -90,7 +92,7 @@ def run_energy(
     """
     energy, kernel = energy_kernel(circuit)
     problem = replace(circuit.instance, kernel=kernel).problem(run)
-    start, end = period
+    start, end = _breakpoint_at(problem, period[0]), period[1]
     failures = tuple(condition for condition in problem.stop_conditions if condition.is_failure)
     longest = min(problem.maximum_step, (end - start) / MIN_STEPS)
     problem = replace(_with_breakpoint(problem, start), stop_conditions=failures, maximum_step=longest)
@@ -118,6 +120,12 @@ def _run_until(problem: Problem, grid: Sequence[float], progress: Callable[[floa
     n = int(np.searchsorted(problem.starts, grid[-1]))
     segments = {name: getattr(problem, name)[:n] for name in ("starts", "courses", "jumps")}
     return run_kernel(replace(problem, grid=np.array(grid), **segments), progress)
+
+
+def _breakpoint_at(problem: Problem, time: float) -> float:
+    """Return the time of a breakpoint that differs from a time only by rounding errors, or else this time [s]."""
+    near = float(problem.starts[np.argmin(np.abs(problem.starts - time))])
+    return near if abs(near - time) <= ROUNDING * time else time
 
 
 def _with_breakpoint(problem: Problem, time: float) -> Problem:

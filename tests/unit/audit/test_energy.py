@@ -94,6 +94,15 @@ def test_air_that_passes_a_volume_is_that_of_its_nozzle():
     assert air["tank"] + air["hose"] == pytest.approx(without.air_used, rel=2e-2)
 
 
+def test_a_cycle_can_start_at_an_edge_with_a_rounding_error():
+    """5 / 3 s as a multiple of the period and as a sum of edges differ in their last digit."""
+    pwm = 'kind = "pwm"\nduty = 0.3\nfrequency = "3 Hz"'
+    text = MACHINE.replace('kind = "square"\nlow = 0\nhigh = 1\nfrequency = "1 Hz"', pwm).replace('"4 s"', '"2 s"')
+    result = audit(text)
+    assert (result.cycle.start, result.cycle.end) == pytest.approx((5.0 / 3.0, 2.0), rel=1e-12)
+    assert abs(result.residual()) < 1e-12
+
+
 DOUBLE_STROKE = Path(__file__).parents[3] / "examples" / "double_stroke.toml"
 SILENCER_VOLUME = """
 [parts.damper]
