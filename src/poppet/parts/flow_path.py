@@ -104,7 +104,9 @@ class FlowPath(Passage):
 
     def usable_numbers(self, stated: Mapping[str, Number]) -> Mapping[str, Number]:
         # The copied part can have the assumed ratio of another component.
-        if self.critical_ratio in [_assumed_ratio(size) for size in _SIZES]:
+        ratio = self.critical_ratio
+        is_number = isinstance(ratio, Number) and not is_symbolic(ratio.value)
+        if is_number and ratio in [_assumed_ratio(size) for size in _SIZES]:
             object.__setattr__(self, "critical_ratio", None)
         specified = [name for name in _SIZES if getattr(self, name) is not None]
         if not specified:

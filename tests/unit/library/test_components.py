@@ -13,6 +13,7 @@ import pytest
 
 import poppet
 from poppet.core.errors import ErrorCollector, InputError
+from poppet.core.symbolic import new_symbol
 from poppet.library.components import (
     FILES,
     CatalogueComponent,
@@ -362,6 +363,16 @@ def test_every_component_makes_a_part(component):
         used = {name: number.value for name, number in part.numbers().items() if name in stated}
         assert used.items() <= stated.items()
         assert used or kind == "directional_valve"
+
+
+@pytest.mark.parametrize("name", ["sonic_conductance", "critical_ratio", "exhaust_a_ratio"])
+def test_a_symbol_in_place_of_a_number_stays(name):
+    """As in live pages, which compute parameters."""
+    part = valve(model="CKD M4GA1R", function="5/2 bistable")
+    symbol = new_symbol(name)
+    changed = replace(part, **{name: replace(getattr(part, name), value=symbol)})
+    assert getattr(changed, name).value is symbol
+    assert float(changed.exhaust_a_conductance) == pytest.approx(1.2e-8)
 
 
 # --- Files of users ---
