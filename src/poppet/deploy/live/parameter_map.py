@@ -145,7 +145,8 @@ def _links(
     for k, (item, declared) in enumerate(zip(export_model.inputs, export_model.model.inputs, strict=True)):
         delay = export_model.instance.place(declared.delay) if declared.delay and not declared.slope_of else -1
         links.append((-1 if item.is_driven else item.parameter, delay))
-        if item.is_driven and delay in changed:
+        # The start of a fault, which has no signal of the circuit, cannot have a slider.
+        if item.address in circuit.signals and delay in changed:
             signals[k] = circuit.signals[item.address].table(duration)
             if len(signals[k]) > MAX_SEGMENTS:
                 raise InputError("deploy.live.delay", export_model.parameters[delay].address)
