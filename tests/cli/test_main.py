@@ -72,6 +72,14 @@ def test_without_a_command_the_help_goes_to_stderr(poppet):
     assert "commands:" in err
 
 
+@pytest.mark.parametrize(("arguments", "code"), [(("audit",), 2), (("audit", "--help"), 0)])
+def test_the_first_word_of_commands_lists_them(poppet, arguments, code):
+    answer = poppet(*arguments)
+    text = answer.out + answer.err
+    assert answer.code == code
+    assert [name for name in COMMANDS if f"  {name} " in text] == [n for n in COMMANDS if n.startswith("audit ")]
+
+
 @pytest.mark.parametrize("name", COMMANDS)
 def test_every_help_ends_with_two_or_three_examples(poppet, name):
     code, out, _ = poppet(name, "--help")
@@ -96,6 +104,7 @@ def test_every_example_can_be_parsed(name):
     ("arguments", "code", "address", "nearest"),
     [
         (("simualte", "x.toml"), "names.unknown", "simualte", "simulate"),
+        (("audit", "energie"), "names.unknown", "audit energie", "audit energy"),
         (("frobnicate",), "names.unknown", "frobnicate", ""),
         (("simulate", "x.toml", "--duratoin", "5 s"), "names.unknown", "--duratoin", "--duration"),
         (("simulate", "--hepl"), "names.unknown", "--hepl", "--help"),

@@ -10,7 +10,9 @@ import pytest
 
 import poppet
 from poppet.audit import safety_runs
+from poppet.audit.fault_result import FaultTable
 from poppet.cli.main import run
+from poppet.core.errors import InputError
 
 MACHINE = str(Path(poppet.__file__).parent / "cli" / "templates" / "machine.toml")
 AUDIT = ["audit", "safety", MACHINE, "--event", "supply.pressure=0 bar g"]
@@ -56,6 +58,17 @@ def test_an_interrupted_audit_keeps_what_is_complete(tmp_path, monkeypatch, caps
     assert "interrupted" in capsys.readouterr().err
 
 
+def test_a_file_that_cannot_be_written_does_not_lose_the_table(tmp_path, monkeypatch, capsys):
+    def save(self, path):
+        raise InputError("files.unwritable", path=str(path), why="read-only")
+
+    monkeypatch.setattr(FaultTable, "save", save)
+    assert run(["faults", MACHINE, "--kinds", "stuck_open", "-o", str(tmp_path / "faults.toml")]) == 2
+    captured = capsys.readouterr()
+    assert "valveA.stuck_open" in captured.out
+    assert "cannot be written" in captured.err
+
+
 def test_the_fault_table(tmp_path, capsys):
     result, page = tmp_path / "faults.toml", tmp_path / "faults.html"
     assert run(["faults", MACHINE, "--kinds", "stuck_open,leak", "-o", str(result), "--report", str(page)]) == 0
@@ -79,7 +92,10 @@ def test_the_fault_table(tmp_path, capsys):
         ([*AUDIT, "--threshold", "5 mm"], "threshold"),
         ([*AUDIT, "--kinds", "stuk"], "stuck"),
         ([*AUDIT, "--samples", "5"], "has no table ensemble"),
-        (["faults", MACHINE, "--at", "4 s"], "is not within the run"),
+        (["audit", "safety", MACHINE, "--event", "supply.pressure"], 'Write, for example, --event supply.pressure="0'),
+        ([*AUDIT, "--event", "supply.pressure=0"], "--event supply.pressure is specified twice"),
+        ([*AUDIT, "--at", "step"], "Did you mean steps"),
+        (["faults", MACHINE, "--at", "4 s"], "so the fault never happens"),
         (["faults", MACHINE, "--duration", "2"], "duration"),
     ],
 )

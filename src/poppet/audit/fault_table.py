@@ -91,7 +91,7 @@ def fault_table(
                 float(circuit.run.grid()[-1]) if duration is None else read_positive("duration", duration, "s", "plain")
             )
     if not 0.0 <= begin < end:
-        raise InputError("safety.outside_run", "start", time=begin, end=end)
+        raise InputError("safety.outside_run", "start", subject="fault", time=begin, end=end)
     faults, omitted = split_faults(valves_of(circuit), selected)
     if not faults:
         raise InputError("safety.no_valve", circuit.title, kinds=list(selected))
@@ -132,6 +132,6 @@ def fault_table(
             for fault in omitted
         ),
         None if sequence is None else cycle_time(visits_of(healthy, sequence)),
-        (Note("safety.one_run"), *(() if is_whole else (Note("safety.interrupted"),))),
+        (*circuit.static_notes, Note("safety.one_run"), *(() if is_whole else (Note("safety.interrupted"),))),
         is_whole,
     )

@@ -8,7 +8,7 @@ import numpy as np
 
 from poppet.audit.safety_result import Moment
 from poppet.circuit.circuit import BaseCircuit
-from poppet.core.errors import ErrorCollector, InputError
+from poppet.core.errors import ErrorCollector, InputError, NameSuggestion
 from poppet.core.units import quantity
 from poppet.parts.sequence import Sequence
 from poppet.timeseries.recording import Recording
@@ -38,9 +38,16 @@ def read_times(circuit: BaseCircuit, at: Any) -> tuple[float, ...]:
     with ErrorCollector() as errors:
         for value in arguments:
             with errors.collecting():
+                if isinstance(value, str) and value != STEPS and value.isalpha():
+                    raise InputError(
+                        "names.unknown",
+                        value,
+                        meaning="a moment of the event",
+                        suggestion=NameSuggestion(value, [STEPS]),
+                    )
                 time = quantity(value, "s", name="at").value
                 if time < 0.0 or (end is not None and time >= end):
-                    raise InputError("safety.outside_run", "at", time=time, end=end)
+                    raise InputError("safety.outside_run", "at", subject="event", time=time, end=end)
                 times.append(time)
     return tuple(dict.fromkeys(times))
 

@@ -21,6 +21,7 @@ from poppet.core.codes import Note
 from poppet.core.errors import ErrorCollector, InputError, UnitError
 from poppet.core.units import quantity
 from poppet.ensemble import plan_of
+from poppet.parts.sources import Reservoir
 from poppet.timeseries.recording import Recording
 
 SAMPLES = 50
@@ -139,7 +140,7 @@ def audit_safety(
         tuple(_exhaust_times(runs, results, worst)),
         tuple(_travels(runs, results, worst)),
         len(runs.samples),
-        tuple(_notes(runs, results, is_whole=is_whole)),
+        (*circuit.static_notes, *_notes(runs, results, is_whole=is_whole)),
         tuple(_curves(runs, results, worst)),
         is_whole,
     )
@@ -183,8 +184,7 @@ def _check_changes(
     if idle and (is_stated or len(idle) == len(moments)):
         raise InputError(
             "safety.no_change", events[0].address, events=[event.shown for event in events],
-            time=idle[0].time if is_stated else None,
-            is_always=not is_stated,
+            time=idle[0].time if is_stated else None, is_always=not is_stated, count=len(moments),
         )  # fmt: skip
 
 
@@ -322,6 +322,10 @@ def _notes(runs: SafetyRuns, results: Results, *, is_whole: bool) -> Iterator[No
     for event in runs.events:
         if event.replaced:
             yield Note("safety.replaced", event.address, source=event.replaced)
+        ambient, part = runs.circuit.surroundings.pressure, event.address.removesuffix(".pressure")
+        is_supply = isinstance(runs.circuit.parts.get(part), Reservoir)
+        if is_supply and event.value < ambient <= default_value(runs.circuit, event.address):
+            yield Note("safety.vacuum", event.address, value=event.value)
     if len(runs.moments) > 1:
         yield Note("safety.sampled_moments", count=len(runs.moments))
     if not runs.faults:

@@ -38,10 +38,13 @@ def read_value(text: str) -> float | str:
         return text
 
 
-def read_assignments(texts: Sequence[str], option: str = "--set") -> dict[str, float | str]:
+def read_assignments(
+    texts: Sequence[str], option: str = "--set", example: str = 'tank.volume="0.1 m^3"'
+) -> dict[str, float | str]:
     """Return the values of a repeated option such as --set ADDRESS=VALUE by address.
 
-    A value is a float in SI units, or a text with a unit. `option` is the name of the option in errors.
+    A value is a float in SI units, or a text with a unit. `option` is the name of the option in errors, and `example` a
+    valid argument.
 
     Examples
     --------
@@ -53,9 +56,9 @@ def read_assignments(texts: Sequence[str], option: str = "--set") -> dict[str, f
     for text in texts:
         address, equals, value = (part.strip() for part in text.partition("="))
         if not (equals and address and value):
-            problems.append(InputError("cli.assignment", option=option, text=text))
+            problems.append(InputError("cli.assignment", option=option, text=text, example=example))
         elif address in values:
-            problems.append(InputError("cli.assigned_twice", option=option, address=address))
+            problems.append(InputError("cli.assigned_twice", address, option=option))
         else:
             values[address] = read_value(value)
     raise_errors(problems)

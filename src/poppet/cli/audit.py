@@ -100,11 +100,11 @@ def energy_summary(audit: EnergyAudit) -> str:
     for category in CATEGORIES:
         energy, exergy = audit.total(category, quantity="energy"), audit.total(category)
         share = 100.0 * exergy / audit.exergy_supplied if audit.exergy_supplied > 0.0 else math.nan
-        balance.append([category, f"{energy:z.4f}", f"{exergy:z.4f}", f"{share:z.2f}"])
+        balance.append([category, f"{energy:z.4f}", f"{exergy:z.4f}", "" if math.isnan(share) else f"{share:z.2f}"])
     residuals = (f"{audit.residual(quantity):.1e}" for quantity in ("energy", "exergy"))
     balance.append(["residual / sum of rows", *residuals, ""])
     parts = [["part", "air [l ANR]", "lost exergy [J]", "mainly by"]]
-    parts += [[row.part, f"{row.air / LITRE:.5f}", f"{row.exergy_lost:.4f}", row.category] for row in audit.parts]
+    parts += [[row.part, f"{row.air / LITRE:z.5f}", f"{row.exergy_lost:z.4f}", row.category] for row in audit.parts]
     tables = aligned(facts, (1,)), aligned(balance, range(1, 4)), aligned(parts, (1, 2))
     return "\n\n".join(filter(None, [audit.title, *tables, _leak_text(audit), _saving_text(audit)]))
 

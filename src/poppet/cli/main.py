@@ -13,7 +13,7 @@ import io
 import os
 import sys
 import warnings
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 
 from poppet.cli.commands import COMMANDS, all_commands
 from poppet.cli.parser import Command, CommandParser
@@ -116,11 +116,7 @@ def split_command(arguments: list[str]) -> tuple[str, list[str]]:
 
 def _dispatch(arguments: list[str]) -> int:
     if not arguments or arguments[0].startswith("-"):
-        parser, commands = CommandParser("", PROGRAM), all_commands()
-        width = max(map(len, commands))
-        lines = (f"{name:<{width}}  {command.summary}" for name, command in commands.items())
-        group = parser.add_argument_group("commands", "\n".join(lines))
-        group.add_argument("command", nargs="?", help="see poppet COMMAND --help")
+        parser = _overview("", PROGRAM, all_commands())
         try:
             options = parser.read(arguments)
         except SystemExit:
@@ -136,9 +132,7 @@ def _dispatch(arguments: list[str]) -> int:
         return WRONG_INPUT
     name, rest = split_command(arguments)
     if name not in COMMANDS and name not in (commands := all_commands()):
-        raise InputError(
-            "names.unknown", name, meaning="a command of poppet", suggestion=NameSuggestion(name, commands)
-        )
+        return _run_group(name, rest, commands)
     parser = command_parser(name)
     try:
         options = parser.read(rest)
@@ -149,6 +143,37 @@ def _dispatch(arguments: list[str]) -> int:
     execute: Callable[[argparse.Namespace], int | None] = import_object(f"poppet.cli.{declaration.function}")
     with contextlib.redirect_stdout(io.StringIO()) if options.quiet else contextlib.nullcontext():
         return execute(options) or 0
+
+
+def _run_group(name: str, arguments: list[str], commands: Mapping[str, Command]) -> int:
+    """Print the commands whose first word is a name, such as `audit`, and return the exit code.
+
+    An error reports a name without such commands, or a second word that is none of them.
+    """
+    group = {key: command for key, command in commands.items() if key.startswith(f"{name} ")}
+    words = [name, *arguments[:1]] if group else [name]
+    if not group or (arguments and not arguments[0].startswith("-")):
+        unknown = " ".join(words)
+        suggestion = NameSuggestion(unknown, group or commands)
+        raise InputError("names.unknown", unknown, meaning="a command of poppet", suggestion=suggestion)
+    examples = [example for command in group.values() for example in command.examples[:1]]
+    parser = _overview(name, Command(f"commands whose name begins with {name}", "", (), examples), group)
+    try:
+        parser.read(arguments)
+    except SystemExit:
+        return 0
+    parser.print_help(sys.stderr)
+    return WRONG_INPUT
+
+
+def _overview(name: str, declaration: Command, commands: Mapping[str, Command]) -> CommandParser:
+    """Return a parser whose help lists commands."""
+    parser = CommandParser(name, declaration)
+    width = max(map(len, commands))
+    lines = (f"{name:<{width}}  {command.summary}" for name, command in commands.items())
+    group = parser.add_argument_group("commands", "\n".join(lines))
+    group.add_argument("command", nargs="?", help="see poppet COMMAND --help")
+    return parser
 
 
 def _print_error(text: str, code: int, prefix: str = "error: ") -> int:

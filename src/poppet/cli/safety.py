@@ -21,7 +21,7 @@ def run_audit(options: argparse.Namespace) -> int:
     from poppet.report.audit.safety_text import safety_text
 
     require_matplotlib(options.report)
-    events = read_assignments(options.event, "--event")
+    events = read_assignments(options.event, "--event", 'supply.pressure="0 bar g"')
     circuit, notes = load_circuit(options)
     with CaseProgress(is_quiet=options.quiet) as progress:
         audit = audit_safety(
@@ -35,7 +35,7 @@ def run_audit(options: argparse.Namespace) -> int:
             seed=options.seed,
             progress=progress,
         )
-    print_notes([*notes, *circuit.static_notes, *audit.notes])
+    print_notes([*notes, *audit.notes])
     write_result(options, audit, safety_text(audit), lambda path: write_safety(audit, path))
     return 0 if audit.is_whole else INTERRUPTED
 
@@ -61,6 +61,6 @@ def run_faults(options: argparse.Namespace) -> int:
             threshold=options.threshold,
             progress=progress,
         )
-    print_notes([*notes, *circuit.static_notes, *table.notes])
+    print_notes([*notes, *table.notes])
     write_result(options, table, faults_text(table), lambda path: write_faults(table, path))
     return 0 if table.is_whole else INTERRUPTED

@@ -108,14 +108,15 @@ def require_matplotlib(*paths: Path | None) -> None:
 def write_result(
     options: argparse.Namespace, result: Any, text: str, write_report: Callable[[Path], Any], *files: Path | None
 ) -> None:
-    """Write a result and its report to the files that the options specify, and print a text.
+    """Print a text, and write a result and its report to the files that the options specify.
 
     `write_report` writes the report to a path. After `text`, the names of all written files are printed. The further
     arguments are names of files that have already been written.
     """
+    # First, so that a file that cannot be written does not lose the result of a long computation.
+    print(text, flush=True)
     if options.output:
         result.save(options.output)
     if options.report:
         write_report(options.report)
-    print(text)
     print_written(options.output, options.report, *files)

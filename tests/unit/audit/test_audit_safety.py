@@ -357,6 +357,7 @@ def test_an_interrupted_audit_keeps_complete_faults():
         (VENT, {"at": "5 s"}, "safety.outside_run", "at"),
         (VENT, {"at": "-1 s"}, "safety.outside_run", "at"),
         (VENT, {"at": "0.5"}, None, "at"),
+        (VENT, {"at": ["step"]}, "names.unknown", "step"),
         (VENT, {"threshold": "0 bar"}, "safety.not_positive", "threshold"),
         (VENT, {"threshold": "1.5 bar abs"}, None, "threshold"),
         (VENT, {"duration": "0 s"}, "safety.not_positive", "duration"),
@@ -397,6 +398,21 @@ def test_a_condition_of_a_sequence_cannot_be_an_event():
         audit_safety(loads(text), {"plc.tank_pressure": "1 bar"})
     assert (caught.value.code, caught.value.address) == ("safety.declared", "plc.tank_pressure")
     assert caught.value.facts["place"] == "parts.plc.steps.rest.next.fill"
+
+
+def test_an_event_below_ambient_pressure_has_a_note():
+    notes = audit_safety(loads(SEQUENCE), {"supply.pressure": "0 bar"}, at="0.3 s", kinds=()).notes
+    assert [note.address for note in notes if note.code == "safety.vacuum"] == ["supply.pressure"]
+    vented = audit_safety(loads(SEQUENCE), VENT, at="0.3 s", kinds=()).notes
+    assert "safety.vacuum" not in [note.code for note in vented]
+
+
+def test_assumptions_of_the_circuit_are_notes_of_the_audit():
+    valve = DirectionalValve(supply="tank", outlet="ambient", command=1.0, sonic_conductance=1e-8)
+    circuit = Circuit({"tank": Chamber(volume="2 l"), "dump": valve}).with_values({"run.duration": "2 s"})
+    audit = audit_safety(circuit, {"dump.command": 0}, at="0.7 s", kinds=("stuck",))
+    assert "parts.assumed_ratio" in [note.code for note in audit.notes]
+    assert set(audit.notes) >= set(circuit.static_notes)
 
 
 def test_a_signal_continues_until_the_event():
