@@ -77,7 +77,7 @@ def test_the_first_word_of_commands_lists_them(poppet, arguments, code):
     answer = poppet(*arguments)
     text = answer.out + answer.err
     assert answer.code == code
-    assert [name for name in COMMANDS if f"  {name} " in text] == [n for n in COMMANDS if n.startswith("audit ")]
+    assert [name for name in COMMANDS if f"\n  {name} " in text] == [n for n in COMMANDS if n.startswith("audit ")]
 
 
 @pytest.mark.parametrize("name", COMMANDS)

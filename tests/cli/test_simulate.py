@@ -242,7 +242,7 @@ def test_plot(poppet, tanks, tmp_path, suffix):
         (("--set", "hihg.volume=1 l"), "address.meant", "hihg.volume", ""),
         (("--set", "high.volume"), "cli.assignment", "", ""),
         (("--set", "high.volume="), "cli.assignment", "", ""),
-        (("--set", "high.volume=1 l", "--set", "high.volume=2 l"), "cli.assigned_twice", "", ""),
+        (("--set", "high.volume=1 l", "--set", "high.volume=2 l"), "cli.assigned_twice", "high.volume", ""),
         (("--set", "high.volume=1 bar"), "quantity.other_quantity", "high.volume", ""),
         (("--set", "high.volume=-1"), "fields.out_of_range", "high.volume", ""),
         (("--set", "high.volume=nan"), "quantity.not_finite", "high.volume", ""),
