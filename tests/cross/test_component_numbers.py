@@ -284,3 +284,25 @@ def test_the_size_of_the_package_gives_the_printed_flow_or_the_passport_shows_th
     assert float(shown[1]) == pytest.approx(100.0 * deviation, abs=0.03)
     if abs(deviation) > 0.01:
         assert component.doubts
+
+
+SI = {"dm^3/(s bar)": 1e-8, "bar": 1e5, "mm": 1e-3, "ms": 1e-3, "cm^3": 1e-6, "%": 1e-2, "": 1.0}
+
+
+@pytest.mark.parametrize("name", ALL)
+def test_parts_receive_the_numbers_with_their_source(name: str) -> None:
+    from poppet.library.components import components as of_package
+    from poppet.parts import KINDS
+    from poppet.parts.components import numbers_of
+
+    manufacturer, raw = ALL[name]
+    full_name, function = f"{manufacturer} {raw['model']}", raw["printed"]["function"]
+    component = next(c for c in of_package() if (c.name, c.printed["function"]) == (full_name, function))
+    for kind in raw["kinds"]:
+        numbers = numbers_of(component, KINDS[kind])
+        for field, value in raw["fields"].items():
+            if field == "nominal_flow":
+                continue  # C follows from it, see above
+            assert numbers[field].value == pytest.approx(number(value) * SI[unit(value)], rel=1e-12), field
+            assert numbers[field].source.kind in ("datasheet", "assumed")
+            assert component.document in str(numbers[field].source)
