@@ -186,12 +186,14 @@ def _uncommanded(
         last = min(bounds[bounds > row].tolist(), default=healthy.size - 1)
         sign = 1.0 if faulty[row] > healthy[row] else -1.0
         usual_travel = float((sign * (healthy[first : last + 1] - healthy[first])).max())
-        travel = sign * (faulty[first:] - faulty[first])
+        # From the turning point before the difference: a command can have moved the body to it.
+        origin = first + int(np.argmin(sign * faulty[first : row + 1]))
+        travel = sign * (faulty[origin:] - faulty[origin])
         # Up to the row at which the body has returned.
         returned = np.flatnonzero(np.maximum.accumulate(travel) - travel > margin)
         distance = float(travel[: int(returned[0]) if returned.size else travel.size].max())
-        if travel[: last + 1 - first].max() > margin >= usual_travel:
-            begin = first + int(np.flatnonzero(travel > 0.1 * margin)[0])
+        if travel[: last + 1 - origin].max() > margin >= usual_travel:
+            begin = origin + int(np.flatnonzero(travel > 0.1 * margin)[0])
             return distance, float(runs.time[begin])
     if end == healthy.size:
         return None
@@ -223,7 +225,8 @@ def _of_volume(runs: RunPair, volume: str, addresses: tuple[str, ...]) -> Iterat
         first = int(low_rows[-1]) + 1 if low_rows.size else 0
         if time[-1] - time[first] > LONGER * _longest(time, healthy > runs.threshold) + MARGIN:
             values = _rounded(faulty[-1]), _rounded(healthy[first:].min())
-            yield Consequence("pressure_stays", volume, *values, "Pa", float(time[first]))
+            facts = {"threshold": runs.threshold}
+            yield Consequence("pressure_stays", volume, *values, "Pa", float(time[first]), facts)
     peak = float(faulty.max())
     if highest > runs.threshold and peak < MISSING * highest:
         yield Consequence("pressure_missing", volume, _rounded(peak), _rounded(highest), "Pa")

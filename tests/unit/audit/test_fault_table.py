@@ -47,9 +47,9 @@ def test_every_single_fault_of_the_machine_is_run(machine):
 def test_a_valve_that_opens_extends_its_cylinder_without_a_command(machine):
     for name, stroke in (("A", 0.08), ("B", 0.05)):
         moved = consequence(machine, f"valve{name}.stuck_open", "moves_without_command", f"slide{name}")
-        # Before the start button is pressed; the end stop yields by some tenths of a millimetre.
+        # Before the start button is pressed; both end stops yield by some tenths of a millimetre.
         assert moved.time < 0.05
-        assert stroke < moved.value < 1.02 * stroke
+        assert stroke < moved.value < 1.03 * stroke
         stays = consequence(machine, f"valve{name}.stuck_open", "pressure_stays", f"cylinder{name}.cap")
         assert stays.value == pytest.approx(6e5, rel=0.02)
         other = "B" if name == "A" else "A"

@@ -13,7 +13,7 @@ from poppet.report.audit.faults_report import effects_of, faults_page
 WAITS = Consequence("waits", "plc", time=2.1, healthy=0.4, facts={"step": "extend"})
 SHORT = Consequence("not_reached", "load", 0.1, 0.2, "m")
 MOVES = Consequence("moves_without_command", "load", 0.05, None, "m", 1.3)
-STAYS = Consequence("pressure_stays", "cylinder.cap", 5e5, 0.0, "Pa")
+STAYS = Consequence("pressure_stays", "cylinder.cap", 5e5, 0.0, "Pa", 0.3, {"threshold": 5e4})
 ROWS = (
     FaultRow("first", "stuck_open", (WAITS, SHORT)),
     FaultRow("first", "stuck_closed", (MOVES, STAYS)),
