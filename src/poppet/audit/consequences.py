@@ -225,8 +225,8 @@ def _of_volume(runs: RunPair, volume: str, addresses: tuple[str, ...]) -> Iterat
         first = int(low_rows[-1]) + 1 if low_rows.size else 0
         if time[-1] - time[first] > LONGER * _longest(time, healthy > runs.threshold) + MARGIN:
             values = _rounded(faulty[-1]), _rounded(healthy[first:].min())
-            facts = {"threshold": runs.threshold}
-            yield Consequence("pressure_stays", volume, *values, "Pa", float(time[first]), facts)
+            limit = {"threshold": runs.threshold}
+            yield Consequence("pressure_stays", volume, *values, "Pa", float(time[first]), limit)
     peak = float(faulty.max())
     if highest > runs.threshold and peak < MISSING * highest:
         yield Consequence("pressure_missing", volume, _rounded(peak), _rounded(highest), "Pa")
