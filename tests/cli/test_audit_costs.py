@@ -119,3 +119,10 @@ def test_a_survey_without_price_shows_no_cost(poppet, tmp_path):
     assert code == 0
     assert "30.00" in out
     assert "cost" not in out
+
+
+def test_a_misspelt_measure_is_an_error(poppet):
+    code, out, err = poppet("audit", "energy", MACHINE, "--saving", "cylinderA.boore=25 mm")
+    assert (code, out) == (2, "")
+    assert "cylinderA.boore" in err
+    assert "cylinderA.bore" in err

@@ -31,6 +31,7 @@ FIELDS = {
 }
 """Fields of a tariff, except its price."""
 EXAMPLES = ("0.20 EUR/kWh", "0.02 EUR/m^3")
+UNIT_EXAMPLES = {"specific_energy": "0.12 kWh/m^3", "emission": "0.4 kg/kWh", "hours": "4000 h"}
 _PRICE = re.compile(r"\s*([+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)\s*([^\W\d_]+|[$€£¥])\s*/\s*(\S.*?)\s*")
 
 
@@ -137,6 +138,11 @@ def read_tariff(table: Mapping[str, Any] | None = None, address: str = "") -> Ta
             values[name] = default_number(name, spec)
             if table.get(name) is not None:
                 with errors.collecting():
+                    value, _ = split_source(f"{prefix}{name}", table[name])
+                    # In SI units, these numbers have unusual sizes, so a number without a unit is most likely wrong.
+                    if isinstance(value, int | float) and not isinstance(value, bool) and math.isfinite(value):
+                        facts: dict[str, Any] = {"value": value, "example": UNIT_EXAMPLES[name]}
+                        raise UnitError("tariff.bare_number", f"{prefix}{name}", **facts)
                     values[name] = read_number(f"{prefix}{name}", spec, table[name])
     return Tariff(**values)  # type: ignore[arg-type]
 
@@ -169,6 +175,8 @@ def _read_price(address: str, argument: Any) -> Number:
     amount, currency, unit = float(match[1]), match[2], match[3].removesuffix("ANR").strip()
     for target in ("J", "m^3"):
         if same_dimension(unit, target):
+            if math.isinf(amount):
+                raise InputError("quantity.not_finite", address, shown=value)
             if amount < 0.0:
                 raise InputError("tariff.negative", address, value=value)
             return Number(amount / convert(1.0, unit, target), f"{currency}/{target}", source, "", value)

@@ -35,6 +35,8 @@ def audit_energy(options: argparse.Namespace) -> int:
     circuit, notes = load_circuit(options)
     measures = read_measures(options.saving)
     try:
+        for measure in measures or ():
+            circuit.with_values(measure.values)  # an invalid measure is an error before the runs
         tariff = tariff_of(circuit, {name: vars(options)[name] for name in ("tariff", *FIELDS)})
         settings: dict[str, Any] = {
             "cycle": options.cycle, "step": options.cycle_from or "", "count": options.cycles,

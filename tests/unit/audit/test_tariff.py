@@ -66,9 +66,24 @@ def test_a_negative_price_is_rejected():
         read_tariff({"tariff": "-0.2 EUR/kWh"})
 
 
+@pytest.mark.parametrize(("field", "value"), [("specific_energy", 0.12), ("emission", 0.4), ("hours", 4000)])
+def test_a_number_without_a_unit_is_rejected(field, value):
+    """0.12 J/m^3 instead of 0.12 kWh/m^3 would be wrong by a factor of 3.6 million."""
+    for argument in (value, {"value": value, "source": "measured"}):
+        with refused("tariff.bare_number", f"audit.{field}"):
+            read_tariff({field: argument}, "audit")
+
+
+def test_an_infinite_price_is_rejected():
+    with refused("quantity.not_finite", "tariff"):
+        read_tariff({"tariff": "1e999 EUR/kWh"})
+
+
 def test_all_errors_of_a_table_are_reported():
     with refused("fields.unknown", "audit.tarif") as caught:
-        read_tariff({"tarif": "1 EUR/kWh", "hours": "9000 h", "emission": "0.4 kg", "specific_energy": 0}, "audit")
+        read_tariff(
+            {"tarif": "1 EUR/kWh", "hours": "9000 h", "emission": "0.4 kg", "specific_energy": "0 kWh/m^3"}, "audit"
+        )
     problems = {(problem.code, problem.address) for problem in caught.value.problems}
     assert problems == {
         ("fields.unknown", "audit.tarif"),
