@@ -27,6 +27,7 @@ from poppet.audit.energy_result import (
     PartRow,
 )
 from poppet.audit.energy_run import EnergyRun, run_energy
+from poppet.audit.moves import find_moves
 from poppet.audit.tariff import Tariff
 from poppet.circuit.circuit import BaseCircuit
 from poppet.circuit.energy_trace import EnergyTerm
@@ -127,6 +128,7 @@ def audit_energy(
         tariff=tariff,
         notes=(*recording.remarks, *cycle.notes(), *_limits(circuit, result, rows)),
         recording=recording,
+        moves=find_moves(circuit, recording, (cycle.start, cycle.end)),
     )
     return replace(audit, notes=(*audit.notes, *_accuracy_notes(audit)))
 

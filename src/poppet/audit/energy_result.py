@@ -7,6 +7,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
+from poppet.audit.moves import Move
 from poppet.audit.tariff import Tariff
 from poppet.core.codes import Note
 from poppet.core.note_groups import grouped
@@ -141,6 +142,8 @@ class EnergyAudit(ResultFileMixin):
         Notes on the run and limits of the result.
     recording : Recording, optional
         Recording of the run that contains the cycle.
+    moves : tuple of Move, optional
+        Moves of the bodies, by their starts.
     """
 
     title: str
@@ -154,6 +157,7 @@ class EnergyAudit(ResultFileMixin):
     tariff: Tariff | None = None
     notes: tuple[Note, ...] = ()
     recording: Recording | None = field(default=None, repr=False)
+    moves: tuple[Move, ...] = ()
 
     @property
     def air_used(self) -> float:
@@ -250,6 +254,7 @@ class EnergyAudit(ResultFileMixin):
                  "cycle_time_s": row.cycle_time, "is_bound": row.is_bound}
                 for row in self.savings
             ],
+            "moves": [move.plain() for move in self.moves],
             "balance": [
                 {"name": row.name, "part": row.part, "category": row.category, "energy_j": row.energy,
                  "exergy_j": row.exergy}

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 
@@ -40,6 +41,21 @@ class Move:
     def stroke_time(self) -> float | None:
         """Time from the command to the stop [s]; None if one of the two is not known."""
         return None if self.command_time is None or self.stop is None else self.stop - self.command_time
+
+    def plain(self) -> dict[str, Any]:
+        """Return the move as a dictionary for a result file; None stands for an absent value."""
+        return {
+            "body": self.body,
+            "step": self.step or None,
+            "command": self.command,
+            "command_time_s": self.command_time,
+            "start_s": self.start,
+            "stop_s": self.stop,
+            "stroke_time_s": self.stroke_time,
+            f"travel_{self.unit}": self.travel,
+            f"impact_speed_{self.unit}_per_s": self.impact_speed,
+            "dwell_s": self.dwell,
+        }
 
 
 def find_moves(
@@ -85,13 +101,13 @@ def _move(
     circuit: BaseCircuit, recording: Recording, stroke: BodyStroke, stop: float | None, next_start: float
 ) -> Move:
     """Return the move of a stroke; `next_start` is the start of the next move of the body, or infinite."""
-    impact = recording.figures.met(stroke)
+    impact, (step, command_time) = recording.figures.met(stroke), _command_of(circuit, recording, stroke)
     return Move(
         body=stroke.body,
         unit=stroke.unit,
-        step=_step_of(circuit, recording, stroke),
+        step=step,
         command=stroke.command,
-        command_time=stroke.command_time,
+        command_time=command_time,
         start=stroke.start,
         stop=stop,
         travel=stroke.travel,
@@ -100,14 +116,20 @@ def _move(
     )
 
 
-def _step_of(circuit: BaseCircuit, recording: Recording, stroke: BodyStroke) -> str:
-    """Return the name of the step in which the sequence changed the command of a stroke."""
+def _command_of(circuit: BaseCircuit, recording: Recording, stroke: BodyStroke) -> tuple[str, float | None]:
+    """Return the step in which a sequence changed the command of a stroke, and the time of the change.
+
+    The time of a sequence is the entry of the step, also between two rows of the recording.
+    """
     owner = circuit.connections.get(stroke.command or "", "").partition(".")[0]
     part = circuit.parts.get(owner)
     if not isinstance(part, Sequence) or stroke.command_time is None:
-        return ""
+        return "", stroke.command_time
     row = int(np.searchsorted(recording.time, stroke.command_time))
-    return str(part.program.steps[round(float(recording[f"{owner}.step"][row])) - 1].name)
+    entry = float(recording.time[row] - recording[f"{owner}.elapsed"][row])
+    is_entered = row == 0 or entry > recording.time[row - 1]
+    step = str(part.program.steps[round(float(recording[f"{owner}.step"][row])) - 1].name)
+    return step, entry if is_entered else stroke.command_time
 
 
 def _stop_time(

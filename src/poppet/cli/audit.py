@@ -108,7 +108,18 @@ def energy_summary(audit: EnergyAudit) -> str:
     parts = [["part", "air [l ANR]", "lost exergy [J]", "mainly by"]]
     parts += [[row.part, f"{row.air / LITRE:z.5f}", f"{row.exergy_lost:z.4f}", row.category] for row in audit.parts]
     tables = aligned(facts, (1,)), aligned(balance, range(1, 4)), aligned(parts, (1, 2))
-    return "\n\n".join(filter(None, [audit.title, *tables, _leak_text(audit), _saving_text(audit)]))
+    return "\n\n".join(filter(None, [audit.title, *tables, _move_text(audit), _leak_text(audit), _saving_text(audit)]))
+
+
+def _move_text(audit: EnergyAudit) -> str:
+    rows = [["move", "step", "command [s]", "stroke time [s]", "travel", "impact", "dwell [s]"]]
+    for move in audit.moves:
+        unit, factor = ("mm", 1e3) if move.unit == "m" else ("deg", 180.0 / math.pi)
+        impact = "" if move.impact_speed is None else f"{factor * move.impact_speed:.4g} {unit}/s"
+        times = (move.command_time, move.stroke_time, move.dwell)
+        command, stroke, dwell = ("" if time is None else f"{time:.4g}" for time in times)
+        rows.append([move.body, move.step, command, stroke, f"{factor * move.travel:.4g} {unit}", impact, dwell])
+    return aligned(rows, range(2, 7)) if audit.moves else ""
 
 
 def _leak_text(audit: EnergyAudit) -> str:

@@ -48,6 +48,15 @@ def test_the_command_is_the_entry_of_the_step():
         assert move.command_time == pytest.approx(entry, abs=1e-9)
 
 
+def test_the_time_of_a_command_does_not_depend_on_the_output_times():
+    circuit, recording = machine()
+    coarse = find_moves(circuit, circuit.simulate(output_step="3 ms"))
+    for found, move in zip(coarse, find_moves(circuit, recording), strict=True):
+        assert found.command_time == pytest.approx(move.command_time, abs=1e-9)
+        assert found.command_time == pytest.approx(round(move.command_time / 5e-3) * 5e-3, abs=1e-9)
+        assert found.stroke_time == pytest.approx(move.stroke_time, abs=2e-4)
+
+
 def test_moves_and_dwells_of_a_body_fill_the_cycle():
     circuit, recording = machine()
     cycle = (0.2, 1.7)

@@ -22,7 +22,7 @@ from poppet.audit.energy_result import (
     WORK,
     EnergyAudit,
 )
-from poppet.audit.moves import Move, find_moves
+from poppet.audit.moves import Move
 from poppet.core.codes import Note
 from poppet.core.number_format import pretty
 from poppet.report.audit.sankey import NARROW, WIDE, SankeyLink, SankeyNode, draw_sankey
@@ -79,7 +79,7 @@ def write_energy(audit: EnergyAudit, path: str | Path, circuit: BaseCircuit | No
     path : str or Path
         File name with the suffix `.html`.
     circuit : Circuit, optional
-        The audited circuit, for its moves and step diagrams.
+        The audited circuit, for its step diagrams.
 
     Returns
     -------
@@ -103,7 +103,7 @@ def energy_page(audit: EnergyAudit, circuit: BaseCircuit | None = None) -> str:
             Section("Flow paths", _path_section(audit)),
             Section("Leaks", [leak_table(audit) or paragraph(_TIGHT), findings(_notes(audit, "leaks"))]),
             Section("Savings", [saving_table(audit), _bound(audit), findings(_notes(audit, "savings"))]),
-            Section("Moves", _moves(audit, circuit)),
+            Section("Moves", move_table(audit.moves)),
             Section("Steps", _step_figures(circuit, audit.recording)),
             Section("Tariff", _tariff_table(audit)),
         ]
@@ -348,12 +348,6 @@ def saving_table(audit: EnergyAudit) -> ReportTable:
         "air [l ANR]", f"exergy [{joules.unit}]", "cost per year", "CO₂ per year", "% of the air", "cycle time"
     )
     return ReportTable(("measure", *columns), rows, "Saved air, exergy, cost and CO₂ of each measure alone.")
-
-
-def _moves(audit: EnergyAudit, circuit: BaseCircuit | None) -> ReportTable | str:
-    if circuit is None or audit.recording is None:
-        return ""
-    return move_table(find_moves(circuit, audit.recording, (audit.cycle.start, audit.cycle.end)))
 
 
 def move_table(moves: Iterable[Move]) -> ReportTable:
