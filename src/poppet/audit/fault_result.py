@@ -65,7 +65,7 @@ class FaultRow:
 
     @property
     def is_hidden(self) -> bool:
-        """True if the run with the fault does not differ from the healthy run."""
+        """True if no difference from the healthy run exceeds the limits of the table."""
         return all(consequence.kind == "none" for consequence in self.consequences)
 
 
