@@ -119,6 +119,9 @@ def check(item: Consequence, run: Run) -> None:
         case "pressure_missing" | "pressure_high":
             gauge = run.pressures[item.address][late] - AMBIENT
             assert item.value == pytest.approx(gauge.max(), rel=0.02, abs=200.0)
+        case "pressure_falls":
+            gauge = run.pressures[item.address][late] - AMBIENT
+            assert item.value == pytest.approx(gauge.min(), rel=0.02, abs=200.0)
         case "air":
             values = [air_of(result, two_cylinders()) for result in (run, run_with())]
             assert (item.value, item.healthy) == tuple(pytest.approx(value, rel=0.01) for value in values)

@@ -230,6 +230,9 @@ def _of_volume(runs: RunPair, volume: str, addresses: tuple[str, ...]) -> Iterat
     peak = float(faulty.max())
     if highest > runs.threshold and peak < MISSING * highest:
         yield Consequence("pressure_missing", volume, _rounded(peak), _rounded(highest), "Pa")
+    elif lowest > runs.threshold and (low := float(faulty.min())) < MISSING * lowest:
+        # A volume that is full at the start of the fault.
+        yield Consequence("pressure_falls", volume, _rounded(low), _rounded(lowest), "Pa", float(time[faulty.argmin()]))
     if peak - highest > max(runs.threshold, PRESSURE * highest):
         facts = _rounded(peak), _rounded(highest), "Pa", float(time[int(faulty.argmax())])
         yield Consequence("pressure_high", volume, *facts)
@@ -274,4 +277,5 @@ def _of_air(runs: RunPair) -> Iterator[Consequence]:
             flows = runs.series(f"{name}.mass_flow_rate")
             usual, value = (float(np.trapezoid(flow, runs.time)) / density for flow in flows)
             if value > MIN_AIR and value - usual > AIR * abs(usual):
-                yield Consequence("air", name, value, usual, "m^3")
+                # Without consumption, the flow of a supply is not exactly zero.
+                yield Consequence("air", name, value, usual if abs(usual) > MIN_AIR else 0.0, "m^3")

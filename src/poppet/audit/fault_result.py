@@ -11,7 +11,7 @@ from poppet.core.toml import ResultFileMixin
 
 CONSEQUENCES = (
     "failed", "timed_out", "waits", "diverts", "moves_without_command", "not_reached", "overtravel", "pressure_stays",
-    "pressure_missing", "vacuum_missing", "pressure_high", "stroke_time", "cycle_time", "air", "none",
+    "pressure_missing", "pressure_falls", "vacuum_missing", "pressure_high", "stroke_time", "cycle_time", "air", "none",
 )  # fmt: skip
 """Kinds of consequences, in the order of the table."""
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import tomllib
 from dataclasses import replace
 from pathlib import Path
@@ -34,6 +35,25 @@ def consequence(table: FaultTable, fault: str, kind: str, address: str):
 @pytest.fixture(scope="module")
 def machine() -> FaultTable:
     return fault_table(load(MACHINE))
+
+
+def test_a_full_volume_that_a_fault_exhausts_is_a_consequence():
+    parts = {
+        "supply": Reservoir(pressure="6 bar g"),
+        "tank": Chamber(volume="2 l", initial_pressure="6 bar g", thermal="isothermal"),
+        "valve": DirectionalValve(
+            supply="supply", outlet="tank", exhaust="ambient", command=1.0, initial_position=1.0,
+            switching_time="1 ms", **FLOW,
+        ),
+    }  # fmt: skip
+    table = fault_table(Circuit(parts), duration="1.2 s")
+    falls = consequence(table, "valve.stuck_closed", "pressure_falls", "tank")
+    # Choked outflow of an isothermal tank: C rho_ANR R T / V = 1e-8 / 2e-3 * 1e5 per second, within the humidity.
+    assert falls.value + 1e5 == pytest.approx(7e5 * math.exp(-0.6), rel=4e-3)
+    assert (falls.healthy, falls.time) == (pytest.approx(6e5), pytest.approx(1.2))
+    assert kinds_of(table, "valve.stuck_open") == ["none"]
+    # The leak fills nothing: without the fault, the supply delivers no air.
+    assert consequence(table, "valve.leak", "air", "supply").healthy == 0.0
 
 
 def test_every_single_fault_of_the_machine_is_run(machine):
