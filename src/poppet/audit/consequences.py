@@ -4,11 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 
 from poppet.audit.fault_result import CONSEQUENCES, Consequence
+from poppet.audit.visits import Visit, visits_of
 from poppet.audit.volumes import bodies_of, volumes_of
 from poppet.circuit.circuit import BaseCircuit
 from poppet.core.units import ANR
@@ -38,14 +39,6 @@ DURATION, AIR = 0.05, 0.05
 """Smallest relative changes of a stroke time or cycle time, and of the air consumption, that count."""
 MIN_AIR = 1e-6
 """Smallest air consumption that counts [m^3 ANR]."""
-
-
-class Visit(NamedTuple):
-    """Visit of a sequence to a step; it can last to the end of the run."""
-
-    step: int  # number of the step
-    start: float  # [s]
-    end: float
 
 
 @dataclass(frozen=True)
@@ -94,15 +87,6 @@ def find_consequences(runs: RunPair) -> tuple[Consequence, ...]:
 
 
 # Sequences -------------------------------------------------------------------------------------------------------
-
-
-def visits_of(recording: Recording, name: str) -> list[Visit]:
-    """Return the visits of a sequence to its steps, with the exact times of their starts."""
-    step, time = recording[f"{name}.step"], recording.time
-    rows = np.flatnonzero(np.diff(step, prepend=step[0] - 1.0))
-    starts = np.maximum(time[rows] - recording[f"{name}.elapsed"][rows], 0.0)
-    ends = np.append(starts[1:], time[-1])
-    return [Visit(int(n), float(a), float(b)) for n, a, b in zip(step[rows], starts, ends, strict=True)]
 
 
 def cycle_time(visits: list[Visit]) -> float | None:

@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 
 from poppet.audit.energy_result import Cycle
+from poppet.audit.visits import visits_of
 from poppet.circuit.circuit import BaseCircuit
 from poppet.circuit.instance import Array
 from poppet.core.errors import InputError, NameSuggestion
@@ -71,7 +72,7 @@ def find_cycle(circuit: BaseCircuit, recording: Recording, *, step: str = "", co
         first = step.removeprefix(f"{owners[0]}.")
         return _sequence_cycle(recording, owners[0], names[owners[0]], first, count)
     for name in sequences:
-        visits = [number for number, _ in _visits(recording, name)]
+        visits = [visit.step for visit in visits_of(recording, name)]
         repeated = [number for number in visits if visits.count(number) > 1]
         if repeated:
             return _sequence_cycle(recording, name, names[name], names[name][repeated[0] - 1], count)
@@ -80,27 +81,19 @@ def find_cycle(circuit: BaseCircuit, recording: Recording, *, step: str = "", co
     if not sequences:
         raise InputError("cycle.no_source")
     name = sequences[0]
-    entered = dict.fromkeys(names[name][number - 1] for number, _ in _visits(recording, name))
+    entered = dict.fromkeys(names[name][visit.step - 1] for visit in visits_of(recording, name))
     raise InputError("cycle.no_repetition", name, steps=list(entered), end=float(recording.time[-1]))
 
 
-def _visits(recording: Recording, name: str) -> list[tuple[int, float]]:
-    """Return the number and the time of entry of each step that a sequence visits."""
-    numbers = np.rint(recording[f"{name}.step"]).astype(int)
-    rows = np.flatnonzero(np.diff(numbers, prepend=numbers[0] - 1))
-    entries = np.maximum(recording.time[rows] - recording[f"{name}.elapsed"][rows], 0.0)
-    return [(int(number), float(time)) for number, time in zip(numbers[rows], entries, strict=True)]
-
-
 def _sequence_cycle(recording: Recording, name: str, steps: Sequence[str], first: str, count: int) -> Cycle:
-    visits = _visits(recording, name)
-    entries = [k for k, (number, _) in enumerate(visits) if steps[number - 1] == first]
+    visits = visits_of(recording, name)
+    entries = [k for k, visit in enumerate(visits) if steps[visit.step - 1] == first]
     if len(entries) <= count:
         facts: dict[str, Any] = {"step": first, "visits": len(entries), "count": count}
         raise InputError("cycle.too_few", name, **facts, end=float(recording.time[-1]))
     begin, end = entries[-1 - count], entries[-1]
-    visited = tuple(steps[number - 1] for number, _ in visits[begin:end])
-    return Cycle(visits[begin][1], visits[end][1], count, "sequence", name, visited)
+    visited = tuple(steps[visit.step - 1] for visit in visits[begin:end])
+    return Cycle(visits[begin].start, visits[end].start, count, "sequence", name, visited)
 
 
 def _signal_cycle(circuit: BaseCircuit, duration: float, count: int) -> Cycle | None:

@@ -6,11 +6,12 @@ from collections.abc import Callable, Sequence
 from concurrent.futures import ThreadPoolExecutor, as_completed
 from typing import Any
 
-from poppet.audit.consequences import RunPair, cycle_time, find_consequences, visits_of
+from poppet.audit.consequences import RunPair, cycle_time, find_consequences
 from poppet.audit.fault_result import Consequence, FaultRow, FaultTable, OmittedFault
 from poppet.audit.moments import row_step
 from poppet.audit.safety import read_positive
 from poppet.audit.valve_faults import ValveFault, read_kinds, split_faults, valves_of, with_idle_faults
+from poppet.audit.visits import visits_of
 from poppet.circuit.circuit import BaseCircuit
 from poppet.core.codes import Note
 from poppet.core.errors import ErrorCollector, InputError

@@ -7,6 +7,7 @@ from typing import Any
 import numpy as np
 
 from poppet.audit.safety_result import Moment
+from poppet.audit.visits import Visit, visits_of
 from poppet.circuit.circuit import BaseCircuit
 from poppet.core.errors import ErrorCollector, InputError, NameSuggestion
 from poppet.core.units import quantity
@@ -113,17 +114,12 @@ def _active_step(circuit: BaseCircuit, healthy: Recording, time: float) -> str:
 
 def _step_times(healthy: Recording, name: str) -> list[float]:
     """Return the moments of all steps of a sequence [s]."""
-    step, time = healthy[f"{name}.step"], healthy.time
-    rows = np.flatnonzero(np.diff(step, prepend=step[0] - 1.0))
-    # The time in the step gives the exact time of its start, which is between two rows.
-    starts = np.maximum(time[rows] - healthy[f"{name}.elapsed"][rows], 0.0)
-    ends = np.append(starts[1:], time[-1])
-    visits: dict[float, int] = {}
-    for k, number in enumerate(step[rows].tolist()):
-        if k + 1 < rows.size or number not in visits:
-            visits[number] = k
+    visits, chosen = visits_of(healthy, name), dict[int, Visit]()
+    for visit in visits:
+        if visit is not visits[-1] or visit.step not in chosen:
+            chosen[visit.step] = visit
     return [
-        round(float(starts[k] + (ends[k] - starts[k]) * part / PER_STEP), 9)
-        for k in visits.values()
+        round(visit.start + (visit.end - visit.start) * part / PER_STEP, 9)
+        for visit in chosen.values()
         for part in range(PER_STEP)
     ]
