@@ -21,7 +21,9 @@ from poppet.core.codes import Note
 from poppet.core.errors import ErrorCollector, InputError, UnitError
 from poppet.core.units import quantity
 from poppet.ensemble import plan_of
+from poppet.parts.part import Part
 from poppet.parts.sources import Reservoir
+from poppet.parts.supply import PressureRegulator
 from poppet.timeseries.recording import Recording
 
 SAMPLES = 50
@@ -318,6 +320,18 @@ def _curves(runs: SafetyRuns, results: Results, worst: Mapping[tuple[int, str], 
                 yield curves
 
 
+def _has_assumed_exhaust(part: Part) -> bool:
+    """Return True if the flow path to the exhaust has the flow capacity of the supply, because none is specified.
+
+    The relief of a pressure regulator is excluded: it has a note of its own.
+    """
+    fields = ("exhaust_conductance", "exhaust_a_conductance")
+    is_missing = any(getattr(part, field, 0.0) is None for field in fields)
+    has_exhaust = getattr(part, "exhaust", "") is not None
+    has_own = getattr(part, "exhaust_a_characteristic", None) is not None or isinstance(part, PressureRegulator)
+    return is_missing and has_exhaust and not has_own
+
+
 def _notes(runs: SafetyRuns, results: Results, *, is_whole: bool) -> Iterator[Note]:
     for event in runs.events:
         if event.replaced:
@@ -326,6 +340,8 @@ def _notes(runs: SafetyRuns, results: Results, *, is_whole: bool) -> Iterator[No
         is_supply = isinstance(runs.circuit.parts.get(part), Reservoir)
         if is_supply and event.value < ambient <= default_value(runs.circuit, event.address):
             yield Note("safety.vacuum", event.address, value=event.value)
+    if valves := [name for name, part in runs.circuit.parts.items() if _has_assumed_exhaust(part)]:
+        yield Note("safety.assumed_exhaust", valves=valves)
     if len(runs.moments) > 1:
         yield Note("safety.sampled_moments", count=len(runs.moments))
     if not runs.faults:

@@ -407,6 +407,20 @@ def test_an_event_below_ambient_pressure_has_a_note():
     assert "safety.vacuum" not in [note.code for note in vented]
 
 
+def test_valves_without_a_stated_exhaust_have_a_note():
+    ports = {"supply": "supply", "command": 1.0, "sonic_conductance": 1e-8, "critical_ratio": 0.3}
+    parts = {
+        "supply": Reservoir(pressure="6 bar g"),
+        "tank": Chamber(volume="2 l"),
+        "stated": DirectionalValve(outlet="tank", exhaust="ambient", exhaust_conductance=2e-8, **ports),
+        "assumed": DirectionalValve(outlet="tank", exhaust="ambient", **ports),
+        "without": DirectionalValve(outlet="tank", **ports),
+    }
+    circuit = Circuit(parts).with_values({"run.duration": "1 s"})
+    audit = audit_safety(circuit, VENT, at="0.5 s", kinds=("stuck",), duration="0.1 s")
+    assert [note.facts["valves"] for note in audit.notes if note.code == "safety.assumed_exhaust"] == [["assumed"]]
+
+
 def test_assumptions_of_the_circuit_are_notes_of_the_audit():
     valve = DirectionalValve(supply="tank", outlet="ambient", command=1.0, sonic_conductance=1e-8)
     circuit = Circuit({"tank": Chamber(volume="2 l"), "dump": valve}).with_values({"run.duration": "2 s"})
