@@ -32,6 +32,7 @@ _RELATIONS: Mapping[str, Callable[[float, float], bool]] = {
     "<=": operator.le, ">=": operator.ge, "<": operator.lt, ">": operator.gt, "=": operator.eq,
 }  # fmt: skip
 _TERM = re.compile(r"(?P<name>\w+)\s*(?P<relation><=|>=|<|>|=)\s*(?P<value>\S.*)")
+_QUANTITY_WITHOUT_RELATION = re.compile(rf"({'|'.join(NAMES)}|bore|volume)\s+[\d.]")
 
 
 @dataclass(frozen=True)
@@ -119,10 +120,12 @@ def search(text: str, components: Iterable[CatalogueComponent]) -> list[Catalogu
         if match:
             holds = _comparison(match["name"], match["relation"], match["value"].strip())
             found = [component for component in found if holds(component)]
-        elif not term or re.search(r"[<>=]", term):
+        # "bore 40" is also part of a few names, but whoever writes it means a comparison.
+        elif not term or re.search(r"[<>=]", term) or _QUANTITY_WITHOUT_RELATION.match(term):
             raise InputError("components.no_condition", text=term)
         else:
-            words = {word for component in everything for word in _words(component)}
+            # A condition cannot contain a comma.
+            words = {word for component in everything for text in _words(component) for word in text.split(", ")}
             if not any(_has_word(component, term) for component in everything):
                 raise InputError("components.no_word", text=term, suggestion=NameSuggestion(term, words))
             found = [component for component in found if _has_word(component, term)]
@@ -140,7 +143,7 @@ def _has_word(component: CatalogueComponent, word: str) -> bool:
     texts = (*_words(component), component.model, *component.aliases)
     # A whole word of a text: "5/2" is in "5/2 monostable".
     key = f" {word.replace('_', ' ').casefold()} "
-    return any(key in f" {text.casefold()} " for text in texts)
+    return any(key in f" {text.casefold().replace(',', ' ')} " for text in texts)
 
 
 def _comparison(name: str, relation: str, value: str) -> Callable[[CatalogueComponent], bool]:

@@ -500,6 +500,7 @@ def test_search_by_function_and_conductance():
         ("tube, bore = 4 mm", ["SMC TU0604"]),
         ("check valve, qNn > 4000 l/min ANR, camozzi", ["Camozzi VNR-212-1/2"]),
         ("chamber, volume < 0.2 l", ["Festo CRVZS-0.1"]),
+        ("flow control, qNn > 2000 l/min ANR", ["Camozzi SCO 610-1/2"]),
     ],
 )
 def test_search(text, names):
@@ -513,6 +514,7 @@ def test_search(text, names):
         ("5/2, C > 3 bar", "quantity.other_quantity"),
         ("5/2,, C > 3 dm^3/(s bar)", "components.no_condition"),
         ("C >", "components.no_condition"),
+        ("cylinder, bore 40", "components.no_condition"),
         ("colour = red", "components.no_quantity"),
         ("silencr", "components.no_word"),
     ],
