@@ -65,7 +65,7 @@ def find_leaks(
             notes.append(Note("leaks.no_result", part, reason=str(error)))
             continue
         air = audit.air_used - repaired.air_used
-        rows.append(_row(audit, part, part, air, audit.exergy_supplied - repaired.exergy_supplied))
+        rows.append(_row(audit, part.partition(".")[0], part, air, audit.exergy_supplied - repaired.exergy_supplied))
     rows = [row for row in rows if abs(row.air) > SMALLEST * abs(audit.air_used)]
     return tuple(sorted(rows, key=lambda row: -row.air)), tuple(notes)
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import functools
 import math
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -102,3 +103,11 @@ def test_a_leak_is_listed_even_if_the_tight_circuit_cannot_be_audited():
     rows, notes = find_leaks(circuit, audit, run)  # no cycle is stated for the tight circuit
     assert rows == ()
     assert [(note.code, note.address) for note in notes] == [("leaks.no_result", "valve")]
+
+
+def test_the_leak_of_a_member_belongs_to_its_part():
+    circuit = poppet.load(EXAMPLES / "pressure_regulator.toml")
+    circuit = circuit.with_values({"valve.main_stage.leak_conductance": "0.05 dm^3/(s bar)"})
+    audit = run(poppet.loads(LEAKY), cycle="1 s, 2 s")  # stands for the audit of the circuit
+    (leak,), _ = find_leaks(circuit, audit, lambda tight: replace(audit, air={"supply": 0.0}))
+    assert (leak.part, leak.flow_path) == ("valve", "valve.main_stage")
