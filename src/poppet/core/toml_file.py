@@ -230,5 +230,6 @@ def read_text(path: Path, table: str = "") -> str:
     if "\0" in text:
         raise InputError("toml.no_text", path=name)
     if not text.strip():
-        raise InputError("toml.empty", path=name)
+        is_circuit = table in ("", "parts")
+        raise InputError("toml.empty", path=name, new=is_circuit, table="" if is_circuit else table)
     return text

@@ -476,6 +476,13 @@ def test_component_files_are_a_list(user_file, value):
     assert raised.value.problems[0].code == "components.no_files"
 
 
+def test_an_empty_component_file_needs_components(tmp_path):
+    (tmp_path / "acme.toml").write_text("")
+    with pytest.raises(InputError) as raised:
+        read_components(tmp_path / "acme.toml")
+    assert (raised.value.code, raised.value.facts["table"]) == ("toml.empty", "components")
+
+
 def test_a_missing_component_file_is_named(tmp_path):
     with pytest.raises(InputError) as raised:
         poppet.load(circuit_file(tmp_path))
