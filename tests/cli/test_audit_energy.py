@@ -25,3 +25,14 @@ def test_the_command_writes_its_result(poppet, tmp_path: Path):
     code, _, errors = poppet("audit", "energy", str(file), "--cycle", "3 s, 9 s")
     assert code == 2
     assert "after the end of the run" in errors
+
+
+def test_the_tariff_and_its_assumptions_are_printed(poppet, tmp_path: Path):
+    file = tmp_path / "machine.toml"
+    file.write_text(MACHINE)
+    out = poppet("audit", "energy", str(file), "--no-savings", "--tariff", "0.20 EUR/kWh").out
+    rows = {line[: line.find("  ")]: line for line in out.splitlines()}
+    assert "assumed" in rows["specific energy"]
+    assert "assumed" in rows["hours"]
+    assert "0.20 EUR/kWh" in rows["tariff"]
+    assert "specific energy" not in poppet("audit", "energy", str(file), "--no-savings").out

@@ -108,7 +108,8 @@ def energy_summary(audit: EnergyAudit) -> str:
     parts = [["part", "air [l ANR]", "lost exergy [J]", "mainly by"]]
     parts += [[row.part, f"{row.air / LITRE:z.5f}", f"{row.exergy_lost:z.4f}", row.category] for row in audit.parts]
     tables = aligned(facts, (1,)), aligned(balance, range(1, 4)), aligned(parts, (1, 2))
-    return "\n\n".join(filter(None, [audit.title, *tables, _move_text(audit), _leak_text(audit), _saving_text(audit)]))
+    texts = _move_text(audit), _leak_text(audit), _saving_text(audit), _tariff_text(audit)
+    return "\n\n".join(filter(None, [audit.title, *tables, *texts]))
 
 
 def _move_text(audit: EnergyAudit) -> str:
@@ -150,3 +151,13 @@ def _saving_text(audit: EnergyAudit) -> str:
         values += [f"{row.cost_per_year:.4g}"] if currency else []
         rows.append([f"{row.measure}, upper bound" if row.is_bound else row.measure, *values])
     return aligned([heads, *rows], range(1, len(heads))) if rows else ""
+
+
+def _tariff_text(audit: EnergyAudit) -> str:
+    """Return the values behind cost and CO2 with their sources; empty if there is neither."""
+    if audit.tariff is None or (audit.tariff.price is None and audit.tariff.emission is None):
+        return ""
+    return aligned(
+        [[name.replace("_", " "), number.display(), str(number.source)] for name, number in audit.tariff.numbers()],
+        (1,),
+    )
