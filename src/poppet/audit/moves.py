@@ -153,9 +153,11 @@ def _stop_time(
         return None
     last = int(inside[-1])
     outside = np.flatnonzero(deviation[:last] > band)
-    k = int(outside[-1]) if outside.size else 0
-    fraction = (deviation[k] - band) / (deviation[k] - deviation[k + 1])
-    settled = float(time[rows[k]] + fraction * (time[rows[k + 1]] - time[rows[k]]))
+    settled = float(time[rows[0]])
+    if outside.size:
+        k = int(outside[-1])
+        fraction = (deviation[k] - band) / (deviation[k] - deviation[k + 1])
+        settled = float(time[rows[k]] + fraction * (time[rows[k + 1]] - time[rows[k]]))
     return min(
         (t for t in _contact_times(circuit, recording, stroke.body) if settled <= t < next_start), default=settled
     )

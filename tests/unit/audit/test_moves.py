@@ -57,6 +57,14 @@ def test_the_time_of_a_command_does_not_depend_on_the_output_times():
         assert found.stroke_time == pytest.approx(move.stroke_time, abs=2e-4)
 
 
+@pytest.mark.parametrize("step", ["0.1 s", "0.25 s", "0.5 s"])
+def test_a_move_between_few_rows_stops_after_its_start(step):
+    """The body can be at rest in the first row of a move, or in its only one."""
+    circuit = machine()[0]
+    for move in find_moves(circuit, circuit.simulate(output_step=step)):
+        assert move.stop is None or move.stop >= move.start
+
+
 def test_moves_and_dwells_of_a_body_fill_the_cycle():
     circuit, recording = machine()
     cycle = (0.2, 1.7)
