@@ -127,7 +127,7 @@ def search(text: str, components: Iterable[CatalogueComponent]) -> list[Catalogu
             # A condition cannot contain a comma.
             words = {word for component in everything for text in _words(component) for word in text.split(", ")}
             if not any(_has_word(component, term) for component in everything):
-                raise InputError("components.no_word", text=term, suggestion=NameSuggestion(term, words))
+                raise InputError("components.no_word", text=term, names=NameSuggestion(term, words).names)
             found = [component for component in found if _has_word(component, term)]
     return found
 
@@ -157,7 +157,7 @@ def _comparison(name: str, relation: str, value: str) -> Callable[[CatalogueComp
     }
     field = NAMES.get(name, name)
     if field not in valid:
-        raise InputError("components.no_quantity", text=name, suggestion=NameSuggestion(name, [*NAMES, *valid]))
+        raise InputError("components.no_quantity", text=name, names=NameSuggestion(name, [*NAMES, *valid]).names)
     spec = valid[field]
     try:
         limit = quantity(value, spec.unit, kind=spec.kind, name=name).value
