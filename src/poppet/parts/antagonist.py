@@ -14,6 +14,7 @@ from poppet.core.codes import Note
 from poppet.core.errors import InputError
 from poppet.core.provenance import Number
 from poppet.core.symbolic import clip, is_certain, maximum
+from poppet.parts import symbols
 from poppet.parts.captions import CaptionNumbers
 from poppet.parts.fields import NumberLike, number, reference
 from poppet.parts.muscle_law import MuscleLawPart
@@ -130,6 +131,7 @@ class InverseMuscle(_InverseMuscleLaw):
     """
 
     kind: ClassVar[str] = "inverse_muscle"
+    symbol: ClassVar[symbols.Symbol | str] = symbols.INVERSE_MUSCLE
     summary: ClassVar[str] = "the pressure at which a muscle exerts a setpoint force"
     measured: ClassVar[tuple[str, ...]] = ("contraction",)
     pressures: ClassVar[tuple[str, ...]] = ("pressure",)
@@ -176,6 +178,7 @@ class Antagonist(_InverseMuscleLaw):
     """
 
     kind: ClassVar[str] = "antagonist"
+    symbol: ClassVar[symbols.Symbol | str] = symbols.ANTAGONIST
     summary: ClassVar[str] = "the pressures of two muscles at a joint for a torque and a mean pressure"
     measured: ClassVar[tuple[str, ...]] = ("flexor_contraction", "extensor_contraction")
     pressures: ClassVar[tuple[str, ...]] = ("flexor_pressure", "extensor_pressure")

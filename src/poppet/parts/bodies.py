@@ -16,6 +16,7 @@ from poppet.core.provenance import Number
 from poppet.core.symbolic import is_certain, maximum, minimum, sin, where
 from poppet.laws.physics import contact, friction
 from poppet.laws.physics.heat_transfer import GRAVITY
+from poppet.parts import symbols
 from poppet.parts.captions import CaptionNumbers
 from poppet.parts.fields import NumberLike, group, number, option, reference
 from poppet.parts.part import Body, BodyDynamics, BodyMotion, Input, Quantities, Scope, State, Surroundings
@@ -538,6 +539,7 @@ class Mass(MovingBody):
     """
 
     kind: ClassVar[str] = "mass"
+    symbol: ClassVar[symbols.Symbol | str] = symbols.MASS
     summary: ClassVar[str] = "a body on a line: friction, end stops, inclination"
     unit: ClassVar[str] = "m"
     effort: ClassVar[str] = "force"
@@ -585,6 +587,7 @@ class Joint(MovingBody):
     """
 
     kind: ClassVar[str] = "joint"
+    symbol: ClassVar[symbols.Symbol | str] = symbols.JOINT
     summary: ClassVar[str] = "a rotating body: inertia, pulley, friction, end stops"
     unit: ClassVar[str] = "rad"
     effort: ClassVar[str] = "torque"
@@ -631,6 +634,7 @@ class Guide(Body):
     """
 
     kind: ClassVar[str] = "guide"
+    symbol: ClassVar[symbols.Symbol | str] = symbols.GUIDE
     summary: ClassVar[str] = "a body with a prescribed motion"
 
     position: NumberLike = number("m", 0.0, doc="position without a signal", note="zero by default")

@@ -11,6 +11,7 @@ from poppet.core.errors import InputError
 from poppet.core.symbolic import maximum
 from poppet.laws.physics import gas as gas_law
 from poppet.laws.physics import heat_transfer
+from poppet.parts import symbols
 from poppet.parts.captions import CaptionNumbers
 from poppet.parts.fields import NumberLike, anr_pressure, anr_temperature, model, number, option
 from poppet.parts.part import GasBalance, GasState, Quantities, Scope, State, Store, Surroundings
@@ -49,6 +50,7 @@ class Chamber(Store):
     """
 
     kind: ClassVar[str] = "chamber"
+    symbol: ClassVar[symbols.Symbol | str] = symbols.CHAMBER
     summary: ClassVar[str] = "a volume of gas: isothermal, polytropic, the paper's isentrope, or energy balance"
     internal_outputs: ClassVar[tuple[str, ...]] = ("mass", "heat_flow_rate")
 

@@ -7,6 +7,7 @@ from typing import Any, ClassVar
 
 from poppet.core.errors import OutOfRangeError
 from poppet.core.symbolic import clip, floor, is_certain, maximum, where
+from poppet.parts import symbols
 from poppet.parts.captions import CaptionNumbers
 from poppet.parts.fields import NumberLike, group, number, option, reference
 from poppet.parts.part import (
@@ -149,6 +150,7 @@ class Electronics(Controller):
     """
 
     kind: ClassVar[str] = "electronics"
+    symbol: ClassVar[symbols.Symbol | str] = symbols.ELECTRONICS
     summary: ClassVar[str] = "sampled pressure control: outer PI(D), inner pilot loop, sensors, converter"
     internal_outputs: ClassVar[tuple[str, ...]] = (
         "actual_value", "pilot_setpoint", "integral", "fill_duty", "vent_duty", "outlet_sensor_pressure",

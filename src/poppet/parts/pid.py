@@ -10,6 +10,7 @@ from poppet.core.errors import InputError, OutOfRangeError
 from poppet.core.provenance import Number
 from poppet.core.symbolic import clip, is_certain, maximum, minimum, where
 from poppet.laws.physics.dead_zone import add_dead_zone, remove_dead_zone
+from poppet.parts import symbols
 from poppet.parts.captions import CaptionNumbers
 from poppet.parts.fields import NumberLike, number, option, reference, switch
 from poppet.parts.part import DiscreteState, Input, Quantities, Scope, Surroundings
@@ -93,6 +94,7 @@ class PID(SampledLoop):
     """
 
     kind: ClassVar[str] = "pid"
+    symbol: ClassVar[symbols.Symbol | str] = symbols.PID
     internal_outputs: ClassVar[tuple[str, ...]] = (
         *SampledLoop.internal_outputs, "integral", "derivative", "automatic", "manual_command",
         "acceleration_feedback", "uncompensated_command",

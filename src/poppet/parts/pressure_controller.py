@@ -8,6 +8,7 @@ from typing import Any, ClassVar
 from poppet.core.symbolic import clip, exp, maximum, where
 from poppet.laws.physics.gas import AIR_ISENTROPIC_EXPONENT
 from poppet.laws.physics.pressure_rates import open_rates, openings_for_rate
+from poppet.parts import symbols
 from poppet.parts.captions import CaptionNumbers
 from poppet.parts.fields import NumberLike, anr_temperature, group, laminar_limit, number, subsonic_index_m
 from poppet.parts.part import DiscreteState, Input, Quantities, Scope
@@ -56,6 +57,7 @@ class PressureController(SampledLoop):
     """
 
     kind: ClassVar[str] = "pressure_controller"
+    symbol: ClassVar[symbols.Symbol | str] = symbols.PRESSURE_CONTROLLER
     internal_outputs: ClassVar[tuple[str, ...]] = (*SampledLoop.internal_outputs, "wanted_rate", "disturbance")
     summary: ClassVar[str] = "feedback-linearising pressure control with two valves"
 

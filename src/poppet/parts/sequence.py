@@ -10,6 +10,7 @@ from poppet.core.codes import Note
 from poppet.core.errors import ErrorCollector
 from poppet.core.provenance import Number
 from poppet.core.symbolic import clip, floor, maximum, where
+from poppet.parts import symbols
 from poppet.parts.captions import CaptionNumbers
 from poppet.parts.conditions import KIND_OF_UNIT, Flag, Internal, Literal, Operand, Reading, never_true
 from poppet.parts.electronics import MIN_SAMPLE_TIME
@@ -68,6 +69,7 @@ class Sequence(Controller):
     """
 
     kind: ClassVar[str] = "sequence"
+    symbol: ClassVar[symbols.Symbol | str] = symbols.SEQUENCE
     summary: ClassVar[str] = "sampled step sequence with conditions, timeouts and counters"
     is_switching: ClassVar[bool] = True
     resume: ClassVar[dict[str, str]] = {

@@ -29,6 +29,7 @@ class Reservoir(Store):
     """
 
     kind: ClassVar[str] = "reservoir"
+    symbol: ClassVar[symbols.Symbol | str] = symbols.RESERVOIR
     summary: ClassVar[str] = "gas at a prescribed pressure and temperature"
     internal_outputs: ClassVar[tuple[str, ...]] = ("mass_flow_rate",)
 

@@ -9,6 +9,7 @@ from typing import Any, ClassVar
 from poppet.core.errors import InputError, OutOfRangeError
 from poppet.core.provenance import Number
 from poppet.core.symbolic import is_certain, where
+from poppet.parts import symbols
 from poppet.parts.captions import CaptionNumbers
 from poppet.parts.conditions import KIND_OF_UNIT, read_literal
 from poppet.parts.electronics import MIN_SAMPLE_TIME
@@ -77,6 +78,7 @@ class Switch(Controller):
     """
 
     kind: ClassVar[str] = "switch"
+    symbol: ClassVar[symbols.Symbol | str] = symbols.SWITCH
     summary: ClassVar[str] = "sampled switch with hysteresis: pressure switch, reed switch"
     is_switching: ClassVar[bool] = True
     measured: ClassVar[tuple[str, ...]] = ("measurement",)

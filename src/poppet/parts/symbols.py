@@ -1,4 +1,8 @@
-"""Symbols of parts after ISO 1219-1: lines in a square of side length 1 for schematics."""
+"""Symbols of parts after ISO 1219-1: lines in a square of side length 1 for schematics.
+
+The side of a valve square is 0.5, which is 4 times the module of the standard. The ports of valve squares and the
+pilots thus have the distances of the standard.
+"""
 
 from __future__ import annotations
 
@@ -16,6 +20,12 @@ class Stroke(NamedTuple):
 
 
 Symbol = tuple[Stroke, ...]
+
+
+def horizontal_ends(symbol: Symbol) -> tuple[float, float]:
+    """Return the coordinates of the left and of the right end of a schematic symbol."""
+    coordinates = [x for stroke in symbol for x, _ in stroke.points]
+    return min(coordinates), max(coordinates)
 
 
 def line(*points: tuple[float, float], dashed: bool = False) -> Symbol:
@@ -113,83 +123,92 @@ RELIEF_VALVE = (
 
 # Two inlets at the left and at the right, the outlet at the top.
 _TWO_INLETS = (
-    rectangle(0.0, 0.24, 1.0, 0.46)
-    + line((-0.14, 0.47), (0.16, 0.47))
-    + line((0.84, 0.47), (1.14, 0.47))
-    + line((0.5, 0.7), (0.5, 0.96))
+    rectangle(0.0, 0.27, 1.0, 0.46)
+    + line((-0.14, 0.5), (0.16, 0.5))
+    + line((0.84, 0.5), (1.14, 0.5))
+    + line((0.5, 0.73), (0.5, 0.99))
 )
 SHUTTLE_VALVE = (
     _TWO_INLETS
-    + line((0.3, 0.66), (0.16, 0.47), (0.3, 0.28))
-    + line((0.7, 0.66), (0.84, 0.47), (0.7, 0.28))
-    + circle(0.36, 0.47, 0.13)
+    + line((0.3, 0.69), (0.16, 0.5), (0.3, 0.31))
+    + line((0.7, 0.69), (0.84, 0.5), (0.7, 0.31))
+    + circle(0.36, 0.5, 0.13)
 )
 TWO_PRESSURE_VALVE = (
     _TWO_INLETS
-    + line((0.16, 0.38), (0.16, 0.56))
-    + line((0.84, 0.38), (0.84, 0.56))
-    + line((0.3, 0.32), (0.3, 0.62))
-    + line((0.7, 0.32), (0.7, 0.62))
-    + line((0.3, 0.47), (0.7, 0.47))
+    + line((0.16, 0.41), (0.16, 0.59))
+    + line((0.84, 0.41), (0.84, 0.59))
+    + line((0.3, 0.35), (0.3, 0.65))
+    + line((0.7, 0.35), (0.7, 0.65))
+    + line((0.3, 0.5), (0.7, 0.5))
 )
 QUICK_EXHAUST_VALVE = (
-    rectangle(0.0, 0.24, 1.0, 0.46)
-    + line((-0.14, 0.47), (0.16, 0.47))
-    + line((0.5, 0.7), (0.5, 0.96))
-    + line((0.84, 0.47), (1.0, 0.47))
-    + outline((1.0, 0.35), (1.0, 0.59), (1.22, 0.47))
-    + line((0.3, 0.66), (0.16, 0.47), (0.3, 0.28))
-    + line((0.7, 0.66), (0.84, 0.47), (0.7, 0.28))
-    + circle(0.64, 0.47, 0.13)
-)
-
-
-def _blocked_port_lines(*positions: float, depth: float, width: float) -> Symbol:
-    """Return the lines that mark a blocked port at the bottom and at the top of a valve square."""
-    strokes: Symbol = ()
-    for low, stop in ((0.24, 0.24 + depth), (0.76, 0.76 - depth)):
-        for x in positions:
-            strokes += line((x, low), (x, stop)) + line((x - width, stop), (x + width, stop))
-    return strokes
-
-
-VALVE = (
-    rectangle(0.02, 0.24, 0.48, 0.52)
-    + rectangle(0.5, 0.24, 0.48, 0.52)
-    + arrow((0.14, 0.24), (0.38, 0.76))
-    + _blocked_port_lines(0.74, depth=0.14, width=0.08)
-)
-CONTINUOUS_VALVE = VALVE + line((0.02, 0.84), (0.98, 0.84)) + line((0.02, 0.16), (0.98, 0.16))
-SPOOL_VALVE = (
-    rectangle(-0.28, 0.24, 0.52, 0.52)
-    + rectangle(0.24, 0.24, 0.52, 0.52)
-    + rectangle(0.76, 0.24, 0.52, 0.52)
-    + arrow((-0.14, 0.24), (-0.14, 0.76))
-    + arrow((0.1, 0.76), (0.1, 0.24))
-    + arrow((0.86, 0.24), (1.18, 0.76))
-    + arrow((0.86, 0.76), (1.18, 0.24))
-    + _blocked_port_lines(0.38, 0.62, depth=0.12, width=0.07)
-    + line((-0.28, 0.16), (1.28, 0.16))
-    + line((-0.28, 0.84), (1.28, 0.84))
-    + coil(-0.5, 0.36)
-    + coil(1.28, 0.36)
+    rectangle(0.0, 0.27, 1.0, 0.46)
+    + line((-0.14, 0.5), (0.16, 0.5))
+    + line((0.5, 0.73), (0.5, 0.99))
+    + line((0.84, 0.5), (1.0, 0.5))
+    + outline((1.0, 0.38), (1.0, 0.62), (1.22, 0.5))
+    + line((0.3, 0.69), (0.16, 0.5), (0.3, 0.31))
+    + line((0.7, 0.69), (0.84, 0.5), (0.7, 0.31))
+    + circle(0.64, 0.5, 0.13)
 )
 
 
 # Ports of a valve square by number, as distances from its left side, and the ports that flows of a position connect.
-_BOTTOM, _TOP = {5: 0.09, 1: 0.26, 3: 0.43}, {4: 0.17, 2: 0.35}
-_SIDE = 0.52
+_SQUARE = 0.5
+_LOW, _HIGH = 0.5 - 0.5 * _SQUARE, 0.5 + 0.5 * _SQUARE
+_BOTTOM, _TOP = {5: 0.125, 1: 0.25, 3: 0.375}, {4: 0.125, 2: 0.375}
 _PATHS = {
     "a": ((1, 4), (2, 3)), "b": ((1, 2), (4, 5)),
     "": (), "exhaust": ((4, 5), (2, 3)), "supply": ((1, 4), (1, 2)),
 }  # fmt: skip
 
 
+def _blocked_port(x: float, y: float, width: float = 0.05) -> Symbol:
+    """Return the lines that mark a blocked port at the bottom or at the top of a valve square."""
+    stop = y + (0.1 if y < 0.5 else -0.1)
+    return line((x, y), (x, stop)) + line((x - width, stop), (x + width, stop))
+
+
+VALVE = (
+    rectangle(0.0, _LOW, _SQUARE, _SQUARE)
+    + rectangle(0.5, _LOW, _SQUARE, _SQUARE)
+    + arrow((0.12, _LOW), (0.38, _HIGH))
+    + _blocked_port(0.75, _LOW, 0.08)
+    + _blocked_port(0.75, _HIGH, 0.08)
+)
+CONTINUOUS_VALVE = VALVE + line((0.0, 0.84), (1.0, 0.84)) + line((0.0, 0.16), (1.0, 0.16))
+
+
+def _positions(*names: str) -> Symbol:
+    """Return the squares of a valve with five ports, centred; each name is a key of `_PATHS`."""
+    symbol: Symbol = ()
+    for k, name in enumerate(names):
+        square = 0.5 + (k - 0.5 * len(names)) * _SQUARE  # coordinate of its left side
+        ends = {port: (square + x, _LOW) for port, x in _BOTTOM.items()}
+        ends |= {port: (square + x, _HIGH) for port, x in _TOP.items()}
+        symbol += rectangle(square, _LOW, _SQUARE, _SQUARE)
+        for start, end in _PATHS[name]:
+            symbol += arrow(ends[start], ends[end], 0.11)
+        for port in sorted(ends.keys() - {port for path in _PATHS[name] for port in path}):
+            symbol += _blocked_port(*ends[port])
+    return symbol
+
+
+SPOOL_VALVE = (
+    _positions("a", "", "b")
+    + line((-0.25, 0.16), (1.25, 0.16))
+    + line((-0.25, 0.84), (1.25, 0.84))
+    + coil(-0.47, 0.36)
+    + coil(1.25, 0.36)
+)
+
+
 def _pilot(tip: float, direction: float) -> Symbol:
     """Return the schematic symbol of a pneumatic pilot, whose triangle touches a valve at `tip`."""
     base = tip - 0.16 * direction
-    return outline((base, 0.54), (base, 0.74), (tip, 0.64)) + line(
-        (base, 0.64), (base - 0.14 * direction, 0.64), dashed=True
+    return outline((base, 0.525), (base, 0.725), (tip, 0.625)) + line(
+        (base, 0.625), (base - 0.14 * direction, 0.625), dashed=True
     )
 
 
@@ -199,24 +218,12 @@ def switched_valve(positions: int, open_at_centre: str, pilots: tuple[bool, bool
     `open_at_centre` is "supply", "exhaust" or empty. `pilots` contains True for each side with a pneumatic pilot
     instead of a solenoid, side a first. `has_spring` is True if a spring replaces the actuation of the second side.
     """
-    names = ("a", open_at_centre, "b") if positions == 3 else ("a", "b")
-    left = 0.5 - 0.5 * _SIDE * positions
-    right = 0.5 + 0.5 * _SIDE * positions
-    symbol: Symbol = ()
-    for k, name in enumerate(names):
-        square = left + k * _SIDE  # coordinate of its left side
-        ends = {port: (square + x, 0.24) for port, x in _BOTTOM.items()}
-        ends |= {port: (square + x, 0.76) for port, x in _TOP.items()}
-        symbol += rectangle(square, 0.24, _SIDE, _SIDE)
-        for start, end in _PATHS[name]:
-            symbol += arrow(ends[start], ends[end], 0.11)
-        for port in ends.keys() - {port for path in _PATHS[name] for port in path}:
-            x, y = ends[port]
-            stop = y + (0.1 if port in _BOTTOM else -0.1)
-            symbol += line((x, y), (x, stop)) + line((x - 0.05, stop), (x + 0.05, stop))
-    symbol += _pilot(left, 1.0) if pilots[0] else coil(left - 0.22, 0.5)
+    symbol = _positions(*("a", open_at_centre, "b") if positions == 3 else ("a", "b"))
+    left = 0.5 - 0.5 * _SQUARE * positions
+    right = 0.5 + 0.5 * _SQUARE * positions
+    symbol += _pilot(left, 1.0) if pilots[0] else coil(left - 0.22, 0.485)
     if not has_spring:
-        symbol += _pilot(right, -1.0) if pilots[1] else coil(right, 0.5)
+        symbol += _pilot(right, -1.0) if pilots[1] else coil(right, 0.485)
     springs = spring(right, right + 0.24, 0.35)
     return (
         symbol
@@ -225,8 +232,8 @@ def switched_valve(positions: int, open_at_centre: str, pilots: tuple[bool, bool
     )
 
 
-MAIN_STAGE = CONTINUOUS_VALVE + outline((-0.22, 0.36), (0.02, 0.5), (-0.22, 0.64)) + spring(0.98, 1.26, 0.5)
-PROPORTIONAL_VALVE = CONTINUOUS_VALVE + coil(-0.2, 0.36) + arrow((-0.26, 0.3), (0.06, 0.72)) + spring(0.98, 1.26, 0.5)
+MAIN_STAGE = CONTINUOUS_VALVE + outline((-0.24, 0.36), (0.0, 0.5), (-0.24, 0.64)) + spring(1.0, 1.28, 0.5)
+PROPORTIONAL_VALVE = CONTINUOUS_VALVE + coil(-0.22, 0.36) + arrow((-0.28, 0.3), (0.04, 0.72)) + spring(1.0, 1.28, 0.5)
 PILOT_STAGE = (
     _PATH
     + rectangle(0.06, 0.3, 0.3, 0.4)
@@ -235,7 +242,7 @@ PILOT_STAGE = (
     + coil(0.68, 0.7)
     + circle(0.5, 0.5, 0.1)
 )
-FLOW_SOURCE = _PATH + circle(0.5, 0.5, 0.32) + outline((0.34, 0.28), (0.34, 0.72), (0.8, 0.5), filled=True)
+FLOW_SOURCE = line((0.82, 0.5), (1.0, 0.5)) + circle(0.5, 0.5, 0.32) + arrow((0.26, 0.5), (0.76, 0.5), 0.2)
 SILENCER = (
     line((0.0, 0.5), (0.2, 0.5))
     + rectangle(0.2, 0.26, 0.48, 0.48)
@@ -260,7 +267,7 @@ PRESSURE_BOOSTER = (
     + line((0.26, 0.5), (0.74, 0.5))
     + line((0.74, 0.32), (0.74, 0.68))
     + outline((0.04, 0.42), (0.04, 0.58), (0.16, 0.5))
-    + outline((0.84, 0.42), (0.84, 0.58), (0.96, 0.5), filled=True)
+    + outline((0.84, 0.42), (0.84, 0.58), (0.96, 0.5))
 )
 # A half disc with the shaft and a double arrow along the arc of its motion.
 ROTARY_ACTUATOR = (
@@ -272,7 +279,7 @@ ROTARY_ACTUATOR = (
 MUSCLE = line(
     (-0.05, 0.5), (0.1, 0.5), (0.3, 0.25), (0.5, 0.75), (0.7, 0.25), (0.9, 0.5), (1.05, 0.5)
 ) + line((-0.05, 0.5), (0.1, 0.5), (0.3, 0.75), (0.5, 0.25), (0.7, 0.75), (0.9, 0.5), (1.05, 0.5))  # fmt: skip
-TUBE = line((-0.3, 0.38), (1.3, 0.38)) + line((-0.3, 0.62), (1.3, 0.62))
+TUBE = rectangle(-0.25, 0.38, 1.5, 0.24)
 OPEN_END = line((0.0, 0.5), (0.35, 0.5)) + outline((0.35, 0.2), (0.35, 0.8), (0.85, 0.5))
 PRESSURE_REGULATOR = (
     _PATH
@@ -281,7 +288,7 @@ PRESSURE_REGULATOR = (
     + line((0.9, 0.5), (0.9, 0.06), (0.5, 0.06), (0.5, 0.22), dashed=True)
     + line((0.5, 0.78), (0.42, 0.83), (0.58, 0.89), (0.42, 0.95), (0.58, 1.01), (0.5, 1.06))
     + arrow((0.28, 0.8), (0.74, 1.08))
-    + outline((0.22, 0.36), (0.22, 0.22), (0.1, 0.29))
+    + outline((0.22, 0.32), (0.22, 0.18), (0.1, 0.25))
 )
 COMPRESSOR = line((0.82, 0.5), (1.0, 0.5)) + circle(0.5, 0.5, 0.32) + outline((0.34, 0.28), (0.34, 0.72), (0.8, 0.5))
 VACUUM_EJECTOR = (
@@ -295,4 +302,85 @@ VACUUM_EJECTOR = (
 )
 SUCTION_CUP = line((0.0, 0.5), (0.5, 0.5)) + line(
     (0.86, 0.16), (0.74, 0.16), (0.5, 0.4), (0.5, 0.6), (0.74, 0.84), (0.86, 0.84)
+)
+
+# The outlined triangle of a pneumatic energy source.
+RESERVOIR = line((0.62, 0.5), (1.0, 0.5)) + outline((0.2, 0.26), (0.2, 0.74), (0.62, 0.5))
+# The oval of an air receiver.
+CHAMBER = (
+    line((0.0, 0.5), (0.12, 0.5))
+    + line((0.88, 0.5), (1.0, 0.5))
+    + outline(
+        *(
+            point
+            for x, start in ((0.67, -90.0), (0.33, 90.0))
+            for point in arc(x, 0.5, 0.21, start, start + 180.0)[0].points
+        )
+    )
+)
+MASS = (
+    line((0.0, 0.5), (0.2, 0.5))
+    + rectangle(0.2, 0.3, 0.6, 0.42)
+    + circle(0.34, 0.22, 0.08)
+    + circle(0.66, 0.22, 0.08)
+    + line((0.06, 0.14), (0.94, 0.14))
+)
+# A pulley with its pivot and the rope of two actuators.
+JOINT = (
+    line((0.0, 0.875), (0.5, 0.875))
+    + line((0.0, 0.125), (0.5, 0.125))
+    + circle(0.5, 0.5, 0.375)
+    + circle(0.5, 0.5, 0.07)
+    + line((0.57, 0.5), (1.0, 0.5))
+)
+GUIDE = (
+    line((0.0, 0.5), (0.3, 0.5))
+    + line((0.12, 0.76), (1.0, 0.76))
+    + line((0.12, 0.24), (1.0, 0.24))
+    + rectangle(0.3, 0.32, 0.3, 0.36)
+    + arrow((0.66, 0.5), (0.98, 0.5))
+)
+
+# Controllers have no symbol in ISO 1219-1: a box with a pictogram.
+_CONTROLLER = rectangle(0.0, 0.125, 1.0, 0.75)
+# The triangle of an amplifier (IEC 60617).
+ELECTRONICS = _CONTROLLER + outline((0.34, 0.28), (0.34, 0.72), (0.72, 0.5))
+# The response of a PID controller to a step.
+PID = (
+    _CONTROLLER
+    + line((0.18, 0.76), (0.18, 0.24), (0.84, 0.24))
+    + line((0.18, 0.3), (0.3, 0.3), (0.3, 0.76), (0.36, 0.42), (0.8, 0.68))
+)
+# A pressure gauge.
+PRESSURE_CONTROLLER = _CONTROLLER + circle(0.5, 0.5, 0.28) + arrow((0.36, 0.36), (0.66, 0.66))
+
+
+def _small_muscle(x: float, y: float, width: float, height: float) -> Symbol:
+    """Return the crossed fibres of a small muscle; `x` and `y` are the left end of its axis."""
+    symbol: Symbol = ()
+    for side in (height, -height):
+        symbol += line(
+            *((x + width * u, y + side * v) for u, v in ((0, 0), (0.15, 0), (0.38, 1), (0.62, -1), (0.85, 0), (1, 0)))
+        )
+    return symbol
+
+
+INVERSE_MUSCLE = _CONTROLLER + _small_muscle(0.12, 0.5, 0.76, 0.18)
+ANTAGONIST = (
+    _CONTROLLER
+    + _small_muscle(0.1, 0.68, 0.56, 0.1)
+    + _small_muscle(0.1, 0.32, 0.56, 0.1)
+    + arc(0.66, 0.5, 0.18, -90.0, 90.0)
+    + circle(0.66, 0.5, 0.05)
+)
+# An open contact (IEC 60617).
+SWITCH = _CONTROLLER + line((0.14, 0.42), (0.34, 0.42), (0.68, 0.66)) + line((0.66, 0.42), (0.86, 0.42))
+# An initial step, a transition and a step (IEC 60848).
+SEQUENCE = (
+    _CONTROLLER
+    + rectangle(0.16, 0.36, 0.28, 0.28)
+    + rectangle(0.2, 0.4, 0.2, 0.2)
+    + line((0.44, 0.5), (0.6, 0.5))
+    + line((0.52, 0.38), (0.52, 0.62))
+    + rectangle(0.6, 0.36, 0.28, 0.28)
 )

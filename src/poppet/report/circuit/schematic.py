@@ -13,7 +13,7 @@ from poppet.parts import Reservoir, Store, Tube
 from poppet.parts.captions import ASSUMED, CaptionNumbers, format_value
 from poppet.parts.faults import HEALTHY, Valve
 from poppet.parts.part import AMBIENT, Body, Controller
-from poppet.parts.symbols import OPEN_END, Symbol, rectangle
+from poppet.parts.symbols import OPEN_END, Symbol, horizontal_ends, rectangle
 from poppet.report.circuit.layout import BoxPosition, Edge, Graph, Layout, assign_layers
 from poppet.timeseries.plotting.figures import ACCENT, GREY, INK, new_figure, save_figure, style, text_width
 
@@ -224,7 +224,7 @@ class _Schematic:
         widths += [self.min_width] * (name in self.counts)
         ports = [edge for edge in self.graph.edges if name in (edge[0], edge[2])]
         max_ports = max(sum(self.sides[edge] is side for edge in ports) for side in (True, False)) if ports else 0
-        # A machine with gas nodes and no ports, such as a gripper, has a symbol too.
+        # Parts of plugins without a symbol have a labelled box if they have ports.
         has_symbol = name in self.graph.passages or bool(part.symbol)
         symbol_height = max(_SYMBOL, _PORT_STEP * max_ports) + 0.06 if has_symbol else 0.0
         if symbol_height:
@@ -233,7 +233,8 @@ class _Schematic:
             symbol, symbol_width = part.symbol_for(False), 1.8  # of the labelled box
             if not isinstance(symbol, str):
                 # The label of a port is beside the outermost point of the symbol.
-                symbol_width = max(1.0, *(2.0 * abs(u - 0.5) for stroke in symbol for u, _ in stroke.points))
+                left, right = horizontal_ends(symbol)
+                symbol_width = max(1.0, right - left)
             widths.append(2.0 * label + (symbol_width + 0.6) * _SYMBOL)
         body = symbol_height + _LINE * len(lines) + 0.17 + 2.0 * _PAD
         body = max(body, _PORT_STEP * len(ports))
@@ -327,13 +328,13 @@ class _Schematic:
             self._text(left, position.y - _VENT / 2.0, AMBIENT, 6.5, ha="left", va="top", color=GREY)
             return
         part = self.circuit.parts[name]
-        is_reservoir = not isinstance(part, Store) or isinstance(part, Reservoir)
-        fill = _PASSAGE_FILL if box.symbol_height else _RESERVOIR_FILL if is_reservoir else _STORE_FILL
+        is_path = not isinstance(part, Store | Controller | Body) or name in self.graph.passages
+        is_chamber = not is_path and isinstance(part, Store) and not isinstance(part, Reservoir)
+        fill = _PASSAGE_FILL if is_path else _STORE_FILL if is_chamber else _RESERVOIR_FILL
         fill = _CONTROLLER_FILL if isinstance(part, Controller) else _BODY_FILL if isinstance(part, Body) else fill
-        is_angular = box.symbol_height or is_reservoir or isinstance(part, Controller)
-        shape = f"round,pad=0,rounding_size={0.02 if is_angular else min(0.22, box.body_height / 2.0)}"
+        shape = f"round,pad=0,rounding_size={min(0.22, box.body_height / 2.0) if is_chamber else 0.02}"
         outline: dict[str, Any] = {"facecolor": fill, "edgecolor": INK, "zorder": 2}
-        outline["linewidth"] = 0.9 if box.symbol_height else 1.5
+        outline["linewidth"] = 0.9 if is_path else 1.5
         self.axes.add_patch(FancyBboxPatch((left, bottom), box.width, box.body_height, boxstyle=shape, **outline))
         top = bottom + box.body_height - _PAD
         if box.symbol_height:
@@ -365,9 +366,12 @@ class _Schematic:
         left, bottom = x - _SYMBOL / 2.0, y - _SYMBOL / 2.0
         if not isinstance(symbol, str):
             ports = [edge for edge in self.graph.edges if edge[0] == name]
-            # Positive flow enters at the right, or leaves a source at the left.
+            # Positive flow enters at the right, or leaves a source at the left. A reservoir points to its pipes.
             is_mirrored = bool(ports) and self.sides[ports[0]] == (len(ports) == 1)
-            self._strokes(symbol, left, bottom, _SYMBOL, is_mirrored=is_mirrored)
+            if isinstance(part, Reservoir):
+                is_mirrored = not any(self.sides[edge] for edge in self.graph.edges if edge[2] == name)
+            offset = (0.5 - 0.5 * sum(horizontal_ends(symbol))) * _SYMBOL * (-1.0 if is_mirrored else 1.0)
+            self._strokes(symbol, left + offset, bottom, _SYMBOL, is_mirrored=is_mirrored)
             return
         label = symbol or part.kind.replace("_", " ")
         self._strokes(rectangle(-0.5, 0.2, 2.0, 0.6), left, bottom, _SYMBOL)
