@@ -26,6 +26,7 @@ FLOORS = (
     "report",
     "deploy",
     "api",
+    "edit",
     "cli",
 )
 """From the lowest; each is a folder, except `api`, a module."""

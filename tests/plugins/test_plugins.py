@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import os
 import subprocess
 import sys
@@ -97,6 +98,25 @@ assert muscle.nominal_length.source.locator == "toy catalogue"
 """
     done = run(environment, "-c", script, folder=tmp_path)
     assert done.returncode == 0, done.stderr
+
+
+def test_palette_of_the_editor_has_the_kinds_of_plugins(environment, tmp_path):
+    script = """
+import json, warnings
+warnings.simplefilter("ignore")
+from poppet.edit.palette import palette
+print(json.dumps(palette()[-1]))
+"""
+    done = run(environment, "-c", script, folder=tmp_path)
+    assert done.returncode == 0, done.stderr
+    entry = json.loads(done.stdout)
+    assert (entry["kind"], entry["group"]) == ("toy_membrane", "other")
+    assert [(port["name"], port["side"], port["required"]) for port in entry["ports"]] == [
+        ("from", "left", True),
+        ("to", "right", True),
+    ]
+    assert entry["svg"].startswith("<path ")
+    assert entry["fields"][0]["unit"] == "kg/(s Pa)"
 
 
 def test_the_command_line_lists_plugins_and_notes_those_that_it_ignores(environment, tmp_path):

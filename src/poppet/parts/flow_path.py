@@ -99,6 +99,7 @@ class FlowPath(Passage):
     laminar_ratio: NumberLike = laminar_limit()
     model: Any = model()
 
+    sizes: ClassVar[tuple[str, ...]] = _SIZES
     has_stroke: ClassVar[bool] = False
     """True if the flow path has a stroke, which a characteristic needs."""
 

@@ -410,6 +410,8 @@ class Part(ABC):
     """Ports whose pressure acts on the part, but through which no gas flows."""
     resume: ClassVar[dict[str, str]] = {}
     """Mapping from each output from which a run can continue to the field of the initial value."""
+    sizes: ClassVar[tuple[str, ...]] = ()
+    """Fields of which exactly one states the size of the part, unless a component does."""
     is_switching: ClassVar[bool] = False
     """True for controllers whose outputs jump from one value to another, such as a sequence."""
     internal_outputs: ClassVar[tuple[str, ...]] = ()

@@ -159,6 +159,7 @@ class RotaryActuator(MovingCompound):
     """
 
     kind: ClassVar[str] = "rotary_actuator"
+    sizes: ClassVar[tuple[str, ...]] = ("displacement", "rated_torque")
     symbol: ClassVar[symbols.Symbol | str] = symbols.ROTARY_ACTUATOR
     summary: ClassVar[str] = "a rotary actuator: two chambers, vane or rack, shaft, end stops"
     moving: ClassVar[str] = "shaft"

@@ -98,6 +98,7 @@ class VacuumEjector(Passage):
     """
 
     kind: ClassVar[str] = "vacuum_ejector"
+    sizes: ClassVar[tuple[str, ...]] = ("nozzle_conductance", "air_consumption")
     regimes: ClassVar[tuple[str, ...]] = ("supply_regime",)
     symbol: ClassVar[symbols.Symbol | str] = symbols.VACUUM_EJECTOR
     summary: ClassVar[str] = "a nozzle that draws gas from a vacuum port, with a measured or generic suction curve"

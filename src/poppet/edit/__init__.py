@@ -1,0 +1,1 @@
+"""Editing of circuit files: operations on their text, and their history."""

@@ -1,0 +1,253 @@
+"""Palette of the editor: kinds of parts with symbols, ports and fields, from their declarations.
+
+Matplotlib and the libraries for simulations are not imported.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+import math
+from collections.abc import Iterable
+from typing import Any
+
+from poppet import library
+from poppet.edit.port_places import PortPlace, arrange
+from poppet.edit.svg_symbols import svg_text
+from poppet.parts import KINDS
+from poppet.parts.compound import Compound
+from poppet.parts.fields import (
+    OFF_ON,
+    BodySpec,
+    GroupSpec,
+    MemberSpec,
+    NumberSpec,
+    OptionSpec,
+    PortSpec,
+    ReferenceSpec,
+    Spec,
+    declared,
+    specs,
+)
+from poppet.parts.part import TUBE, Body, Controller, Part, Store
+from poppet.parts.symbols import Symbol, rectangle
+
+Entry = dict[str, Any]
+
+GROUPS: dict[str, tuple[str, ...]] = {
+    "supply": ("reservoir", "compressor", "pressure_regulator", "filter", "flow_source"),
+    "volumes": ("chamber", "tube"),
+    "flow": ("orifice", "flow_control_valve", "check_valve", "piloted_check_valve", "relief_valve", "silencer"),
+    "logic": ("shuttle_valve", "two_pressure_valve", "quick_exhaust_valve"),
+    "valves": ("directional_valve", "spool_valve", "proportional_valve", "main_stage", "pilot_stage"),
+    "actuators": ("cylinder", "rotary_actuator", "gripper", "muscle", "pressure_booster"),
+    "vacuum": ("vacuum_ejector", "suction_cup"),
+    "bodies": ("mass", "joint", "guide"),
+    "control": (
+        "sequence", "switch", "pid", "pressure_controller", "electronics", "inverse_muscle", "antagonist",
+    ),
+}  # fmt: skip
+"""Kinds of each group of the palette, in the order of the palette."""
+OTHER = "other"
+"""Group of the kinds of plugins."""
+
+UNITS: dict[tuple[str, str], tuple[str, ...]] = {
+    ("Pa", "pressure"): ("bar g", "bar", "mbar", "kPa", "MPa", "psi g", "Pa"),
+    ("Pa", "pressure_difference"): ("bar", "mbar", "kPa", "MPa", "psi", "Pa"),
+    ("Pa", "plain"): ("bar", "mbar", "kPa", "Pa"),
+    ("K", "temperature"): ("degC", "K"),
+    ("kg/s", "mass_flow"): ("l/min ANR", "g/s", "kg/h", "kg/s"),
+    ("m^3/s ANR", "volume_flow_anr"): ("l/min ANR", "m^3/h ANR", "l/min N", "m^3/h N"),
+    ("m^3/(s Pa)", "plain"): ("dm^3/(s bar)", "l/(min bar)", "m^3/(s Pa)"),
+    ("m", "plain"): ("mm", "um", "cm", "m"),
+    ("m^2", "plain"): ("mm^2", "cm^2", "m^2"),
+    ("m^3", "plain"): ("l", "cm^3", "m^3"),
+    ("m/s", "plain"): ("mm/s", "m/s"),
+    ("s", "plain"): ("ms", "s", "min"),
+    ("kg", "plain"): ("kg", "g"),
+    ("N", "plain"): ("N", "kN"),
+    ("rad", "plain"): ("deg", "rad"),
+    ("rad/s", "plain"): ("deg/s", "rad/s"),
+    ("1", "plain"): ("", "%"),
+    ("N/Pa", "plain"): ("N/bar", "N/Pa"),
+    ("1/Pa", "plain"): ("1/bar", "1/Pa"),
+    ("m^3/rad", "plain"): ("cm^3/rad", "m^3/rad"),
+}
+"""Units that the form of a field offers, by SI unit and kind of quantity; the first is the usual one."""
+
+
+def palette() -> list[Entry]:
+    """Return one entry per kind of part, including kinds of plugins, in the order of the palette.
+
+    All values can be converted to JSON. Lengths are in modules of ISO 1219-1, 1/8 of the side of a symbol; the origin
+    is the centre of the symbol, and the vertical axis points down.
+
+    Returns
+    -------
+    list of dict
+        Keys of each entry: `kind`, `group`, `summary`; `box` (left end, top end, width, height); `svg` and
+        `svg_driven`, the symbol without and with driven inputs (None if they are equal); `ports`, `fields`, `groups`
+        (of fields) and `sizes`. Exactly one of the fields in `sizes` of a part or group states its size.
+
+        Keys of a port: `name` (empty for the part itself), `type` (`port`, `tube`, `store`, `body`, `input` or
+        `output`), `x`, `y`, `side`, `lead` (length of the line from the border to the symbol), `also` (further places),
+        `doc` and `required`.
+
+        Keys of a field: `name`, `group`, `type` (`number`, `option`, `switch`, `model` or `reference`), `doc` and
+        `required`. A number also has `unit`, `quantity`, `units` (the usual one first), `default`, `source`, `note` and
+        its finite limits `low`, `high`, `above` and `below`.
+
+    Examples
+    --------
+    >>> orifice = next(entry for entry in palette() if entry["kind"] == "orifice")
+    >>> [(port["name"], port["x"], port["y"]) for port in orifice["ports"][:2]]
+    [('from', -4, 0), ('to', 4, 0)]
+    """
+    order = {kind: (group, k) for k, (group, kind) in enumerate((g, kind) for g in GROUPS for kind in GROUPS[g])}
+    entries = [_entry(name, KINDS[name], order.get(name, (OTHER, len(order)))[0]) for name in KINDS]
+    return sorted(entries, key=lambda entry: order.get(entry["kind"], (OTHER, len(order)))[1])
+
+
+def _entry(name: str, kind: type[Part], group: str) -> Entry:
+    blank = _blank(kind)
+    symbols = [_strokes(blank, is_driven) for is_driven in (False, True)]
+    ports = _ports(kind, blank)
+    types = [(port["name"], port["type"]) for port in ports]
+    box, places, second = arrange(name, types, symbols, issubclass(kind, Controller))
+    for port in ports:
+        port.update(dataclasses.asdict(places[port["name"]]))
+        also: list[PortPlace] = [second[port["name"]]] if port["name"] in second else []
+        port["also"] = [dataclasses.asdict(place) for place in also]
+    return {
+        "kind": name,
+        "group": group,
+        "summary": kind.summary,
+        "box": list(box),
+        "svg": svg_text(symbols[0]),
+        "svg_driven": None if symbols[0] == symbols[1] else svg_text(symbols[1]),
+        "ports": ports,
+        "fields": list(_fields(kind)),
+        "groups": [_group(field, spec) for field, _, spec in declared(kind, GroupSpec, MemberSpec)],
+        "sizes": list(kind.sizes),
+    }
+
+
+def _blank(kind: Any) -> Any:
+    """Return a part without values: options have their defaults, numbers are None.
+
+    It is not a valid part, but has the ports and inputs of the default options.
+    """
+    part = object.__new__(kind)
+    for _, attribute, spec in declared(kind):
+        default = None
+        if isinstance(spec, OptionSpec):
+            default = spec.choices[0]
+        elif isinstance(spec, GroupSpec) and not spec.optional:
+            default = _blank(spec.group)
+        elif isinstance(spec, MemberSpec):
+            default = _blank(spec.part)
+        object.__setattr__(part, attribute, default)
+    return part
+
+
+def _strokes(part: Part, is_driven: bool) -> Symbol:
+    try:
+        symbol = part.symbol_for(is_driven)
+    except (AttributeError, KeyError, TypeError):
+        symbol = part.symbol  # the symbol depends on values
+    return rectangle(0.0, 0.25, 1.0, 0.5) if isinstance(symbol, str) else symbol
+
+
+def _ports(kind: type[Part], blank: Part) -> list[Entry]:
+    """Return the ports of a kind without their places."""
+    ports = []
+    if issubclass(kind, Store):
+        ports.append(_port("", "store", "gas node", False))
+    if issubclass(kind, Body):
+        ports.append(_port("", "body", "body on which actuators act", False))
+    for name, _, spec in declared(kind, PortSpec, BodySpec, MemberSpec):
+        if isinstance(spec, BodySpec):
+            ports.append(_port(name, "body", spec.doc, not spec.optional))
+        elif isinstance(spec, PortSpec):
+            ports.append(_port(name, "tube" if kind.kind == TUBE else "port", spec.doc, not spec.optional))
+        elif spec.is_open:
+            ports.append(_port(name, "store", spec.doc, False))
+    used = {port["name"] for port in ports}
+    ports += [_port(name, "input", unit, False) for name, unit in _inputs(blank) if name not in used]
+    if issubclass(kind, Controller):
+        ports.append(_port("output", "output", "outputs of the controller", False))
+    return ports
+
+
+def _port(name: str, port_type: str, doc: str, required: bool) -> Entry:
+    return {"name": name, "type": port_type, "doc": doc, "required": required}
+
+
+def _inputs(blank: Part) -> Iterable[tuple[str, str]]:
+    """Return the names of the inputs with the default options, and their units."""
+    try:
+        return [(item.name, item.unit) for item in blank.inputs()]
+    except (AttributeError, KeyError, TypeError):
+        # The inputs depend on values. The editor takes them from the part.
+        return [(name, "") for name in blank.inlets] if isinstance(blank, Compound) else []
+
+
+def _fields(kind: Any, prefix: str = "", group: str = "", skipped: Iterable[str] = ()) -> Iterable[Entry]:
+    """Yield the fields of a part, a group or a member, without ports and bodies."""
+    fields = specs(kind)
+    # A library set (`data`) or a component (`model`) can supply omitted values.
+    has_library = bool({"data", "model"} & fields.keys())
+    for name, spec in fields.items():
+        address = f"{prefix}{name}"
+        if name in skipped or isinstance(spec, PortSpec | BodySpec):
+            continue
+        if isinstance(spec, GroupSpec):
+            yield from _fields(spec.group, f"{address}.", address)
+        elif isinstance(spec, MemberSpec):
+            yield from _fields(spec.part, f"{address}.", address, spec.inherited)
+        else:
+            yield {"name": address, "group": group, **_field(name, spec, has_library)}
+
+
+def _group(name: str, spec: GroupSpec | MemberSpec) -> Entry:
+    sizes: tuple[str, ...] = ()
+    if isinstance(spec, MemberSpec):
+        sizes = tuple(f"{name}.{size}" for size in spec.part.sizes if size not in spec.inherited)
+    return {"name": name, "doc": spec.doc, "optional": spec.optional, "sizes": list(sizes)}
+
+
+def _field(name: str, spec: Spec, has_library: bool) -> Entry:
+    match spec:
+        case NumberSpec():
+            limits = {key: getattr(spec, key) for key in ("low", "high", "above", "below")}
+            return {
+                "type": "number",
+                "doc": spec.doc,
+                "required": not spec.optional and spec.default is None and not has_library,
+                "unit": spec.unit,
+                "quantity": spec.kind,
+                "units": list(UNITS.get((spec.unit, spec.kind), ("" if spec.unit == "1" else spec.unit,))),
+                "varies": spec.varies is not None,
+                "default": spec.default,
+                "source": spec.source,
+                "note": spec.note,
+                **{key: limit for key, limit in limits.items() if math.isfinite(limit)},
+            }
+        case OptionSpec():
+            return {
+                "type": "switch" if spec.choices == OFF_ON else "option",
+                "doc": spec.doc,
+                "required": False,
+                "choices": list(spec.choices),
+                "default": spec.choices[0],
+            }
+        case ReferenceSpec():
+            known = {"data": library.sets, "characteristic": library.characteristics}
+            choices = known[name]() if name in known else ()
+            return {
+                "type": "model" if name == "model" else "reference",
+                "doc": spec.doc,
+                "required": False,
+                "form": spec.form,
+                "choices": [choice for choice in choices if choice != "gases"],
+            }
+    raise TypeError(spec)
