@@ -14,14 +14,15 @@ from poppet.circuit.energy_trace import FlowTerm
 from poppet.circuit.instance import Array
 
 RETURNED = 0.5
-"""Fraction of the air through a flow path that must return for both of its gas nodes to belong to one line.
+"""Fraction of the air through a flow path that must return, so that both of its gas nodes belong to one line.
 
-The masses of both gas nodes must also rise and fall together, unlike those on both sides of a piston that leaks."""
+The masses of both gas nodes must also rise and fall together. Those on both sides of a leaking piston do not."""
 PASSED, EMPTIED = 0.5, 0.5
-"""Limits of the air in an exhaust line: fraction that passes the line, and variation of the line that releases it.
+"""Conditions for air that a line consumes when it releases the air into an exhaust line.
 
-The variation is the range of the mass in a line, divided by its maximum: about 1 for a cylinder, and less for an
-accumulator. The air of an accumulator is consumed elsewhere."""
+More than the first fraction of the air that arrives in the exhaust line leaves it to the ambient at the same time. The
+mass in the line that releases the air varies by more than the second fraction of its maximum. This variation is about 1
+for a cylinder, and less for an accumulator, whose air is consumed elsewhere."""
 
 
 @dataclass(frozen=True)
@@ -51,10 +52,10 @@ def air_of_parts(
     its tube. It consumes the air that it releases to the ambient, and the increase of its mass. It also consumes the
     air that it releases through an exhaust line, such as the volume of a silencer.
 
-    Supplied air that passes a line while the line releases air, such as the air of a nozzle or a leak, is the
-    consumption of the flow path through which it enters or leaves the line, whichever throttles more. The rest is the
-    consumption of the gas nodes of the line, in proportion to the range of their masses. The sum of all parts is the
-    air of all supplies.
+    Some supplied air passes a line while the line releases air, for example the air of a nozzle or a leak. The
+    consumer of this air is the inlet or the outlet of the line: the flow path that loses more exergy by throttling per
+    mass. The consumers of the rest are the gas nodes of the line, in proportion to the range of their masses. The sum
+    of all parts is the air of all supplies.
 
     Parameters
     ----------
@@ -63,7 +64,7 @@ def air_of_parts(
     masses : mapping
         Mapping from each gas node to its mass at the output times [kg].
     supplies : set of str
-        Reservoirs that supply air. The empty name stands for flow sources.
+        Reservoirs that supply air. The empty name means all flow sources.
     tubes : set of str, optional
         Parts that are tubes.
 

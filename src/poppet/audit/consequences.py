@@ -20,21 +20,21 @@ from poppet.timeseries.checks import FloatArray
 from poppet.timeseries.recording import Recording
 
 LONGER = 1.2
-"""Ratio of the time in a step, or of the time above the threshold, from which it is longer than in the healthy run."""
+"""Ratio to the healthy run above which a time counts as longer: that in a step, or that above the threshold."""
 MARGIN = 0.01
-"""Time by which it must also be longer [s]."""
+"""Difference from the healthy run that a longer time must also exceed [s]."""
 TRAVEL = 0.02
-"""Fraction of the travel of a body below which a difference of positions does not count."""
+"""Fraction of the travel of a body that a difference of positions must exceed."""
 MIN_TRAVEL = 1e-4
-"""Smallest difference of positions that counts [m] or [rad]."""
+"""Difference of positions that must also be exceeded [m] or [rad]."""
 PRESSURE = 0.1
-"""Fraction of the highest gauge pressure by which a pressure is too high."""
+"""Fraction of the highest healthy gauge pressure by which a higher pressure must exceed it."""
 STEADY = 0.9
-"""Fraction of a pressure to which it can fall during the last tenth of a run if it stays."""
+"""Ratio of the final gauge pressure to that at the start of the last tenth of the run, above which it is steady."""
 MISSING = 0.5
-"""Fraction of the highest gauge pressure, or of the deepest vacuum, below which it is missing."""
+"""Ratio to the healthy run below which a gauge pressure (highest or lowest) or the deepest vacuum is missing."""
 MIN_VACUUM = 1e4
-"""Smallest vacuum below the ambient that counts [Pa]."""
+"""Smallest vacuum of the healthy run that counts [Pa], relative to the ambient pressure."""
 DURATION, AIR = 0.05, 0.05
 """Smallest relative changes of a stroke time or cycle time, and of the air consumption, that count."""
 MIN_AIR = 1e-6
@@ -43,9 +43,9 @@ MIN_AIR = 1e-6
 
 @dataclass(frozen=True)
 class RunPair:
-    """Run with a fault and healthy run of one circuit, with the same rows.
+    """Run with a fault and healthy run of one circuit, with the same output times.
 
-    `start` is the start of the fault [s], and `threshold` the gauge pressure of an exhausted volume [Pa].
+    `start` is the start of the fault [s]. A volume with a gauge pressure below `threshold` [Pa] counts as exhausted.
     """
 
     circuit: BaseCircuit
@@ -90,7 +90,10 @@ def find_consequences(runs: RunPair) -> tuple[Consequence, ...]:
 
 
 def cycle_time(visits: list[Visit]) -> float | None:
-    """Return the duration of the last complete cycle [s], which begins and ends with the first step of the run."""
+    """Return the duration of the last complete cycle [s], from the first step of the run until it begins again.
+
+    The result is None if the sequence visits this step only once.
+    """
     starts = [visit.start for visit in visits if visit.step == visits[0].step]
     return starts[-1] - starts[-2] if len(starts) > 1 else None
 

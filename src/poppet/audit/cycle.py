@@ -25,6 +25,11 @@ def read_cycle(text: str, name: str = "--cycle") -> Cycle:
 
     `name` is the name of the option in errors.
 
+    Raises
+    ------
+    InputError
+        If the text does not contain two times with units, or the start is not before the end.
+
     Examples
     --------
     >>> read_cycle("0.5 s, 1900 ms").duration
@@ -60,7 +65,7 @@ def find_cycle(circuit: BaseCircuit, recording: Recording, *, step: str = "", co
     Raises
     ------
     InputError
-        If the run contains fewer cycles, or nothing in the circuit repeats.
+        If the step is unknown, the run contains fewer cycles, or nothing in the circuit repeats.
     """
     sequences = [name for name, part in circuit.parts.items() if isinstance(part, StepSequence)]
     names = {name: [item.name for item in circuit.parts[name].program.steps] for name in sequences}  # type: ignore[attr-defined]

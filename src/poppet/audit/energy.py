@@ -87,7 +87,7 @@ def audit_energy(
     Raises
     ------
     InputError
-        If the run contains no cycle.
+        If the run contains no cycle, the stated period is invalid or after its end, or `count` is less than 1.
     SimulationError
         If the run failed.
 

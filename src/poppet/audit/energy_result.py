@@ -21,7 +21,7 @@ SUPPLIED, WORK, FRICTION, THROTTLING, MIXING, HEAT, EXHAUSTED, STORED, INTEGRATI
 LITRE = 1e-3
 """One litre [m^3]."""
 REPEATED = 0.01
-"""Change of a state during a cycle, relative to its size, above which a note reports that the cycle does not repeat."""
+"""Change of a state during a cycle, relative to its maximum or range, above which the cycle does not repeat."""
 
 
 @dataclass(frozen=True)
@@ -34,7 +34,7 @@ class Cycle:
     found_by: str = "stated"  # "sequence", "signal" or "stated"
     source: str = ""  # address of the sequence or of the signal that repeats
     steps: tuple[str, ...] = ()  # steps of the sequence in this period
-    change: float = 0.0  # largest change of a state from start to end, relative to its size in the period
+    change: float = 0.0  # largest change of a state from start to end, relative to its maximum or range
     changed: str = ""  # address of this state
 
     @property
@@ -94,23 +94,23 @@ class PartRow:
 
 @dataclass(frozen=True)
 class LeakRow:
-    """Leak through one flow path per cycle."""
+    """Air and exergy that one leak costs per cycle, and their cost per year."""
 
     part: str
-    flow_path: str
+    flow_path: str  # address of the flow path, or of the part whose closing element leaks
     air: float  # [m^3 ANR]
     exergy: float  # lost [J]
-    cost_per_year: float  # NaN without a tariff
+    cost_per_year: float  # [currency]; NaN without a price
 
 
 @dataclass(frozen=True)
 class SavingRow:
-    """Simulated effect of one measure: reductions per cycle and per year, and the cycle time with the measure."""
+    """Effect of one measure: reductions per cycle and per year, and the cycle time with the measure."""
 
     measure: str
-    air: float  # [m^3 ANR]
-    exergy: float  # [J]
-    cost_per_year: float  # NaN without a tariff
+    air: float  # reduction [m^3 ANR]
+    exergy: float  # reduction of the supplied exergy [J]
+    cost_per_year: float  # [currency]; NaN without a price
     co2_per_year: float  # [kg]; NaN without an emission
     cycle_time: float  # [s]
     is_bound: bool = False  # True for an upper bound of the saving
@@ -188,19 +188,19 @@ class EnergyAudit(ResultFileMixin):
 
     @property
     def cost(self) -> float:
-        """Cost of the air per cycle; NaN without a tariff."""
+        """Cost of the air per cycle in the currency of the tariff; NaN without a price."""
         return math.nan if self.tariff is None else self.tariff.cost(self.air_used)
 
     @property
     def co2(self) -> float:
-        """Emission of CO2 per cycle [kg]; NaN without a tariff."""
+        """Mass of CO2 per cycle [kg]; NaN without an emission in the tariff."""
         return math.nan if self.tariff is None else self.tariff.co2(self.air_used)
 
     def residual(self, quantity: str = "exergy") -> float:
-        """Return the supplied energy or exergy minus all other rows, relative to the sum of the absolute values.
+        """Return the supplied energy or exergy minus all other rows, relative to the size of the balance.
 
-        This sum is that of the exergy or of the energy, whichever is larger. The energy of all rows can be zero,
-        because compressed air at ambient temperature has no energy relative to the ambient.
+        This size is the sum of the absolute energies of all rows, or that of the exergies if it is larger: the energy
+        of all rows can be zero, because compressed air at ambient temperature has no energy relative to the ambient.
 
         Parameters
         ----------

@@ -28,7 +28,7 @@ choked flow into a tank."""
 ROUNDING = 1e-12
 """Relative difference of two times that are equal except for rounding errors."""
 FACTORS, TIGHTEST = (1.0, 0.1, 0.01, 1e-3), 1e-13
-"""Factors on the tolerance of the runs until one does not stall, and the tightest tolerance."""
+"""Factors on the tolerance, and tightest tolerance. A run that stalls is repeated with the next factor."""
 
 
 class EnergyKernel(NamedTuple):
@@ -87,8 +87,8 @@ def run_energy(
 
     Notes
     -----
-    Integrals are available at the end of a run only. Two runs with equal steps therefore end at the start and at the
-    end of the period.
+    Integrals are available at the end of a run only. Two runs with equal integration steps are therefore necessary: one
+    ends at the start of the period, the other at its end.
     """
     energy, kernel = energy_kernel(circuit)
     problem = replace(circuit.instance, kernel=kernel).problem(run)

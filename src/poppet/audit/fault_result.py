@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from poppet.core.codes import Note
+from poppet.core.errors import InputError, NameSuggestion
 from poppet.core.toml import ResultFileMixin
 
 CONSEQUENCES = (
@@ -65,7 +66,7 @@ class FaultRow:
 
     @property
     def is_hidden(self) -> bool:
-        """True if no difference from the healthy run exceeds the limits of the table."""
+        """True if no difference from the healthy run exceeds its limit, so that the fault has no consequence."""
         return all(consequence.kind == "none" for consequence in self.consequences)
 
 
@@ -121,8 +122,17 @@ class FaultTable(ResultFileMixin):
         ----------
         fault : str
             Name of the fault, `VALVE.WORD`.
+
+        Raises
+        ------
+        InputError
+            If the table does not contain the fault.
         """
-        return next(row for row in self.rows if row.fault == fault)
+        rows = {row.fault: row for row in self.rows}
+        if fault not in rows:
+            suggestion = NameSuggestion(fault, rows)
+            raise InputError("names.unknown", fault, meaning="a fault of the table", suggestion=suggestion)
+        return rows[fault]
 
     def content(self) -> dict[str, Any]:
         """Return the result as nested dictionaries, the content of the result file.

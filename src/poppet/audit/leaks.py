@@ -38,6 +38,11 @@ def bag_flow(diameter: float, height: float, fill_time: float) -> float:
     float
         Volume flow of free air [m^3/s].
 
+    Raises
+    ------
+    OutOfRangeError
+        If an argument is not a finite number above 0.
+
     Examples
     --------
     >>> round(bag_flow(0.254, 0.381, 12.0) * 6e4, 2)
@@ -80,6 +85,8 @@ def decibel_flow(
 
     Raises
     ------
+    InputError
+        If both pressures or both levels are equal.
     OutOfRangeError
         If the measurement is outside the values of the table.
 
@@ -143,11 +150,12 @@ def orifice_flow(
     Raises
     ------
     OutOfRangeError
-        If the flow is not choked: the pressure must be at least 1.893 times the ambient pressure.
+        If an argument is not a finite number above 0, or the flow is not choked. The pressure must be at least 1.893
+        times the ambient pressure.
 
     Notes
     -----
-    The survey evaluates the formula at any pressure. Below the critical pressure ratio the flow is not choked and the
+    AMO-Tools-Suite evaluates the formula at any pressure. At a lower line pressure, the flow is not choked and the
     formula is not valid; `poppet.iso6358` then gives the flow.
 
     Examples
@@ -180,14 +188,14 @@ class PlantLeak:
     name: str
     flow: float  # of one leak [m^3/s ANR]
     count: int = 1
-    method: str = "estimate"
+    method: str = "estimate"  # estimate, bag, decibel or orifice
 
 
 @dataclass(frozen=True)
 class LeakCost:
-    """Flow, electricity and cost of a leak per year.
+    """Flow of a leak, and its air, electricity, cost and CO2 per year.
 
-    `cost`, `co2` and the saved cost are NaN if the tariff has no price or no emission.
+    `cost` and `saved_cost` are NaN if the tariff has no price, and `co2` is NaN if it has no emission.
     """
 
     leak: PlantLeak | None  # None in the sum of all leaks
@@ -201,11 +209,11 @@ class LeakCost:
 
 @dataclass(frozen=True)
 class LeakSurvey(ResultFileMixin):
-    """Result of a leak survey: each leak, largest cost first, and their sum."""
+    """Result of a leak survey: all leaks, with the largest flow first, and their sum."""
 
     title: str
     tariff: Tariff
-    control_fraction: float
+    control_fraction: float  # fraction of the electricity for the leaking air that a repair saves, 0 to 1
     leaks: tuple[LeakCost, ...]
     total: LeakCost
 
@@ -258,6 +266,11 @@ def survey_leaks(
     -------
     LeakSurvey
         Leaks, with the largest flow first, and their sum.
+
+    Raises
+    ------
+    OutOfRangeError
+        If `control_fraction` is not from 0 to 1.
 
     Examples
     --------

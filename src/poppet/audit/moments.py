@@ -17,7 +17,7 @@ from poppet.timeseries.recording import Recording
 STEPS = "steps"
 """Word for the moments of all steps."""
 PER_STEP = 4
-"""Number of moments per step: its start, and the ends of its quarters."""
+"""Number of moments per step: its start, and the ends of its first three quarters."""
 EVEN_MOMENTS = 20
 """Number of moments in a circuit without a sequence."""
 _ROW_STEP, _MAX_ROWS = 1e-3, 20_000
@@ -27,7 +27,8 @@ _ROW_STEP, _MAX_ROWS = 1e-3, 20_000
 def read_times(circuit: BaseCircuit, at: Any) -> tuple[float, ...]:
     """Return stated times of an event [s], and report all errors together.
 
-    `at` is a time, a list of times, None, or the word `steps`. The result is empty for None and for the word.
+    `at` is a time, a list of times, None, or the word `steps`. The result is empty for None and for the word. An
+    InputError reports a time outside the run, or the word for a circuit without a sequence.
     """
     if at is None or at == STEPS:
         if at == STEPS and not _sequences(circuit):
@@ -56,7 +57,7 @@ def read_times(circuit: BaseCircuit, at: Any) -> tuple[float, ...]:
 def healthy_run(circuit: BaseCircuit, times: tuple[float, ...]) -> Recording:
     """Return the run of a circuit without an event, with rows that are close enough for moments.
 
-    `times` are the stated times of the event [s]. They determine the duration if the circuit has none.
+    `times` are the stated times of the event [s]. The last of them determines the duration if the circuit has none.
     """
     duration = circuit.run.duration
     if duration is None and times:
@@ -74,8 +75,8 @@ def row_step(duration: float) -> float:
 def find_moments(circuit: BaseCircuit, healthy: Recording, times: tuple[float, ...]) -> tuple[Moment, ...]:
     """Return the moments of the event in the order of time.
 
-    With sequences, each step has four moments in its last complete visit, or in its only one. Without stated times and
-    sequences, the moments divide the run evenly.
+    Stated times are the moments. Without them, each step of a sequence has four moments in its last visit that ends
+    before the end of the run, or in its only visit. Without a sequence, 20 moments divide the run evenly.
     """
     end = float(healthy.time[-1])
     if not times and _sequences(circuit):

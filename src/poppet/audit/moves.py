@@ -14,7 +14,7 @@ from poppet.parts import Sequence
 from poppet.timeseries.recording import Recording
 
 STOP_BAND = 1.0 - STROKE_END
-"""Fraction of the travel around the rest position in which a body without end stop has stopped."""
+"""Largest distance from its rest position at which a body without end stop has stopped, per travel."""
 
 
 @dataclass(frozen=True)
@@ -23,19 +23,19 @@ class Move:
 
     A body stops when it meets its end stop for the first time, if it does not leave the stop again by more than 2 % of
     the travel. Without an end stop, it stops when it stays within 2 % of the travel around the position in which it
-    rests before its next move. The time of a stop is None if the run ends before.
+    rests before its next move. The time of the stop is None if the run ends before.
     """
 
     body: str
-    unit: str  # of the travel
+    unit: str  # m or rad
     step: str  # step of the sequence that set the command; empty without a sequence
     command: str | None  # address of the input that caused the move
     command_time: float | None  # time of its change [s]
     start: float  # time at 2 % of the travel [s]
     stop: float | None  # [s]
-    travel: float  # with its sign
-    impact_speed: float | None  # absolute speed of the fastest impact on an end stop; None without one
-    dwell: float | None  # time from the stop to the start of the next move of the body [s]
+    travel: float  # with its sign [m] or [rad]
+    impact_speed: float | None  # absolute speed of the fastest impact on an end stop [m/s] or [rad/s]; None without one
+    dwell: float | None  # time from the stop to the start of the next move of the body [s]; None if unknown
 
     @property
     def stroke_time(self) -> float | None:
@@ -61,7 +61,7 @@ class Move:
 def find_moves(
     circuit: BaseCircuit, recording: Recording, cycle: tuple[float, float] | None = None
 ) -> tuple[Move, ...]:
-    """Return the moves of all bodies that start in a cycle, by their starts.
+    """Return the moves of all bodies that start in a cycle, in the order of their starts.
 
     The last move of a body dwells until its next move in the run. If the run ends before, the cycle is assumed to
     repeat: the move dwells until the first move of the next cycle.

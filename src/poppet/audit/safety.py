@@ -58,14 +58,16 @@ def audit_safety(
         Mapping from the addresses of inputs to their values from the event on, in SI units or as texts with a unit:
         ``{"plc.emergency": 1, "supply.pressure": "0 bar g"}``.
     at : float, str or sequence, optional
-        Times of the event [s], or `steps`: the start and the quarters of the last visit of each step of a sequence. The
-        default is `steps` if the circuit has a sequence, otherwise 20 times that divide the run evenly.
+        Times of the event [s], or `steps`: the start and the ends of the first three quarters of the last complete
+        visit to each step. The default is `steps` if the circuit has a sequence, otherwise 20 times that divide the run
+        evenly.
     threshold : float or str, optional
         Gauge pressure below which a volume counts as exhausted [Pa].
     duration : float or str, optional
         Simulated time after the event [s].
     kinds : sequence of str, optional
-        Faults to simulate, one valve at a time; each fault begins at the event.
+        Faults to simulate, one valve at a time (default: `stuck_open`, `stuck_closed`, `stuck`). Each fault begins at
+        the event. A valve that already has a fault keeps it in all runs.
     samples : int, optional
         Number of samples of the uncertain parameters, for the 95 % intervals. The default is 50 if the file has the
         table `ensemble`; 0 computes no intervals.
@@ -77,20 +79,22 @@ def audit_safety(
     Returns
     -------
     SafetyAudit
-        For each volume and body the longest time and distance of all moments. A time is infinite if the volume is
-        above the threshold at the end of the run.
+        For each volume and body, the longest time or distance of all moments. A time is infinite if the volume is above
+        the threshold at the end of the run.
 
     Raises
     ------
     InputErrors
-        If an input is unknown, a value is invalid, or the event never happens.
+        If an input is unknown, a value is invalid, or the event changes nothing.
+    SimulationError
+        If the run without the event fails.
 
     Notes
     -----
-    Before the event, the circuit runs without a fault. From the event on, each input of `events` has its value; a
-    connection to this input has no effect. All other signals and connections are unchanged. A volume counts as
-    exhausted after its *last* fall below the threshold. The travel is the length of the path, so it includes falling
-    and rebounding. Results do not depend on the output step of the circuit.
+    Before the event, the circuit runs without the simulated fault. From the event on, each input of `events` has its
+    value; a connection to this input has no effect. All other signals and connections are unchanged. A volume counts
+    as exhausted after its *last* fall below the threshold. The travel is the length of the path, so it includes
+    falling and rebounding. Results do not depend on the output step of the circuit.
 
     Examples
     --------
@@ -149,7 +153,10 @@ def audit_safety(
 
 
 def read_positive(name: str, given: Any, unit: str, kind: Any) -> float:
-    """Return a positive threshold or duration in SI units; a threshold can be written as a gauge pressure."""
+    """Return a positive threshold or duration in SI units; a threshold can be written as a gauge pressure.
+
+    An InputError reports a value that is not above 0, and a UnitError a wrong unit.
+    """
     try:
         read = quantity(given, unit, kind=kind, name=name)
     except UnitError:
@@ -171,9 +178,9 @@ def _check_changes(
     *,
     is_stated: bool,
 ) -> None:
-    """Raise an error if the event never happens, because the inputs already have its values.
+    """Raise an error if the event changes nothing, because the inputs already have its values.
 
-    The keyword `is_stated` is True if the user has stated the moments: the event must then happen at each of them.
+    The keyword `is_stated` is True if the user has stated the moments: the event must then change an input at each.
     """
     idle = []
     for moment in moments:

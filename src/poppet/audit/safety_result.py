@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
 from poppet.core.codes import Note
+from poppet.core.errors import InputError, NameSuggestion
 from poppet.core.toml import ResultFileMixin
 from poppet.timeseries.checks import FloatArray
 
@@ -21,10 +22,10 @@ class EventValue:
 
     address: str
     value: float
-    unit: str
-    text: str = ""  # as the user wrote it
+    unit: str  # SI unit of the value
+    text: str = ""  # value as the user wrote it
     replaced: str = ""  # output that drives the input before the event; empty for a signal or a default
-    is_gauge: bool = False  # refers to the ambient pressure
+    is_gauge: bool = False  # True if the text is a gauge pressure
 
     @property
     def shown(self) -> str:
@@ -61,8 +62,8 @@ class ExhaustTime:
     high: float | None = None
 
     @property
-    def is_safe(self) -> bool:
-        """True if the volume remains below the threshold before the run ends."""
+    def is_exhausted(self) -> bool:
+        """True if the volume is not above the threshold at the end of the run; False also for a failed run."""
         return math.isfinite(self.time)
 
 
@@ -79,7 +80,7 @@ class Travel:
     unit: str  # m or rad
     distance: float
     moment: Moment
-    path: float  # distance until the end of the run, always finite
+    path: float  # distance until the end of the run, also if the body still moves; NaN if a run failed
     net: float  # final position minus the position at the event
     farthest: float  # largest distance from the position at the event
     stop_time: float  # time from the event until the body remains at its final position [s]; infinite if it moves
@@ -88,7 +89,7 @@ class Travel:
 
     @property
     def is_stopped(self) -> bool:
-        """True if the body stands still before the run ends."""
+        """True if the body does not move at the end of the run; False also for a failed run."""
         return math.isfinite(self.distance)
 
 
@@ -130,9 +131,9 @@ class SafetyAudit(ResultFileMixin):
     notes : tuple of Note
         Assumptions and limits of the result, and failed runs.
     curves : tuple of SafetyCurves
-        Pressures and positions at the worst moment in normal operation and with each fault.
+        Pressures and positions in normal operation and with each fault, at the moment with the longest exhaust time.
     is_whole : bool
-        False if Ctrl-C stopped the audit.
+        False if Ctrl-C stopped the audit. The result then contains the faults whose runs are complete.
 
     Notes
     -----
@@ -172,8 +173,15 @@ class SafetyAudit(ResultFileMixin):
             Name of the volume.
         fault : str, optional
             Fault, `VALVE.WORD`; empty in normal operation.
+
+        Raises
+        ------
+        InputError
+            If the audit does not contain the volume or the fault.
         """
-        return next(row for row in self.exhaust if (row.volume, row.fault) == (volume, fault))
+        rows = {(row.volume, row.fault): row for row in self.exhaust}
+        _check_names(volume, fault, rows, "a volume of the audit")
+        return rows[volume, fault]
 
     def travel_of(self, body: str, fault: str = "") -> Travel:
         """Return the travel of a body in normal operation or with a fault.
@@ -184,8 +192,15 @@ class SafetyAudit(ResultFileMixin):
             Name of the body.
         fault : str, optional
             Fault, `VALVE.WORD`; empty in normal operation.
+
+        Raises
+        ------
+        InputError
+            If the audit does not contain the body or the fault.
         """
-        return next(row for row in self.travel if (row.body, row.fault) == (body, fault))
+        rows = {(row.body, row.fault): row for row in self.travel}
+        _check_names(body, fault, rows, "a body of the audit")
+        return rows[body, fault]
 
     def content(self) -> dict[str, Any]:
         """Return the result as nested dictionaries, the content of the result file.
@@ -193,7 +208,7 @@ class SafetyAudit(ResultFileMixin):
         Returns
         -------
         dict
-            Keys end with their SI unit. Pressures are gauge pressures. An infinite time means: not within `duration_s`.
+            Keys end with their SI unit. Pressures are gauge pressures. A time longer than `duration_s` is infinite.
         """
 
         def interval(name: str, unit: str, low: float | None, high: float | None) -> dict[str, float]:
@@ -228,3 +243,14 @@ class SafetyAudit(ResultFileMixin):
             "travel": travel,
             "notes": [{**note.plain(), "text": str(note)} for note in self.notes],
         }
+
+
+def _check_names(name: str, fault: str, rows: Iterable[tuple[str, str]], meaning: str) -> None:
+    """Raise an error if no row has a name and a fault."""
+    for argument, valid, noun in (
+        (name, [n for n, _ in rows], meaning),
+        (fault, [f for _, f in rows], "a fault of the audit"),
+    ):
+        if argument not in valid:
+            suggestion = NameSuggestion(argument, filter(None, valid))
+            raise InputError("names.unknown", argument, meaning=noun, suggestion=suggestion)

@@ -26,7 +26,7 @@ from poppet.engine.solve import solve
 CURVE_POINTS = 600
 """Maximum number of points of a stored curve."""
 REFUSED = "ensemble.refused_run"
-"""Code of the reason of a run whose parameter values contradict each other."""
+"""Code of the note on a run whose parameter values contradict each other, so that it is not possible."""
 
 
 class AuditCase(NamedTuple):
@@ -39,11 +39,11 @@ class AuditCase(NamedTuple):
 
 @dataclass(frozen=True, eq=False)
 class AuditRunResult:
-    """Results of one run of the audit; `failure` is the reason of a failed run."""
+    """Results of one run of the audit. In a failed run, `failure` is the reason and all values are NaN."""
 
     times: Mapping[str, float]  # exhaust time of each volume [s]
-    pressures: Mapping[str, tuple[float, float]]  # gauge pressures at the event and at the end [Pa]
-    motions: Mapping[str, Motion]
+    pressures: Mapping[str, tuple[float, float]]  # gauge pressures of each volume at the event and at the end [Pa]
+    motions: Mapping[str, Motion]  # of each body
     curves: SafetyCurves | None = None
     failure: Note | None = None
 

@@ -23,7 +23,7 @@ STANDARD_BORES = tuple(
 PRESSURE_STEP, LEAST_PRESSURE = 1e5, 2e5
 """Reduction of a supply pressure, and smallest reduced gauge pressure [Pa]."""
 COMPLETE = 0.98
-"""Fraction of the range of motion of a body that it must keep with a measure."""
+"""Fraction of the range of motion in the audited cycle that a body must reach with a measure."""
 REUSE = "reuse of exhaust air"
 """Name of the upper bound for the reuse of exhaust air."""
 _Circuit = TypeVar("_Circuit", bound=BaseCircuit)
@@ -166,9 +166,10 @@ def _ranges(circuit: BaseCircuit, audit: EnergyAudit) -> dict[str, float]:
 def reuse_bound(circuit: BaseCircuit, audit: EnergyAudit) -> list[SavingRow]:
     """Return an upper bound of the saving if exhaust air is used again; the list is empty without exhaust air.
 
-    The bound is the exergy of the air where it enters the exhaust side: the flow paths and gas nodes from which it can
-    only reach the surroundings. A device there cannot recover more if the cycle does not change. Leaks and volumes of
-    actuators are not part of the exhaust side. The bound of the air is the supplied air with the same exergy.
+    The bound is the exergy of the air that enters the exhaust side. This side consists of the flow paths and gas nodes
+    from which all air flows to the surroundings. A device there cannot recover more if the cycle does not change. Leaks
+    and volumes of actuators are not part of the exhaust side. The bound of the air is the supplied air with the same
+    exergy.
     """
     leaks = {leak.flow_path for leak in audit.leaks}
     inner = {store.name for store in circuit.kernel.model.stores if store.work is not None}

@@ -12,7 +12,7 @@ from poppet.timeseries.checks import FloatArray
 FINEST_STEP, COARSEST_STEP = 1e-4, 5e-3
 """Shortest and longest time between the samples [s]."""
 RELATIVE_STEP = 1e-3
-"""Time between the samples per time since the event, between these limits."""
+"""Ratio of the time between samples to the time since the event, within the limits of the time between samples."""
 STANDSTILL = 1e-4
 """Travel during the last tenth of a run below which a body stands still [m] or [rad]."""
 
@@ -20,9 +20,9 @@ STANDSTILL = 1e-4
 class Motion(NamedTuple):
     """Motion of a body from the event to the end of the run."""
 
-    path: float  # length of the path
-    net: float  # final position minus the first
-    farthest: float  # largest distance from the first position
+    path: float  # length of the path [m] or [rad]
+    net: float  # final position minus the first [m] or [rad]
+    farthest: float  # largest distance from the first position [m] or [rad]
     stop_time: float  # time until the body remains at its final position [s]; infinite if it still moves
 
 

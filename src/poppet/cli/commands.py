@@ -28,13 +28,10 @@ ALL = Option("--all", "include internal outputs of the parts: sensors, integrals
 PYTHON = Option("--allow-python", "execute the Python functions in files that the circuit file uses as metrics")
 THRESHOLD = Option(
     "--threshold PRESSURE",
-    "gauge pressure of an exhausted volume (default: 0.5 bar)",
+    "gauge pressure below which a volume is exhausted (default: 0.5 bar)",
     keywords={"default": "0.5 bar"},
 )
-KINDS = Option(
-    "--kinds LIST",
-    "faults: stuck_open, stuck_closed, stuck, slow, leak (default of faults: all; of audit safety: the first three)",
-)
+FAULT_KINDS = "faults to simulate: stuck_open, stuck_closed, stuck, slow, leak"
 TUNE, COMPARE = ("tune",), ("compare",)
 
 _COMMANDS = {
@@ -185,7 +182,7 @@ _COMMANDS = {
             Option("--cycle-from STEP", "step of a sequence with which the cycle begins", group="cycle"),
             Option(
                 "--cycles N",
-                "number of last cycles that are averaged (default: 1)",
+                "average over the last N cycles, or over the N cycles in --cycle (default: 1)",
                 keywords={"type": int, "default": 1},
             ),
             Option("--duration TIME", 'duration of the run: "60 s"'),
@@ -193,10 +190,10 @@ _COMMANDS = {
             Option("--specific-energy ENERGY", 'electricity per volume of air (default: "0.12 kWh/m^3")'),
             Option("--emission MASS", 'CO2 per electrical energy: "0.4 kg/kWh"'),
             Option("--hours TIME", 'operating time per year (default: "4000 h")'),
-            Option("--leak ADDRESS ...", "part or flow path that is a leak; may be repeated"),
+            Option("--leak ADDRESS ...", "part or flow path whose whole flow is a leak; may be repeated"),
             Option(
                 "--saving CHANGES ...",
-                "measure that is simulated, in place of the default measures: "
+                "measure to simulate, in place of the default measures; all changes of one measure apply together: "
                 '"cylinder.bore=25 mm, supply.pressure=5 bar g"; may be repeated',
                 group="savings",
             ),
@@ -219,7 +216,7 @@ _COMMANDS = {
         ),
     ),
     "audit safety": Command(
-        "exhaust times and travels after an event, in normal operation and with each stuck valve",
+        "exhaust times and travels after an event, in normal operation and with each single fault of a valve",
         "safety:run_audit",
         (
             FILE,
@@ -231,12 +228,12 @@ _COMMANDS = {
             ),
             Option(
                 "--at TIME ...",
-                'time of the event: "0.5 s"; or steps: the start and the quarters of each step. The default is steps, '
-                "or 20 times of the run without a sequence; may be repeated",
+                'time of the event: "0.5 s"; or steps: the start and the ends of the first three quarters of each step '
+                "(default: steps, or 20 evenly spaced times without a sequence); may be repeated",
             ),
             THRESHOLD,
             Option("--duration TIME", "simulated time after the event (default: 10 s)", keywords={"default": "10 s"}),
-            KINDS,
+            Option("--kinds LIST", f"{FAULT_KINDS} (default: the first three)"),
             Option(
                 "--samples N",
                 "samples of the uncertain parameters of the table ensemble, for 95 % intervals (default: 50)",
@@ -262,7 +259,7 @@ _COMMANDS = {
             Option("--at TIME", "start of each fault (default: 0 s)", keywords={"default": "0 s"}),
             Option("--duration TIME", "duration of each run (default: that of the file)"),
             THRESHOLD,
-            KINDS,
+            Option("--kinds LIST", f"{FAULT_KINDS} (default: all)"),
             RESULT,
             REPORT,
         ),

@@ -157,7 +157,7 @@ def _run_group(name: str, arguments: list[str], commands: Mapping[str, Command])
         suggestion = NameSuggestion(unknown, group or commands)
         raise InputError("names.unknown", unknown, meaning="a command of poppet", suggestion=suggestion)
     examples = [example for command in group.values() for example in command.examples[:1]]
-    parser = _overview(name, Command(f"commands whose name begins with {name}", "", (), examples), group)
+    parser = _overview(name, Command(f"commands of the group {name}", "", (), examples), group)
     try:
         parser.read(arguments)
     except SystemExit:

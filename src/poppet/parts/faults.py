@@ -33,11 +33,11 @@ _DEFAULTS = {SLOW: ("slow_factor", 10.0), LEAK: ("leak_fraction", 0.05)}
 class FaultEffect:
     """Effect of a fault on the equations of a valve; the default has no effect."""
 
-    opens: Any = 0.0  # fraction of the drive that moves the element to its open position
-    closes: Any = 0.0  # fraction of the drive that moves the element to its closed position
+    opens: Any = 0.0  # weight of the drive to the open position, 0 to 1
+    closes: Any = 0.0  # weight of the drive to the closed position, 0 to 1
     holds: Any = 0.0  # 1 for an element that keeps its position
-    slowness: Any = 1.0  # factor on times
-    leak: Any = 0.0  # fraction of the open flow path that is open while the element closes it
+    slowness: Any = 1.0  # factor on the switching times
+    leak: Any = 0.0  # opening of the closed flow path, as a fraction of the open one
 
     @classmethod
     def of(cls, scope: Scope) -> FaultEffect:
@@ -59,11 +59,14 @@ class FaultEffect:
         )
 
     def forced(self, value: Any, open_value: Any, closed_value: Any) -> Any:
-        """Return a drive, replaced by those of the open and of the closed position as far as the element is stuck."""
+        """Return the drive of an element that a fault moves to its open or closed position.
+
+        `value` is the drive without a fault, `open_value` and `closed_value` those of both positions.
+        """
         return value + self.opens * (open_value - value) + self.closes * (closed_value - value)
 
     def held(self, rate: Any) -> Any:
-        """Return the rate of an element that keeps its position if it is stuck there."""
+        """Return the rate of change of a position; it is 0 if the element keeps its position."""
         return (1.0 - self.holds) * rate
 
     def leaking(self, value: Any, open_value: Any = 1.0) -> Any:

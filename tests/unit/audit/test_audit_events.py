@@ -66,4 +66,4 @@ def test_volumes_with_an_open_path_between_them_are_trapped_together():
     # The valve closes within milliseconds: some gas returns to the supply, and the volumes equalise.
     assert (row.reason, set(row.by)) == ("trapped", {"valve", "drain"})
     open_drain = audit_safety(circuit, {**events, "drain.command": 1}, at="0.5 s", kinds=())
-    assert open_drain.exhaust_of("first").is_safe
+    assert open_drain.exhaust_of("first").is_exhausted

@@ -62,7 +62,7 @@ def test_exhaust_time_of_a_tank(threshold):
     assert audit.exhaust_of("tank", "dump.stuck_open").time == pytest.approx(row.time, rel=1e-4)
     for fault in ("dump.stuck_closed", "dump.stuck"):
         kept = audit.exhaust_of("tank", fault)
-        assert (kept.time, kept.reason, kept.by, kept.is_safe) == (math.inf, "trapped", ("dump",), False)
+        assert (kept.time, kept.reason, kept.by, kept.is_exhausted) == (math.inf, "trapped", ("dump",), False)
         assert kept.end_pressure == pytest.approx(6e5, rel=1e-9)
 
 
@@ -82,6 +82,18 @@ def test_a_slow_exhaust_has_no_time_before_it_has_ended():
     assert (row.time, row.reason, row.by) == (math.inf, "falling", ("dump",))
 
 
+def test_unknown_names_of_a_result_are_errors():
+    audit = audit_safety(tank_circuit(), {"dump.command": 0}, at="0.7 s", duration="0.5 s", kinds=())
+    for look_up, text in (
+        (lambda: audit.exhaust_of("tnk"), "tnk is not the name of a volume of the audit. Did you mean tank?"),
+        (lambda: audit.exhaust_of("tank", "dump.stuck"), "dump.stuck is not the name of a fault of the audit."),
+        (lambda: audit.travel_of("slide"), "slide is not the name of a body of the audit."),
+    ):
+        with pytest.raises(InputError) as error:
+            look_up()
+        assert str(error.value).startswith(text)
+
+
 def test_a_check_valve_traps_the_gas_behind_it():
     parts = {
         "supply": Reservoir(pressure="6 bar g"),
@@ -93,9 +105,9 @@ def test_a_check_valve_traps_the_gas_behind_it():
     audit = audit_safety(Circuit(parts).with_values({"run.duration": "1 s"}), VENT, at="0.1 s")
     row = audit.exhaust_of("tank")
     assert (row.time, row.reason, row.by) == (math.inf, "trapped", ("check",))
-    assert audit.exhaust_of("line").is_safe
+    assert audit.exhaust_of("line").is_exhausted
     if "check.stuck_open" in audit.faults:
-        assert audit.exhaust_of("tank", "check.stuck_open").is_safe
+        assert audit.exhaust_of("tank", "check.stuck_open").is_exhausted
 
 
 def test_a_reservoir_keeps_the_pressure_of_the_volumes_that_it_supplies():
@@ -328,7 +340,7 @@ def test_a_failed_run_has_no_numbers(monkeypatch):
     monkeypatch.setattr(safety_runs, "solve", fail)
     audit = audit_safety(tank_circuit(), {"dump.command": 0}, at="0.7 s", kinds=())
     assert math.isnan(audit.exhaust_of("tank").time)
-    assert not audit.exhaust_of("tank").is_safe
+    assert not audit.exhaust_of("tank").is_exhausted
     assert [note.code for note in audit.notes] == ["safety.no_fault", "safety.failed"]
 
 

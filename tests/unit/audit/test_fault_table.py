@@ -56,6 +56,12 @@ def test_a_full_volume_that_a_fault_exhausts_is_a_consequence():
     assert consequence(table, "valve.leak", "air", "supply").healthy == 0.0
 
 
+def test_an_unknown_fault_of_a_table_is_an_error(machine):
+    with pytest.raises(InputError, match="is not the name of a fault of the table") as error:
+        machine.row("valveA.stuck_opn")
+    assert error.value.hint == "Did you mean valveA.stuck_open, valveB.stuck_open or valveA.stuck?"
+
+
 def test_every_single_fault_of_the_machine_is_run(machine):
     words = ("stuck_open", "stuck_closed", "stuck", "slow", "leak")
     assert {f"valve{name}.{word}" for name in "AB" for word in words} <= {row.fault for row in machine.rows}

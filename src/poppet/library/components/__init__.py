@@ -62,7 +62,7 @@ _FLOW = {
     "outlet_pressure": Field(unit="Pa", kind="pressure", above=0.0, is_required=True, meaning="outlet pressure"),
 }
 ATMOSPHERE = 101325.0
-"""Absolute pressure of the ambient to which gauge pressures of a printed flow refer [Pa]."""
+"""Ambient pressure that converts gauge pressures of a nominal flow to absolute pressures [Pa]."""
 
 
 @dataclass(frozen=True)
@@ -98,7 +98,7 @@ class CatalogueComponent:
     fields : mapping
         Numbers of the part by field: values with units, or tables with `value`, `source` and `note`.
     document, year, copy, page : str
-        Where the numbers come from; `copy` is the kind of copy that was read.
+        Source of the numbers. `copy` is the kind of copy that was read, for example a scan or a transcription.
     series : str, optional
         Series of the component.
     aliases : tuple of str, optional
@@ -254,7 +254,7 @@ def _texts(errors: ErrorCollector, value: Any, address: str) -> tuple[str, ...]:
 
 
 def check_names(errors: ErrorCollector, found: Iterable[CatalogueComponent]) -> None:
-    """Collect an error for each two components that one name and the options of a part do not distinguish."""
+    """Collect an error for each pair of components with the same name, a common kind and the same options."""
     by_name: dict[str, list[CatalogueComponent]] = {}
     for component in found:
         for name in component.names:

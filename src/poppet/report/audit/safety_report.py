@@ -144,7 +144,7 @@ def _summary(audit: SafetyAudit) -> str:
         times = [row for row in audit.exhaust if (row.fault == "") == is_normal]
         travels = [row for row in audit.travel if (row.fault == "") == is_normal]
         if (longest := _worst(times)) is not None and isinstance(longest, ExhaustTime):
-            text = _verdict(time_text(longest, audit.duration), longest.is_safe)
+            text = _verdict(time_text(longest, audit.duration), longest.is_exhausted)
             where = ", ".join(filter(None, (longest.volume, longest.fault)))
             rows.append((f"Longest exhaust, {label}", text, where))
         if (farthest := _worst(travels)) is not None and isinstance(farthest, Travel):
@@ -162,10 +162,10 @@ def exhaust_table(audit: SafetyAudit) -> ReportTable:
         normal = audit.exhaust_of(volume)
         worst = _worst(row for row in audit.exhaust if row.volume == volume and row.fault)
         pressures = f"{round(normal.start_pressure / 1e5, 3):z.3g} → {round(normal.end_pressure / 1e5, 3):z.3g}"
-        cells = [code(volume), _verdict(time_text(normal, audit.duration), normal.is_safe), pressures]
+        cells = [code(volume), _verdict(time_text(normal, audit.duration), normal.is_exhausted), pressures]
         if isinstance(worst, ExhaustTime):
-            cells += [_verdict(time_text(worst, audit.duration), worst.is_safe), code(worst.fault)]
-            cells.append(_reason(worst if normal.is_safe else normal))
+            cells += [_verdict(time_text(worst, audit.duration), worst.is_exhausted), code(worst.fault)]
+            cells.append(_reason(worst if normal.is_exhausted else normal))
         else:
             cells += ["", "", _reason(normal)]
         rows.append(cells)
@@ -199,7 +199,10 @@ def travel_table(audit: SafetyAudit) -> ReportTable:
 def fault_time_table(audit: SafetyAudit) -> ReportTable:
     """Return the exhaust time of each volume with each fault."""
     rows = [
-        (code(fault or NORMAL), *(_verdict(time_text(row, audit.duration), row.is_safe) for row in _of(audit, fault)))
+        (
+            code(fault or NORMAL),
+            *(_verdict(time_text(row, audit.duration), row.is_exhausted) for row in _of(audit, fault)),
+        )
         for fault in ("", *audit.faults)
         if _of(audit, fault)
     ]

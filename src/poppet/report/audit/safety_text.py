@@ -35,7 +35,7 @@ def _times(audit: SafetyAudit) -> ReportTable:
     rows = []
     for normal, worst in _with_worst(audit.exhaust, lambda row: row.volume, lambda row: row.time):
         cells = [normal.volume, time_text(normal, audit.duration), _when(normal)]
-        shown = worst if worst and normal.is_safe else normal
+        shown = worst if worst and normal.is_exhausted else normal
         cells += [time_text(worst, audit.duration), worst.fault] if worst else ["", ""]
         reason = {"trapped": "trapped by", "supplied": "supplied by", "falling": "still falling through"}
         rows.append([*cells, f"{reason[shown.reason]} {', '.join(shown.by)}" if shown.reason else ""])

@@ -80,8 +80,8 @@ def draw_sankey(nodes: Sequence[SankeyNode], links: Sequence[SankeyLink], width:
     nodes : sequence of SankeyNode
         Nodes; their order is that of the drawing, from top to bottom. Nodes without links are omitted.
     links : sequence of SankeyLink
-        Links, which must not form a circle. A link with a negative value is drawn from its target to its source, and a
-        link with the value 0 is omitted.
+        Links, which must not form a closed loop. A link with a negative value is drawn from its target to its source,
+        and a link with the value 0 is omitted.
     width : float, optional
         Width of the drawing in CSS pixels.
 
