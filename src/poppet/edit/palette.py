@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import dataclasses
 import math
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from typing import Any
 
 from poppet import library
@@ -107,28 +107,51 @@ def palette() -> list[Entry]:
     return sorted(entries, key=lambda entry: order.get(entry["kind"], (OTHER, len(order)))[1])
 
 
+def symbol_of(part: Part, *, is_driven: bool = False) -> Entry:
+    """Return the keys `box`, `svg` and `ports` of a valid part, which depend on its options.
+
+    For example, the symbol of a spool valve depends on its function, and the ports of a sequence are its inputs and
+    outputs. Ports that the palette has too are at the same height or at the same distance from the centre. If
+    `is_driven` is True, a signal or a connection drives an input.
+
+    Examples
+    --------
+    >>> from poppet.parts import SpoolValve
+    >>> valve = SpoolValve(supply="a", a="b", b="c", function="5/2 monostable", nominal_flow="500 l/min ANR")
+    >>> [(port["name"], port["x"]) for port in symbol_of(valve)["ports"][:3]]
+    [('supply', 0), ('a', -1), ('b', 1)]
+    """
+    symbol = _shown(part.symbol_for(is_driven))
+    return _drawn(type(part), [symbol], _ports(type(part), part)) | {"svg": svg_text(symbol)}
+
+
 def _entry(name: str, kind: type[Part], group: str) -> Entry:
     blank = _blank(kind)
-    symbols = [_strokes(blank, is_driven) for is_driven in (False, True)]
-    ports = _ports(kind, blank)
-    types = [(port["name"], port["type"]) for port in ports]
-    box, places, second = arrange(name, types, symbols, issubclass(kind, Controller))
-    for port in ports:
-        port.update(dataclasses.asdict(places[port["name"]]))
-        also: list[PortPlace] = [second[port["name"]]] if port["name"] in second else []
-        port["also"] = [dataclasses.asdict(place) for place in also]
+    symbols = [_shown(kind.symbol)]
+    if _symbol_for(blank, True) != _symbol_for(blank, False):
+        symbols.append(_symbol_for(blank, True))
     return {
         "kind": name,
         "group": group,
         "summary": kind.summary,
-        "box": list(box),
         "svg": svg_text(symbols[0]),
-        "svg_driven": None if symbols[0] == symbols[1] else svg_text(symbols[1]),
-        "ports": ports,
+        "svg_driven": svg_text(symbols[1]) if len(symbols) == 2 else None,
+        **_drawn(kind, symbols, _ports(kind, blank)),
         "fields": list(_fields(kind)),
         "groups": [_group(field, spec) for field, _, spec in declared(kind, GroupSpec, MemberSpec)],
         "sizes": list(kind.sizes),
     }
+
+
+def _drawn(kind: type[Part], symbols: Sequence[Symbol], ports: list[Entry]) -> Entry:
+    """Return the box that contains symbols, and the ports with their places on its border."""
+    types = [(port["name"], port["type"]) for port in ports]
+    box, places, second = arrange(kind.kind, types, symbols, issubclass(kind, Controller))
+    for port in ports:
+        also: list[PortPlace] = [second[port["name"]]] if port["name"] in second else []
+        port.update(dataclasses.asdict(places[port["name"]]))
+        port["also"] = [dataclasses.asdict(place) for place in also]
+    return {"box": list(box), "ports": ports}
 
 
 def _blank(kind: Any) -> Any:
@@ -149,32 +172,37 @@ def _blank(kind: Any) -> Any:
     return part
 
 
-def _strokes(part: Part, is_driven: bool) -> Symbol:
+def _symbol_for(blank: Part, is_driven: bool) -> Symbol:
     try:
-        symbol = part.symbol_for(is_driven)
+        return _shown(blank.symbol_for(is_driven))
     except (AttributeError, KeyError, TypeError):
-        symbol = part.symbol  # the symbol depends on values
+        return _shown(blank.symbol)  # the symbol depends on values
+
+
+def _shown(symbol: Symbol | str) -> Symbol:
+    """Return a symbol, or a box for a text."""
     return rectangle(0.0, 0.25, 1.0, 0.5) if isinstance(symbol, str) else symbol
 
 
-def _ports(kind: type[Part], blank: Part) -> list[Entry]:
-    """Return the ports of a kind without their places."""
+def _ports(kind: type[Part], part: Part) -> list[Entry]:
+    """Return the ports of a part without their places."""
     ports = []
     if issubclass(kind, Store):
         ports.append(_port("", "store", "gas node", False))
     if issubclass(kind, Body):
         ports.append(_port("", "body", "body on which actuators act", False))
-    for name, _, spec in declared(kind, PortSpec, BodySpec, MemberSpec):
+    for name, attribute, spec in declared(kind, PortSpec, BodySpec, MemberSpec):
         if isinstance(spec, BodySpec):
             ports.append(_port(name, "body", spec.doc, not spec.optional))
         elif isinstance(spec, PortSpec):
             ports.append(_port(name, "tube" if kind.kind == TUBE else "port", spec.doc, not spec.optional))
-        elif spec.is_open:
+        elif spec.is_open and getattr(part, attribute) is not None:
             ports.append(_port(name, "store", spec.doc, False))
     used = {port["name"] for port in ports}
-    ports += [_port(name, "input", unit, False) for name, unit in _inputs(blank) if name not in used]
-    if issubclass(kind, Controller):
-        ports.append(_port("output", "output", "outputs of the controller", False))
+    ports += [_port(name, "input", unit, False) for name, unit in _inputs(part) if name not in used]
+    if isinstance(part, Controller):
+        # Only sequences declare their outputs; "output" stands for any output of the other controllers.
+        ports += [_port(name, "output", "output of the controller", False) for name in _commands(part) or ("output",)]
     return ports
 
 
@@ -189,6 +217,13 @@ def _inputs(blank: Part) -> Iterable[tuple[str, str]]:
     except (AttributeError, KeyError, TypeError):
         # The inputs depend on values. The editor takes them from the part.
         return [(name, "") for name in blank.inlets] if isinstance(blank, Compound) else []
+
+
+def _commands(part: Controller) -> tuple[str, ...]:
+    try:
+        return part.commands()
+    except TypeError:
+        return ()  # a blank part has no list of outputs
 
 
 def _fields(kind: Any, prefix: str = "", group: str = "", skipped: Iterable[str] = ()) -> Iterable[Entry]:

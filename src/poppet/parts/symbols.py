@@ -7,6 +7,7 @@ pilots thus have the distances of the standard.
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from typing import NamedTuple
 
 
@@ -154,49 +155,51 @@ QUICK_EXHAUST_VALVE = (
 )
 
 
-# Ports of a valve square by number, as distances from its left side, and the ports that flows of a position connect.
 _SQUARE = 0.5
 _LOW, _HIGH = 0.5 - 0.5 * _SQUARE, 0.5 + 0.5 * _SQUARE
-_BOTTOM, _TOP = {5: 0.125, 1: 0.25, 3: 0.375}, {4: 0.125, 2: 0.375}
+# Ports at the bottom and at the top of a valve square by number, as distances from its left side.
+_FIVE_PORTS = ({5: 0.125, 1: 0.25, 3: 0.375}, {4: 0.125, 2: 0.375})
+_THREE_PORTS = ({1: 0.125, 3: 0.375}, {2: 0.125})
+_TWO_PORTS = ({1: 0.125}, {2: 0.125})
+# Ports that flows of a position connect.
 _PATHS = {
     "a": ((1, 4), (2, 3)), "b": ((1, 2), (4, 5)),
     "": (), "exhaust": ((4, 5), (2, 3)), "supply": ((1, 4), (1, 2)),
+    "filled": ((1, 2),), "vented": ((2, 3),),
 }  # fmt: skip
 
 
-def _blocked_port(x: float, y: float, width: float = 0.05) -> Symbol:
-    """Return the lines that mark a blocked port at the bottom or at the top of a valve square."""
-    stop = y + (0.1 if y < 0.5 else -0.1)
-    return line((x, y), (x, stop)) + line((x - width, stop), (x + width, stop))
+def _positions(names: Sequence[str], ports: tuple[dict[int, float], dict[int, float]] = _FIVE_PORTS) -> Symbol:
+    """Return the squares of a valve, of which the second is at the same place for two and for three positions.
 
-
-VALVE = (
-    rectangle(0.0, _LOW, _SQUARE, _SQUARE)
-    + rectangle(0.5, _LOW, _SQUARE, _SQUARE)
-    + arrow((0.12, _LOW), (0.38, _HIGH))
-    + _blocked_port(0.75, _LOW, 0.08)
-    + _blocked_port(0.75, _HIGH, 0.08)
-)
-CONTINUOUS_VALVE = VALVE + line((0.0, 0.84), (1.0, 0.84)) + line((0.0, 0.16), (1.0, 0.16))
-
-
-def _positions(*names: str) -> Symbol:
-    """Return the squares of a valve with five ports, centred; each name is a key of `_PATHS`."""
+    `names` are keys of `_PATHS`. A path between ports that the valve lacks is omitted.
+    """
     symbol: Symbol = ()
     for k, name in enumerate(names):
-        square = 0.5 + (k - 0.5 * len(names)) * _SQUARE  # coordinate of its left side
-        ends = {port: (square + x, _LOW) for port, x in _BOTTOM.items()}
-        ends |= {port: (square + x, _HIGH) for port, x in _TOP.items()}
+        square = (k - 0.5) * _SQUARE if len(ports[0]) == 3 else k * _SQUARE  # coordinate of its left side
+        ends = {port: (square + x, y) for row, y in zip(ports, (_LOW, _HIGH), strict=True) for port, x in row.items()}
+        paths = [path for path in _PATHS[name] if {*path} <= ends.keys()]
         symbol += rectangle(square, _LOW, _SQUARE, _SQUARE)
-        for start, end in _PATHS[name]:
+        for start, end in paths:
             symbol += arrow(ends[start], ends[end], 0.11)
-        for port in sorted(ends.keys() - {port for path in _PATHS[name] for port in path}):
-            symbol += _blocked_port(*ends[port])
+        for port in sorted(ends.keys() - {port for path in paths for port in path}):
+            x, y = ends[port]
+            stop = y + (0.1 if y < 0.5 else -0.1)
+            symbol += line((x, y), (x, stop)) + line((x - 0.05, stop), (x + 0.05, stop))
     return symbol
 
 
+def directional_valve(has_exhaust: bool, is_open: bool) -> Symbol:
+    """Return the schematic symbol of a 3/2 or 2/2 valve with solenoid and spring; `is_open` is its state at rest."""
+    names = ("vented", "filled") if is_open else ("filled", "vented")
+    return _positions(names, _THREE_PORTS if has_exhaust else _TWO_PORTS) + coil(-0.22, 0.36) + spring(1.0, 1.24, 0.5)
+
+
+CONTINUOUS_VALVE = (
+    _positions(("filled", "vented"), _THREE_PORTS) + line((0.0, 0.84), (1.0, 0.84)) + line((0.0, 0.16), (1.0, 0.16))
+)
 SPOOL_VALVE = (
-    _positions("a", "", "b")
+    _positions(("a", "", "b"))
     + line((-0.25, 0.16), (1.25, 0.16))
     + line((-0.25, 0.84), (1.25, 0.84))
     + coil(-0.47, 0.36)
@@ -218,9 +221,9 @@ def switched_valve(positions: int, open_at_centre: str, pilots: tuple[bool, bool
     `open_at_centre` is "supply", "exhaust" or empty. `pilots` contains True for each side with a pneumatic pilot
     instead of a solenoid, side a first. `has_spring` is True if a spring replaces the actuation of the second side.
     """
-    symbol = _positions(*("a", open_at_centre, "b") if positions == 3 else ("a", "b"))
-    left = 0.5 - 0.5 * _SQUARE * positions
-    right = 0.5 + 0.5 * _SQUARE * positions
+    symbol = _positions(("a", open_at_centre, "b") if positions == 3 else ("a", "b"))
+    left = -0.5 * _SQUARE
+    right = left + _SQUARE * positions
     symbol += _pilot(left, 1.0) if pilots[0] else coil(left - 0.22, 0.485)
     if not has_spring:
         symbol += _pilot(right, -1.0) if pilots[1] else coil(right, 0.485)

@@ -113,7 +113,7 @@ class DirectionalValve(Valve, FlowPath):
 
     kind: ClassVar[str] = "directional_valve"
     regimes: ClassVar[tuple[str, ...]] = ("supply_regime", "exhaust_regime")
-    symbol: ClassVar[symbols.Symbol | str] = symbols.VALVE
+    symbol: ClassVar[symbols.Symbol | str] = symbols.directional_valve(has_exhaust=True, is_open=False)
     summary: ClassVar[str] = "on/off valve, 2/2 or 3/2, with delay and switching time"
 
     supply: str | None = port("gas node at port 1")
@@ -138,6 +138,9 @@ class DirectionalValve(Valve, FlowPath):
         for name in _OF_EXHAUST:
             if getattr(self, name) is not None and self.exhaust is None:
                 raise InputError("parts.no_exhaust_port", name)
+
+    def symbol_for(self, is_driven: bool) -> symbols.Symbol | str:
+        return symbols.directional_valve(self.exhaust is not None, self.normally == "open")
 
     def caption(self, numbers: CaptionNumbers) -> list[str]:
         form = "3/2" if self.exhaust is not None else "2/2"

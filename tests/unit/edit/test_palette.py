@@ -14,9 +14,10 @@ import pytest
 
 from poppet.core.errors import InputError
 from poppet.core.units import quantity
-from poppet.edit.palette import GROUPS, palette
+from poppet.edit.palette import GROUPS, palette, symbol_of
 from poppet.edit.svg_symbols import svg_text
-from poppet.parts import KINDS
+from poppet.parts import KINDS, Cylinder, DirectionalValve, Orifice, Sequence, SpoolValve
+from poppet.parts.fields import specs
 from poppet.parts.symbols import Stroke, line, outline
 
 ENTRIES = {entry["kind"]: entry for entry in palette()}
@@ -123,6 +124,48 @@ def test_valve_ports_have_the_order_of_the_standard():
     assert [name for _, name in below] == ["exhaust_a", "supply", "exhaust_b"]
     assert [name for _, name in above] == ["a", "b"]
     assert (ports["pilot_a"]["side"], ports["pilot_b"]["side"]) == ("left", "right")
+
+
+FIXED = ["supply", "a", "b", "exhaust_a", "exhaust_b"]
+
+
+@pytest.mark.parametrize("function", specs(SpoolValve)["function"].choices)
+def test_ports_keep_their_places_with_every_function(function):
+    valve = SpoolValve(supply="p", a="x", b="y", function=function, nominal_flow="500 l/min ANR")
+    drawn = symbol_of(valve)
+    where = {port["name"]: (port["x"], port["y"]) for port in drawn["ports"]}
+    assert [where[name][0] for name in FIXED] == [
+        port["x"] for name in FIXED for port in ENTRIES["spool_valve"]["ports"] if port["name"] == name
+    ]
+    assert len({*where.values()}) == len(where)
+    left, top, width, height = drawn["box"]
+    for x, y in where.values():
+        assert x in (left, left + width) or y in (top, top + height)
+
+
+def test_symbol_of_a_part_follows_its_options():
+    size = {"sonic_conductance": 1e-8, "critical_ratio": 0.3}
+    two = symbol_of(DirectionalValve(supply="a", outlet="b", **size))
+    three = symbol_of(DirectionalValve(supply="a", outlet="b", exhaust="ambient", **size))
+    is_open = symbol_of(DirectionalValve(supply="a", outlet="b", normally="open", **size))
+    assert len({two["svg"], three["svg"], is_open["svg"]}) == 3
+    orifice = Orifice(from_="a", to="b", **size)
+    assert symbol_of(orifice, is_driven=True)["svg"] == ENTRIES["orifice"]["svg_driven"] != symbol_of(orifice)["svg"]
+
+
+def test_ports_of_a_sequence_are_its_inputs_and_outputs():
+    steps = {"wait": {"next": {"go": "run"}}, "go": {"on": ["a"], "next": {"wait": "slide.position > 8 mm"}}}
+    drawn = symbol_of(Sequence(outputs=["a", "b"], inputs=["run"], start="wait", steps=steps))
+    ports = {port["name"]: port["type"] for port in drawn["ports"]}
+    assert {"a", "b"} == {name for name, port_type in ports.items() if port_type == "output"}
+    assert ports["run"] == "input"
+
+
+def test_single_acting_cylinder_has_one_chamber():
+    cylinder = Cylinder(
+        body="slide", bore="25 mm", stroke_length="50 mm", acting="single", cap={"dead_volume": "5 cm^3"}
+    )
+    assert [port["name"] for port in symbol_of(cylinder)["ports"] if port["type"] == "store"] == ["cap"]
 
 
 @pytest.mark.parametrize("kind", KINDS)
