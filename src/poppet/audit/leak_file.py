@@ -123,10 +123,13 @@ def _decibel_flow(values: Mapping[str, Any], ambient_pressure: float) -> float:
         return first, second
 
     first, second = (read("flows", row, "m^3/s ANR", "volume_flow_anr") for row in _pair("flows", values["flows"]))
+    low, high = read("pressures", values["pressures"], "Pa", "pressure")
+    # In bar, because errors show the pressures.
     return decibel_flow(
-        values["pressure"],
+        values["pressure"] / 1e5,
         values["level"],
-        pressures=read("pressures", values["pressures"], "Pa", "pressure"),
+        pressures=(low / 1e5, high / 1e5),
+        pressure_unit="bar",
         levels=read("levels", values["levels"], "1"),
         flows=(first, second),
     )

@@ -59,6 +59,7 @@ def decibel_flow(
     pressures: tuple[float, float],
     levels: tuple[float, float],
     flows: tuple[tuple[float, float], tuple[float, float]],
+    pressure_unit: str = "",
 ) -> float:
     r"""Return the leak flow for an ultrasonic sound level, from the table of the detector.
 
@@ -77,6 +78,8 @@ def decibel_flow(
         Two pressures and two sound levels of the table that enclose the measurement.
     flows : tuple of tuple of float
         Flows of the table: for each level, the flows at both pressures.
+    pressure_unit : str, optional
+        Unit of the pressures, for errors.
 
     Returns
     -------
@@ -96,18 +99,18 @@ def decibel_flow(
     >>> round(decibel_flow(130.0, 25.0, pressures=(150.0, 125.0), levels=(20.0, 30.0), flows=flows), 9)
     1.429
     """
-    level_weight = _weight("level", level, levels)
-    pressure_weight = _weight("pressure", pressure, pressures)
+    level_weight = _weight("level", level, levels, "dB")
+    pressure_weight = _weight("pressure", pressure, pressures, pressure_unit)
     at_levels = [(1.0 - pressure_weight) * first + pressure_weight * second for first, second in flows]
     return (1.0 - level_weight) * at_levels[0] + level_weight * at_levels[1]
 
 
-def _weight(name: str, value: float, ends: tuple[float, float]) -> float:
+def _weight(name: str, value: float, ends: tuple[float, float], unit: str) -> float:
     """Return the position of a value between two values of a table, from 0 to 1."""
     if ends[0] == ends[1]:
-        raise InputError("leaks.equal_values", f"{name}s", value=ends[0])
+        raise InputError("leaks.equal_values", f"{name}s", value=ends[0], unit=unit)
     if not min(ends) <= value <= max(ends):
-        raise OutOfRangeError("leaks.outside_table", name, value=value, low=min(ends), high=max(ends))
+        raise OutOfRangeError("leaks.outside_table", name, value=value, low=min(ends), high=max(ends), unit=unit)
     return (value - ends[0]) / (ends[1] - ends[0])
 
 

@@ -36,7 +36,8 @@ class Hold(NamedTuple):
 class FinalState:
     """State at the end of a run, at which flow paths are tested.
 
-    `problem` defines the run of the circuit with these `parts`. `stuck` is the name of a valve that is stuck, or empty.
+    `problem` defines the run, and `parts` contains the parts of its circuit. `stuck` is the name of the valve that is
+    stuck in the run; it is empty without such a valve.
     """
 
     def __init__(self, problem: Problem, parts: Mapping[str, Part], ambient_pressure: float, stuck: str = "") -> None:

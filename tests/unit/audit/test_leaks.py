@@ -8,6 +8,7 @@ import pytest
 
 from poppet.audit.leaks import PlantLeak, bag_flow, decibel_flow, orifice_flow, survey_leaks
 from poppet.audit.tariff import read_tariff
+from poppet.core.errors import OutOfRangeError
 from poppet.core.toml import toml_text
 from refusals import refused
 
@@ -79,6 +80,13 @@ def test_without_a_price_the_file_has_no_cost():
 def test_the_table_of_the_detector_is_not_extrapolated(measured, code, address):
     with refused(code, address):
         decibel_flow(*measured, **TABLE)
+
+
+def test_errors_of_the_table_have_units():
+    with pytest.raises(OutOfRangeError, match=r"pressure = 10 bar must be between .* 6 bar and 8 bar"):
+        decibel_flow(10.0, 25.0, **{**TABLE, "pressures": (6.0, 8.0)}, pressure_unit="bar")
+    with pytest.raises(OutOfRangeError, match=r"level = 31 dB must be between .* 20 dB and 30 dB"):
+        decibel_flow(130.0, 31.0, **TABLE)
 
 
 def test_a_table_needs_two_different_values():

@@ -15,9 +15,9 @@ from poppet.timeseries.plotting.figures import GREY, INK, text_width
 WIDE, NARROW = 960.0, 330.0
 """Widths of the drawing for screens and for phones, in CSS pixels."""
 FLOW_HEIGHT = 300.0
-"""Height of the largest sum of links in a column."""
+"""Height of the column with the largest sum of links, in CSS pixels."""
 HAIRLINE = 0.8
-"""Links below this width get an outline, so that they remain visible."""
+"""Width in CSS pixels below which links have an outline, so that they remain visible."""
 
 _BAR, _GAP, _LINE, _TEXT, _MARGIN = 9.0, 12.0, 15.0, 12.5, 8.0
 _BREAKS = re.compile(r"(?<=[ ._-])")
