@@ -78,7 +78,9 @@ def test_the_circuit_file_has_a_tariff_that_options_override(poppet, tmp_path):
     [
         (("--tariff", "0.20"), "the unit to which the price refers"),
         (("--tariff", "0.20 EUR/kW"), "requires a unit of energy"),
-        (("--emission", "0.4"), "has no unit"),
+        (("--tariff", "3"), "--tariff = '3' must consist of"),
+        (("--emission", "0.4"), "--emission = 0.4 has no unit"),
+        (("--specific-energy", "0 kWh/m^3"), "--specific-energy = 0 kWh/m^3 is out of range"),
         (("--leak", "valveA.supply"), "Did you mean valveA.supply_"),
         (("--saving", "cylinderA.bore"), "--saving"),
     ],

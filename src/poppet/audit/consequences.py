@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
+from itertools import pairwise
 from typing import Any
 
 import numpy as np
@@ -89,13 +90,10 @@ def find_consequences(runs: RunPair) -> tuple[Consequence, ...]:
 # Sequences -------------------------------------------------------------------------------------------------------
 
 
-def cycle_time(visits: list[Visit]) -> float | None:
-    """Return the duration of the last complete cycle [s], from the first step of the run until it begins again.
-
-    The result is None if the sequence visits this step only once.
-    """
+def cycle_times(visits: list[Visit]) -> list[float]:
+    """Return the durations of the complete cycles [s], each from the first step of the run until it begins again."""
     starts = [visit.start for visit in visits if visit.step == visits[0].step]
-    return starts[-1] - starts[-2] if len(starts) > 1 else None
+    return [end - start for start, end in pairwise(starts)]
 
 
 def _of_sequence(runs: RunPair, name: str, part: Sequence) -> Iterator[Consequence]:
@@ -118,9 +116,11 @@ def _of_sequence(runs: RunPair, name: str, part: Sequence) -> Iterator[Consequen
     if has_diverged and last.end - last.start > LONGER * usual + MARGIN:
         facts = {"step": names[last.step - 1]}
         yield Consequence("waits", name, last.end - last.start, usual or None, "s", last.start, facts)
-    cycles = cycle_time(healthy), cycle_time(faulty)
-    if None not in cycles and abs(cycles[1] - cycles[0]) > DURATION * cycles[0]:  # type: ignore[operator]
-        yield Consequence("cycle_time", name, cycles[1], cycles[0], "s")
+    # The last cycle of equal number: the first one can include waiting for a start button.
+    cycles = [*zip(cycle_times(healthy), cycle_times(faulty), strict=False)]
+    if cycles and abs(cycles[-1][1] - cycles[-1][0]) > DURATION * cycles[-1][0]:
+        usual, value = cycles[-1]
+        yield Consequence("cycle_time", name, value, usual, "s")
 
 
 def _timeout(recording: Recording, name: str, part: Sequence) -> Mapping[str, Any]:

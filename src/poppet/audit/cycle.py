@@ -74,6 +74,8 @@ def find_cycle(circuit: BaseCircuit, recording: Recording, *, step: str = "", co
         if not owners:
             near = NameSuggestion(step, [item for name in sequences for item in names[name]])
             raise InputError("names.unknown", step, meaning="a step of a sequence", suggestion=near)
+        if len(owners) > 1:
+            raise InputError("cycle.several_steps", "--cycle-from", step=step, names=[f"{n}.{step}" for n in owners])
         first = step.removeprefix(f"{owners[0]}.")
         return _sequence_cycle(recording, owners[0], names[owners[0]], first, count)
     for name in sequences:

@@ -20,6 +20,8 @@ SUPPLIED, WORK, FRICTION, THROTTLING, MIXING, HEAT, EXHAUSTED, STORED, INTEGRATI
 """Categories of the rows of a balance. The supplied energy equals the sum of all other rows."""
 LITRE = 1e-3
 """One litre [m^3]."""
+SMALLEST_AIR = 1e-3
+"""Air of a part, relative to the total, below which tables show 0."""
 REPEATED = 0.01
 """Change of a state during a cycle, relative to its maximum or range, above which the cycle does not repeat."""
 
@@ -195,6 +197,18 @@ class EnergyAudit(ResultFileMixin):
     def co2(self) -> float:
         """Mass of CO2 per cycle [kg]; NaN without an emission in the tariff."""
         return math.nan if self.tariff is None else self.tariff.co2(self.air_used)
+
+    def shown_air(self, part: PartRow) -> float:
+        """Return the air of a part for tables [m^3 ANR]: 0 if it is less than 0.1 % of the total.
+
+        The division between parts is not more accurate.
+
+        Parameters
+        ----------
+        part : PartRow
+            Air and exergy of a part.
+        """
+        return part.air if abs(part.air) >= SMALLEST_AIR * self.air_used else 0.0
 
     def residual(self, quantity: str = "exergy") -> float:
         """Return the supplied energy or exergy minus all other rows, relative to the size of the balance.

@@ -11,6 +11,7 @@ import numpy as np
 
 from poppet.audit.safety_result import EventValue
 from poppet.circuit.circuit import BaseCircuit
+from poppet.circuit.onset import onset_field
 from poppet.circuit.wiring import part_connections
 from poppet.core.errors import ErrorCollector, InputError, NameSuggestion
 from poppet.core.symbolic import where
@@ -91,6 +92,10 @@ def read_events(circuit: BaseCircuit, values: Mapping[str, Any]) -> tuple[EventV
                 continue
             if address in declared:
                 errors.add("safety.declared", address, place=declared[address].place)
+                continue
+            start = circuit.parameters.get(f"{address.partition('.')[0]}.{item.delay}") if item.is_onset else None
+            if start:
+                errors.add("safety.other_start", address, field=onset_field(address, item), time=start)
                 continue
             with errors.collecting():
                 read = quantity(argument, item.unit, kind=item.kind, name=address)  # type: ignore[arg-type]

@@ -6,7 +6,7 @@ from collections.abc import Callable, Sequence
 from concurrent.futures import ThreadPoolExecutor, as_completed
 from typing import Any
 
-from poppet.audit.consequences import RunPair, cycle_time, find_consequences
+from poppet.audit.consequences import RunPair, cycle_times, find_consequences
 from poppet.audit.fault_result import Consequence, FaultRow, FaultTable, OmittedFault
 from poppet.audit.moments import row_step
 from poppet.audit.safety import read_positive
@@ -93,6 +93,8 @@ def fault_table(
             )
     if not 0.0 <= begin < end:
         raise InputError("safety.outside_run", "start", subject="fault", time=begin, end=end)
+    if not selected:
+        raise InputError("safety.no_kinds", "kinds", kinds=FAULTS)
     faults, omitted = split_faults(valves_of(circuit), selected)
     if not faults:
         raise InputError("safety.no_valve", circuit.title, kinds=list(selected))
@@ -122,6 +124,7 @@ def fault_table(
         finally:
             pool.shutdown(wait=True, cancel_futures=True)
     sequence = next((name for name, part in circuit.parts.items() if isinstance(part, StepSequence)), None)
+    cycles = [] if sequence is None else cycle_times(visits_of(healthy, sequence))
     return FaultTable(
         circuit.title,
         begin,
@@ -132,7 +135,7 @@ def fault_table(
             OmittedFault(*fault, str(Note("safety.not_possible", fault.name, kind=circuit.parts[fault.valve].kind)))
             for fault in omitted
         ),
-        None if sequence is None else cycle_time(visits_of(healthy, sequence)),
+        cycles[-1] if cycles else None,
         (*circuit.static_notes, Note("safety.one_run"), *(() if is_whole else (Note("safety.interrupted"),))),
         is_whole,
     )

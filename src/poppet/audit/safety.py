@@ -146,7 +146,7 @@ def audit_safety(
         tuple(_exhaust_times(runs, results, worst)),
         tuple(_travels(runs, results, worst)),
         len(runs.samples),
-        (*circuit.static_notes, *_notes(runs, results, is_whole=is_whole)),
+        (*circuit.static_notes, *_notes(runs, results, is_selected=bool(selected), is_whole=is_whole)),
         tuple(_curves(runs, results, worst)),
         is_whole,
     )
@@ -339,7 +339,7 @@ def _has_assumed_exhaust(part: Part) -> bool:
     return is_missing and has_exhaust and not has_own
 
 
-def _notes(runs: SafetyRuns, results: Results, *, is_whole: bool) -> Iterator[Note]:
+def _notes(runs: SafetyRuns, results: Results, *, is_selected: bool, is_whole: bool) -> Iterator[Note]:
     for event in runs.events:
         if event.replaced:
             yield Note("safety.replaced", event.address, source=event.replaced)
@@ -352,7 +352,7 @@ def _notes(runs: SafetyRuns, results: Results, *, is_whole: bool) -> Iterator[No
     if len(runs.moments) > 1:
         yield Note("safety.sampled_moments", count=len(runs.moments))
     if not runs.faults:
-        yield Note("safety.no_fault")
+        yield Note("safety.no_fault" if is_selected else "safety.no_selection")
     for case, result in results.items():
         if case.sample < 0 and result.failure is not None:
             fault, time = runs.fault_name(case.fault), runs.moments[case.moment].time

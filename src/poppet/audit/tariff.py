@@ -21,12 +21,21 @@ FIELDS = {
         doc="electrical energy of the compressor station per volume of air",
         unit="J/m^3",
         above=0.0,
+        usual_unit="kWh/m^3",
         default="0.12 kWh/m^3",
         note="screw compressor with dryer at 7 bar g",
     ),
-    "emission": NumberSpec(doc="emission of CO2 per electrical energy", unit="kg/J", low=0.0, optional=True),
+    "emission": NumberSpec(
+        doc="emission of CO2 per electrical energy", unit="kg/J", low=0.0, usual_unit="kg/kWh", optional=True
+    ),
     "hours": NumberSpec(
-        doc="operating time per year", unit="s", above=0.0, high=366 * 86400.0, default="4000 h", note="two shifts"
+        doc="operating time per year",
+        unit="s",
+        above=0.0,
+        high=366 * 86400.0,
+        usual_unit="h",
+        default="4000 h",
+        note="two shifts",
     ),
 }
 """Fields of a tariff, except its price."""
@@ -140,11 +149,33 @@ def read_tariff(table: Mapping[str, Any] | None = None, address: str = "") -> Ta
                 with errors.collecting():
                     value, _ = split_source(f"{prefix}{name}", table[name])
                     # In SI units, these numbers have unusual sizes, so a number without a unit is most likely wrong.
-                    if isinstance(value, int | float) and not isinstance(value, bool) and math.isfinite(value):
+                    if _is_bare(value):
                         facts: dict[str, Any] = {"value": value, "example": UNIT_EXAMPLES[name]}
                         raise UnitError("tariff.bare_number", f"{prefix}{name}", **facts)
-                    values[name] = read_number(f"{prefix}{name}", spec, table[name])
+                    values[name] = _read_field(f"{prefix}{name}", name, table[name])
     return Tariff(**values)  # type: ignore[arg-type]
+
+
+def _read_field(address: str, name: str, argument: Any) -> Number:
+    """Return the number of a field; errors have examples in its usual unit."""
+    spec = FIELDS[name]
+    try:
+        return read_number(address, spec, argument)
+    except InputError as error:
+        if "example" in error.facts:
+            error.facts["example"] = f'"{UNIT_EXAMPLES[name]}"'
+            error.facts |= {"unit": spec.usual_unit} if "unit" in error.facts else {}
+        raise
+
+
+def _is_bare(value: Any) -> bool:
+    """Return True for a finite number without a unit, also as text."""
+    if isinstance(value, bool) or not isinstance(value, int | float | str):
+        return False
+    try:
+        return math.isfinite(float(value))
+    except (ValueError, OverflowError):
+        return False
 
 
 def tariff_of(circuit: BaseCircuit, values: Mapping[str, Any] | None = None) -> Tariff:

@@ -29,7 +29,13 @@ def read_circuit_components(paths: Any, folder: Path) -> tuple[CatalogueComponen
     with ErrorCollector() as errors:
         for path in dict.fromkeys(paths):
             with errors.collecting():
-                found += read_components(folder / path)
+                try:
+                    found += read_components(folder / path)
+                except InputError as error:
+                    # Errors inside a component file have this file; a missing one is an error of the circuit file.
+                    for problem in error.problems:
+                        problem.address = problem.address if problem.file else "components"
+                    raise
         check_names(errors, [*components(), *found])
     return tuple(found)
 

@@ -6,7 +6,8 @@ The first two change a circuit. The other two select outputs of a recording and 
 from __future__ import annotations
 
 from argparse import Namespace
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import contextmanager
 from dataclasses import dataclass
 from fnmatch import fnmatchcase
 from typing import TYPE_CHECKING
@@ -63,6 +64,22 @@ def read_assignments(
             values[address] = read_value(value)
     raise_errors(problems)
     return values
+
+
+@contextmanager
+def named_by_options(options: Mapping[str, str]) -> Iterator[None]:
+    """Replace the names of Python arguments in the addresses of errors by those of options.
+
+    `options` maps names of arguments, such as `at`, to names of options, such as `--at`.
+    """
+    try:
+        yield
+    except InputError as error:
+        for problem in error.problems:
+            # The address of an unknown name is this name, and can be equal to that of an argument.
+            if problem.code != "names.unknown":
+                problem.address = options.get(problem.address or "", problem.address)
+        raise
 
 
 def split_list(text: str | None) -> list[str]:

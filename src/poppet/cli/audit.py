@@ -8,7 +8,7 @@ from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from poppet.cli.assignments import load_circuit, read_assignments
+from poppet.cli.assignments import load_circuit, named_by_options, read_assignments
 from poppet.cli.progress import Spinner
 from poppet.cli.summary import print_notes, require_matplotlib, write_result
 from poppet.core.number_format import aligned
@@ -37,7 +37,9 @@ def audit_energy(options: argparse.Namespace) -> int:
     try:
         for measure in measures or ():
             circuit.with_values(measure.values)  # an invalid measure is an error before the runs
-        tariff = tariff_of(circuit, {name: vars(options)[name] for name in ("tariff", *FIELDS)})
+        given = {name: vars(options)[name] for name in ("tariff", *FIELDS) if vars(options)[name] is not None}
+        with named_by_options({f"audit.{name}": f"--{name.replace('_', '-')}" for name in given}):
+            tariff = tariff_of(circuit, given)
         settings: dict[str, Any] = {
             "cycle": options.cycle, "step": options.cycle_from or "", "count": options.cycles,
             "duration": options.duration, "tariff": tariff,
@@ -106,7 +108,10 @@ def energy_summary(audit: EnergyAudit) -> str:
     residuals = (f"{audit.residual(quantity):.1e}" for quantity in ("energy", "exergy"))
     balance.append(["residual / sum of rows", *residuals, ""])
     parts = [["part", "air [l ANR]", "lost exergy [J]", "mainly by"]]
-    parts += [[row.part, f"{row.air / LITRE:z.5f}", f"{row.exergy_lost:z.4f}", row.category] for row in audit.parts]
+    parts += [
+        [row.part, f"{audit.shown_air(row) / LITRE:z.5f}", f"{row.exergy_lost:z.4f}", row.category]
+        for row in audit.parts
+    ]
     tables = aligned(facts, (1,)), aligned(balance, range(1, 4)), aligned(parts, (1, 2))
     texts = _move_text(audit), _leak_text(audit), _saving_text(audit), _tariff_text(audit)
     return "\n\n".join(filter(None, [audit.title, *tables, *texts]))

@@ -4,10 +4,13 @@ from __future__ import annotations
 
 import argparse
 
-from poppet.cli.assignments import load_circuit, read_assignments, split_list
+from poppet.cli.assignments import load_circuit, named_by_options, read_assignments, split_list
 from poppet.cli.main import INTERRUPTED
 from poppet.cli.progress import CaseProgress
 from poppet.cli.summary import print_notes, require_matplotlib, write_result
+
+OPTIONS = {name: f"--{name}" for name in ("threshold", "duration", "kinds", "samples")}
+"""Options of the commands by the names of Python arguments."""
 
 
 def run_audit(options: argparse.Namespace) -> int:
@@ -23,7 +26,7 @@ def run_audit(options: argparse.Namespace) -> int:
     require_matplotlib(options.report)
     events = read_assignments(options.event, "--event", 'supply.pressure="0 bar g"')
     circuit, notes = load_circuit(options)
-    with CaseProgress(is_quiet=options.quiet) as progress:
+    with named_by_options(OPTIONS | {"at": "--at"}), CaseProgress(is_quiet=options.quiet) as progress:
         audit = audit_safety(
             circuit,
             events,
@@ -52,7 +55,7 @@ def run_faults(options: argparse.Namespace) -> int:
 
     require_matplotlib(options.report)
     circuit, notes = load_circuit(options)
-    with CaseProgress(is_quiet=options.quiet) as progress:
+    with named_by_options(OPTIONS | {"start": "--at"}), CaseProgress(is_quiet=options.quiet) as progress:
         table = fault_table(
             circuit,
             kinds=FAULTS if options.kinds is None else split_list(options.kinds),

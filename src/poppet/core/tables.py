@@ -13,7 +13,7 @@ from functools import cached_property
 from typing import Any, Literal
 
 from poppet.core.errors import ErrorCollector, InputError, NameSuggestion, OutOfRangeError
-from poppet.core.units import Kind, quantity, sizes_of
+from poppet.core.units import Kind, convert, quantity, sizes_of
 
 _TYPES: dict[str, tuple[tuple[type, ...], str, str | list[str]]] = {
     "string": ((str,), "text", "string"),
@@ -37,6 +37,7 @@ class NumberRange:
     high: float = math.inf
     above: float = -math.inf
     below: float = math.inf
+    usual_unit: str = ""  # of limits in messages; SI if empty
 
     @cached_property
     def ends(self) -> tuple[float, float]:
@@ -63,13 +64,18 @@ class NumberRange:
         if self.holds(value):
             return
         (low, high), limits = self.ends, []
+        unit = self.usual_unit or self.unit
+
+        def shown(limit: float) -> str:
+            return f"{convert(limit, self.unit, unit) if self.usual_unit else limit:g}"
+
         if low > -math.inf or self.above > -math.inf:
             is_open = self.above >= self.low and not self.above < value < low
-            limits += [f"greater than {self.above:g}" if is_open else f"at least {low:g}"]
+            limits += [f"greater than {shown(self.above)}" if is_open else f"at least {shown(low)}"]
         if min(self.high, self.below) < math.inf or value > high:
-            limits += [f"at most {high:g}" if high < self.below else f"less than {self.below:g}"]
+            limits += [f"at most {shown(high)}" if high < self.below else f"less than {shown(self.below)}"]
         facts: dict[str, Any] = {"value": value, "shown": text, "meaning": meaning, "limits": limits}
-        raise OutOfRangeError("fields.out_of_range", address, **facts, unit="" if self.unit == "1" else self.unit)
+        raise OutOfRangeError("fields.out_of_range", address, **facts, unit="" if unit == "1" else unit)
 
 
 @dataclass(frozen=True, kw_only=True)

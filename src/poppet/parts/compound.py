@@ -52,9 +52,11 @@ class Compound(Part):
         return {}
 
     def __post_init__(self) -> None:
-        errors = ErrorCollector()
+        errors, has_numbers = ErrorCollector(), False
         with errors.collecting():
-            complete(self, self.component_numbers())
+            numbers = self.component_numbers()
+            has_numbers = True
+            complete(self, numbers)
         for name, spec in self._member_specs():
             if spec.optional and not self.has(name):
                 if getattr(self, attribute(name)) is not None:
@@ -74,6 +76,8 @@ class Compound(Part):
             if problem.code == "fields.missing" and key not in specs(type(self)):
                 errors.collected.remove(problem)
         problems = list({(problem.code, problem.address): problem for problem in errors.collected}.values())
+        if not has_numbers:  # a valid model states numbers that are missing now
+            problems = [problem for problem in problems if problem.code != "fields.missing"]
         missing = [p for p in problems if p.code == "fields.missing" and "." in (p.address or "")]
         if getattr(self, "data", "") is None and len(missing) >= MIN_MISSING:
             # Without a library set, all missing numbers are one error.

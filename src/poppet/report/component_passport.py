@@ -10,6 +10,7 @@ from poppet.library.components import CatalogueComponent
 from poppet.parts import KINDS
 from poppet.parts.component_search import flow_capacity, printed_flow_deviation
 from poppet.parts.components import numbers_of
+from poppet.parts.fields import specs
 
 
 def passports(components: Iterable[CatalogueComponent]) -> str:
@@ -109,7 +110,17 @@ def _litres(flow: float) -> str:
 
 
 def _assumptions(component: CatalogueComponent) -> list[str]:
-    capacity = flow_capacity(component)
+    capacity, texts = flow_capacity(component), []
     if capacity is not None and capacity.is_assumed:
-        return [f"critical back-pressure ratio b = {capacity.critical_ratio:.3g}: the document does not state it"]
-    return []
+        texts.append(f"critical back-pressure ratio b = {capacity.critical_ratio:.3g}: the document does not state it")
+    if capacity is not None and _has_assumed_exhaust(component):
+        texts.append("flow capacity of the exhaust: the document does not state it, so that of the supply path is used")
+    return texts
+
+
+def _has_assumed_exhaust(component: CatalogueComponent) -> bool:
+    """Return True if a component has a flow path to an exhaust whose flow capacity its document does not state."""
+    has_port = not component.ports or any(port.startswith("exhaust") for port in component.ports)
+    declared = {name for kind in component.kinds for name in specs(KINDS[kind])}
+    fields = declared & {"exhaust_conductance", "exhaust_a_conductance"}
+    return has_port and bool(fields) and not fields & component.fields.keys()

@@ -341,7 +341,7 @@ def test_a_failed_run_has_no_numbers(monkeypatch):
     audit = audit_safety(tank_circuit(), {"dump.command": 0}, at="0.7 s", kinds=())
     assert math.isnan(audit.exhaust_of("tank").time)
     assert not audit.exhaust_of("tank").is_exhausted
-    assert [note.code for note in audit.notes] == ["safety.no_fault", "safety.failed"]
+    assert [note.code for note in audit.notes] == ["safety.no_selection", "safety.failed"]
 
 
 def stop_after(count: int):
@@ -386,6 +386,14 @@ def test_invalid_arguments(events, options, code, address):
         audit_safety(loads(SEQUENCE), events, **options)
     assert (caught.value.address or "") == address
     assert code is None or caught.value.code == code
+
+
+def test_an_event_does_not_start_a_fault_that_starts_at_a_time_of_its_own():
+    circuit = tank_circuit(fault="leak", leak_fraction=0.1, fault_start="0.1 s")
+    with pytest.raises(InputError) as caught:
+        audit_safety(circuit, {"dump.fault": 1, "dump.command": 0}, at="0.5 s")
+    (error,) = caught.value.problems
+    assert (error.code, error.address, error.facts["field"]) == ("safety.other_start", "dump.fault", "dump.fault_start")
 
 
 def test_invalid_arguments_are_reported_together():

@@ -126,6 +126,26 @@ def test_an_unknown_step_is_an_error():
     assert "vent" in str(error)
 
 
+def test_a_step_of_two_sequences_needs_its_sequence():
+    second = """
+[parts.other]
+kind = "sequence"
+outputs = ["on"]
+start = "idle"
+sample_time = "10 ms"
+[parts.other.steps.idle]
+next = { vent = "elapsed >= 0.1 s" }
+[parts.other.steps.vent]
+on = ["on"]
+next = { idle = "elapsed >= 0.2 s" }
+"""
+    circuit = poppet.loads(MACHINE.replace("NEXT", "fill") + second)
+    error = problem(circuit, step="vent")
+    assert (error.code, error.facts["names"]) == ("cycle.several_steps", ["plc.vent", "other.vent"])
+    for step, source in (("plc.vent", "plc"), ("other.vent", "other"), ("idle", "other")):
+        assert audit_energy(circuit, step=step).cycle.source == source
+
+
 @pytest.mark.parametrize("text", ["1 s", "2 s, 1 s", "1 s, 2 s, 3 s", "-1 s, 1 s"])
 def test_a_stated_cycle_has_a_start_before_its_end(text: str):
     with pytest.raises(InputError) as caught:

@@ -7,6 +7,7 @@ import tomllib
 from dataclasses import replace
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 import poppet
@@ -108,6 +109,18 @@ def test_a_slow_valve_and_a_leak_do_not_stop_the_machine(machine):
         leak = consequence(machine, f"valve{name}.leak", "air", "supply")
         assert leak.value > leak.healthy > 0.0
         assert not machine.row(f"valve{name}.leak").stops_machine
+
+
+def test_cycles_of_equal_number_are_compared():
+    """With the regulator closed, the machine completes only its first cycle, which includes waiting for the button."""
+    circuit = load(MACHINE)
+    recording = circuit.simulate(3.2, 1e-3)
+    is_first = recording["plc.step"] == recording["plc.step"][0]
+    returned = recording.time[np.flatnonzero(is_first & (np.cumsum(~is_first) > 0))[0]]
+    table = fault_table(circuit, kinds=("stuck_closed",), start="0.3 s")
+    cycle = consequence(table, "regulator.stuck_closed", "cycle_time", "plc")
+    assert cycle.healthy == pytest.approx(returned, abs=1.5e-3)
+    assert table.cycle_time < returned - 0.02
 
 
 def test_the_arm_of_the_example_waits():
@@ -236,6 +249,7 @@ def test_an_interrupted_table_keeps_completed_runs():
     ("options", "code", "address"),
     [
         ({"kinds": ["open"]}, "fields.not_an_option", "kinds"),
+        ({"kinds": []}, "safety.no_kinds", "kinds"),
         ({"start": "9 s"}, "safety.outside_run", "start"),
         ({"start": "-1 s"}, "safety.outside_run", "start"),
         ({"threshold": "-1 bar"}, "safety.not_positive", "threshold"),

@@ -7,6 +7,7 @@ import math
 import pytest
 
 from poppet.audit.tariff import read_tariff
+from poppet.core.errors import InputError
 from refusals import refused
 
 
@@ -96,3 +97,21 @@ def test_all_errors_of_a_table_are_reported():
 def test_a_tariff_is_a_table():
     with refused("fields.no_table", "audit"):
         read_tariff("0.2 EUR/kWh", "audit")
+
+
+@pytest.mark.parametrize(
+    ("table", "texts"),
+    [
+        ({"hours": "9000 h"}, ["9000 h", "at most 8784 h"]),
+        ({"hours": "4000"}, ['"4000 h"']),
+        ({"hours": "4000 kg"}, ['converted to "h"', '"4000 h"']),
+        ({"emission": "0.4"}, ['"0.4 kg/kWh"']),
+        ({"emission": "-1 kg/kWh"}, ["at least 0 kg/kWh"]),
+        ({"emission": "4 kg"}, ['converted to "kg/kWh"', '"0.4 kg/kWh"']),
+        ({"specific_energy": "0 kWh/m^3"}, ["greater than 0 kWh/m^3"]),
+    ],
+)
+def test_limits_and_hints_have_usual_units(table, texts):
+    with pytest.raises(InputError) as caught:
+        read_tariff(table)
+    assert [text for text in texts if text not in str(caught.value)] == []

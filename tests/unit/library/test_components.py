@@ -128,6 +128,14 @@ def test_the_passport_shows_a_deviation_and_the_doubt():
     assert "2024-06-04" in text
 
 
+@pytest.mark.parametrize(
+    ("name", "is_assumed"),
+    [("SMC AV3000", True), ("SMC SY5100", True), ("CKD AB21-01-1", False), ("Festo CRVZS-0.1", False)],
+)
+def test_the_passport_says_that_the_exhaust_is_not_stated(name, is_assumed):
+    assert ("flow capacity of the exhaust" in passport(find_variants(name)[0])) == is_assumed
+
+
 def rows() -> list[dict[str, str]]:
     if not TABLE.is_file():
         pytest.skip("the table of published figures is not in this checkout")
@@ -199,6 +207,13 @@ def test_an_unknown_name_suggests_similar_ones(name):
     assert (error.code, error.facts["name"]) == ("components.unknown", name)
     if name.endswith(("5000", "500")):
         assert any("5000" in similar for similar in error.facts["names"])
+
+
+def test_an_unknown_model_is_the_only_error_of_a_cylinder():
+    with pytest.raises(InputError) as raised:
+        poppet.Cylinder(body="load", model="SMC ZZ999", cap={"volum": "1 cm^3"})
+    problems = [(problem.code, problem.address) for problem in raised.value.problems]
+    assert problems == [("components.unknown", "model"), ("fields.unknown", "cap.volum")]
 
 
 # --- Parts ---
@@ -486,7 +501,10 @@ def test_an_empty_component_file_needs_components(tmp_path):
 def test_a_missing_component_file_is_named(tmp_path):
     with pytest.raises(InputError) as raised:
         poppet.load(circuit_file(tmp_path))
-    assert raised.value.problems[0].code == "toml.no_file"
+    (error,) = raised.value.problems
+    assert (error.code, error.address, Path(error.file).name, error.line) == (
+        "toml.no_file", "components", "circuit.toml", 2,
+    )  # fmt: skip
 
 
 # --- Search ---

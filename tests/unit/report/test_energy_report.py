@@ -24,12 +24,14 @@ from poppet.audit.energy_result import (
 )
 from poppet.audit.moves import find_moves
 from poppet.audit.tariff import read_tariff
+from poppet.cli.audit import energy_summary
 from poppet.core.codes import Note
 from poppet.report.audit.energy_report import (
     balance_table,
     energy_page,
     leak_table,
     move_table,
+    part_table,
     sankey_of,
     saving_table,
 )
@@ -152,6 +154,14 @@ def test_a_page_without_tariff_has_no_cost():
 def test_large_machines_are_shown_in_kilojoules():
     rows = tuple(BalanceRow(n, p, c, 1e3 * e, 1e3 * x) for n, p, c, e, x in ROWS)
     assert ">453.2 kJ<" in energy_page(audit(rows=rows, notes=(Note("said", text="A note."),)))
+
+
+def test_air_below_the_accuracy_of_its_division_is_zero():
+    parts = (PartRow("cylinder", 2.2e-3, 56.0, "friction"), PartRow("rail", -1.4e-7, 0.1, "mixing"))
+    result = audit(parts=parts)
+    assert [row[1:3] for row in part_table(result).rows] == [("2.2", "94.0"), ("0", "0.0")]
+    assert re.search(r"^rail +0\.00000 ", energy_summary(result), re.MULTILINE)
+    assert result.content()["parts"][1]["air_l_anr"] == pytest.approx(-1.4e-4)
 
 
 def test_notes_are_in_the_section_of_their_topic():

@@ -10,7 +10,7 @@ import pytest
 
 from pages import lines, needs_nothing_else, plots
 from poppet.audit.safety_result import EventValue, ExhaustTime, Moment, SafetyAudit, SafetyCurves, Travel
-from poppet.report.audit.safety_report import exhaust_table, safety_page, travel_table
+from poppet.report.audit.safety_report import curve_figure, exhaust_table, safety_page, travel_table
 
 MOMENT = Moment(1.2, "extend")
 TIME = np.linspace(0.0, 5.0, 101)
@@ -108,6 +108,30 @@ def test_curves_are_gauge_pressures_and_displacements(page):
     time, pressure = curves["pressure [bar g]: cap"]
     assert (time[0], time[-1], pressure[0]) == (0.0, 5.0, pytest.approx(6.0))
     assert curves["displacement [mm]: load"][1][[0, -1]] == pytest.approx([0.0, 50.0])
+
+
+@pytest.mark.parametrize(
+    ("times", "end"),
+    [
+        ((0.13, 0.02), 1.25 * 0.2),  # the body stops at 0.2 s
+        ((0.13, 3.0), 1.25 * 3.0),  # exhausted later than the curves can show
+        ((0.13, 9.0), 10.0),
+    ],
+)
+def test_the_time_axis_ends_after_the_last_event(times, end):
+    time = np.linspace(0.0, 10.0, 10_001)
+    pressures = {"cap": 6e5 * np.exp(-time / 0.05), "rod": 1e3 * np.exp(-time / 10.0)}
+    curves = SafetyCurves("", MOMENT, time, pressures, {"load": 0.1 * np.minimum(time / 0.2, 1.0)})
+    rows = tuple(exhaust(name, "", value) for name, value in zip(pressures, times, strict=True))
+    figure = curve_figure(audit(exhaust=rows, travel=(travel("load", "", 0.1),), faults=()), curves)
+    assert [axes.get_xlim()[1] for axes in figure.axes] == pytest.approx([end] * 2, rel=0.03)
+
+
+def test_a_slow_exhaust_is_drawn_to_its_end():
+    time = np.linspace(0.0, 10.0, 101)
+    curves = SafetyCurves("", MOMENT, time, {"cap": 6e5 * np.exp(-time / 10.0)}, {})
+    figure = curve_figure(audit(exhaust=(exhaust("cap", "", math.inf),), travel=(), faults=()), curves)
+    assert figure.axes[0].get_xlim()[1] == 10.0
 
 
 def test_an_audit_without_faults_and_bodies():

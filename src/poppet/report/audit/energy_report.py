@@ -277,8 +277,8 @@ def part_table(audit: EnergyAudit) -> ReportTable:
     rows = [
         (
             code(row.part),
-            _litres(audit, row.air),
-            _percent(row.air, audit.air_used),
+            _litres(audit, audit.shown_air(row)),
+            _percent(audit.shown_air(row), audit.air_used),
             joules.text(row.exergy_lost),
             _percent(row.exergy_lost, supplied),
             LABELS.get(row.category, row.category).lower(),

@@ -23,6 +23,9 @@ if TYPE_CHECKING:
 NORMAL = "normal operation"
 MOST_CURVES = 10
 """Maximum number of volumes or bodies in a figure: those with the longest times."""
+SETTLED, MARGIN = 0.02, 1.25
+"""Distance from its final value, relative to the largest range of a curve in the panel, below
+which a curve has settled, and margin of the time axis."""
 _UNITS = {"m": ("mm", 1e3), "rad": ("deg", 180.0 / math.pi)}
 _CAPTION = (
     "{kind} after the event, {case}; the event occurs {moment}.{most} Dashed: threshold of the pressure. Displacements "
@@ -268,6 +271,7 @@ def curve_figure(audit: SafetyAudit, curves: SafetyCurves) -> Figure:
             if unit_of[name] == unit
         ]
         panels.append((f"displacement [{shown}]", lines))
+    end = _shown_duration(audit, curves, [[values for _, values in lines] for _, lines in panels])
     height, gap = 2.4, 0.3
     figure = new_figure(9.0, 0.3 + len(panels) * (height + gap) + 0.3)
     for k, (label, lines) in enumerate(panels):
@@ -279,8 +283,24 @@ def curve_figure(audit: SafetyAudit, curves: SafetyCurves) -> Figure:
         else:
             axes.axhline(0.0, color=GREY, linewidth=0.8)
         axes.set_ylabel(label)
-        axes.set_xlim(0.0, float(curves.time[-1]))
+        axes.set_xlim(0.0, end)
         axes.tick_params(labelbottom=k == len(panels) - 1)
         axes.legend(loc="upper left", bbox_to_anchor=(1.01, 1.0), borderaxespad=0.0)
     axes.set_xlabel("time from the event [s]")
     return figure
+
+
+def _shown_duration(audit: SafetyAudit, curves: SafetyCurves, panels: Iterable[Sequence[np.ndarray]]) -> float:
+    """Return the time until all curves have settled and all exhaust times are over, with a margin."""
+    times = [
+        row.time
+        for row in audit.exhaust
+        if (row.fault, row.moment) == (curves.fault, curves.moment) and math.isfinite(row.time)
+    ]
+    for panel in panels:
+        size = max((float(np.ptp(values)) for values in panel), default=0.0)
+        for values in panel:
+            moving = np.flatnonzero(np.abs(values - values[-1]) > SETTLED * size)
+            times += [float(curves.time[moving[-1]])] if moving.size else []
+    end = float(curves.time[-1])
+    return min(MARGIN * max(times, default=0.0), end) or end
