@@ -7,20 +7,24 @@ import math
 import re
 import subprocess
 import sys
+import tomllib
 import xml.etree.ElementTree as ElementTree
 from itertools import pairwise
+from pathlib import Path
 
 import pytest
 
+from poppet.circuit.file import load
 from poppet.core.errors import InputError
 from poppet.core.units import quantity
 from poppet.edit.palette import GROUPS, palette, symbol_of
 from poppet.edit.svg_symbols import svg_text
 from poppet.parts import KINDS, Cylinder, DirectionalValve, Orifice, Sequence, SpoolValve
-from poppet.parts.fields import specs
+from poppet.parts.fields import PortSpec, declared, specs
 from poppet.parts.symbols import Stroke, line, outline
 
 ENTRIES = {entry["kind"]: entry for entry in palette()}
+EXAMPLES = Path(__file__).parents[3] / "examples"
 INWARD = {"left": (1, 0), "right": (-1, 0), "top": (0, 1), "bottom": (0, -1)}
 
 
@@ -151,6 +155,27 @@ def test_symbol_of_a_part_follows_its_options():
     assert len({two["svg"], three["svg"], is_open["svg"]}) == 3
     orifice = Orifice(from_="a", to="b", **size)
     assert symbol_of(orifice, is_driven=True)["svg"] == ENTRIES["orifice"]["svg_driven"] != symbol_of(orifice)["svg"]
+
+
+def test_every_part_of_the_examples_has_its_ports():
+    """Ports that a file connects, and inputs that it drives, have places of their own."""
+    count = 0
+    for path in EXAMPLES.glob("**/*.toml"):
+        if "parts" not in tomllib.loads(path.read_text()):
+            continue
+        circuit = load(path)
+        for name, part in circuit.parts.items():
+            prefix = f"{name}."
+            driven = {
+                key.removeprefix(prefix) for key in (*circuit.signals, *circuit.connections) if key.startswith(prefix)
+            }
+            ports = symbol_of(part, is_driven=bool(driven))["ports"]
+            connected = {port for port, _, _ in declared(type(part), PortSpec)} & part.ports().keys()
+            assert {port["name"] for port in ports} >= connected | driven, (path, name)
+            where = [(place["x"], place["y"]) for port in ports for place in (port, *port["also"])]
+            assert len({*where}) == len(where), (path, name)
+            count += 1
+    assert count > 200
 
 
 def test_ports_of_a_sequence_are_its_inputs_and_outputs():
