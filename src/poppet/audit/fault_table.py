@@ -40,11 +40,12 @@ def fault_table(
     circuit : Circuit
         Circuit with its signals and connections.
     kinds : sequence of str, optional
-        Faults to simulate: `stuck_open`, `stuck_closed`, `stuck`, `slow`, `leak`.
+        Faults to simulate (default: `stuck_open`, `stuck_closed`, `stuck`, `slow`, `leak`). A valve that already has a
+        fault keeps it in all runs.
     start : float or str, optional
         Time at which each fault begins [s].
     duration : float or str, optional
-        Duration of each run [s] (default: that of the circuit).
+        Duration of each run [s] (default: duration in the run options of the circuit).
     threshold : float or str, optional
         Gauge pressure below which a volume counts as exhausted [Pa].
     progress : callable, optional
@@ -57,8 +58,8 @@ def fault_table(
 
     Raises
     ------
-    InputErrors
-        If an argument is invalid, or no valve can have one of the faults.
+    InputError
+        If an argument is invalid, or no valve without a fault can have one of the faults.
     SimulationError
         If the healthy run fails.
 

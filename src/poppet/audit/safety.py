@@ -84,8 +84,9 @@ def audit_safety(
 
     Raises
     ------
-    InputErrors
-        If an input is unknown, a value is invalid, or the event changes nothing.
+    InputError
+        If an input is unknown, a value is invalid, the event changes nothing, or the circuit has neither volumes nor
+        bodies.
     SimulationError
         If the run without the event fails.
 

@@ -40,8 +40,9 @@ class Measure:
 def default_measures(circuit: BaseCircuit, audit: EnergyAudit) -> list[Measure]:
     """Return the measures that suit a circuit: lower pressures, smaller bores and shorter tubes.
 
-    Each supply and each pressure regulator gets 1 bar less, if at least 2 bar remain. Each cylinder gets the next
-    smaller standard bore. All tubes together get half of their length. A value that an input sets is not changed.
+    The pressure of each supply and of each pressure regulator is lower by 1 bar, if at least 2 bar (gauge) remain. Each
+    cylinder has the next smaller standard bore. All tubes together have half of their length. Pressures that a signal
+    or a connection determines are not changed.
     """
     return [*_lower_pressures(circuit, audit), *_smaller_bores(circuit), *_shorter_tubes(circuit)]
 

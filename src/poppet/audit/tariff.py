@@ -191,6 +191,11 @@ def tariff_of(circuit: BaseCircuit, values: Mapping[str, Any] | None = None) -> 
     Returns
     -------
     Tariff
+
+    Raises
+    ------
+    InputError
+        If a field is unknown, has no unit, or has a unit of another quantity.
     """
     table = {} if circuit.origin is None else circuit.origin.tables.get("audit", {})
     replaced = {name: value for name, value in (values or {}).items() if value is not None}

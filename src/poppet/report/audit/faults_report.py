@@ -67,7 +67,7 @@ def _lead(table: FaultTable) -> str:
 
 
 def effects_of(row: FaultRow) -> set[str]:
-    """Return the effects of a fault: names in the second column of the summary lines."""
+    """Return the effects of a fault that the summary counts, such as `stops` or `hidden`."""
     kinds = {consequence.kind for consequence in row.consequences}
     effects = kinds & {"failed", "moves_without_command", "pressure_stays", "pressure_high"}
     effects |= {"position"} if kinds & {"not_reached", "overtravel"} else set()

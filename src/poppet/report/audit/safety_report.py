@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 
 NORMAL = "normal operation"
 MOST_CURVES = 10
-"""Maximum number of volumes or bodies in a figure: those with the longest times."""
+"""Maximum number of volumes and of bodies in a figure: those with the longest times or the largest motion."""
 SETTLED, MARGIN = 0.02, 1.25
 """Distance from its final value, relative to the largest range of a curve in the panel, below
 which a curve has settled, and margin of the time axis."""
@@ -246,7 +246,8 @@ def _curve_figures(audit: SafetyAudit) -> str:
             continue
         case = f"with {fault}" if fault else f"in {NORMAL}"
         series = len(curves.pressures), len(curves.positions)
-        most = f" The {MOST_CURVES} slowest are drawn." if max(series) > MOST_CURVES else ""
+        is_reduced = max(series) > MOST_CURVES
+        most = f" Only {MOST_CURVES} are drawn: the slowest volumes, and the largest motions." if is_reduced else ""
         kind = "Pressures and positions" if curves.positions else "Pressures"
         caption = _CAPTION.format(kind=kind, case=case, moment=_at(curves.moment), most=most)
         figures += picture(curve_figure(audit, curves), f"curves-{number}", caption)
