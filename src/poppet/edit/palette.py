@@ -13,7 +13,9 @@ from typing import Any
 from poppet import library
 from poppet.edit.port_places import PortPlace, arrange
 from poppet.edit.svg_symbols import svg_text
+from poppet.library.components import components
 from poppet.parts import KINDS
+from poppet.parts.components import MODEL
 from poppet.parts.compound import Compound
 from poppet.parts.fields import (
     OFF_ON,
@@ -94,7 +96,7 @@ def palette() -> list[Entry]:
 
         Keys of a field: `name`, `group`, `type` (`number`, `option`, `switch`, `model` or `reference`), `doc` and
         `required`. A number also has `unit`, `quantity`, `units` (the usual one first), `default`, `source`, `note` and
-        its finite limits `low`, `high`, `above` and `below`.
+        its finite limits `low`, `high`, `above` and `below`; other fields have `choices`.
 
     Examples
     --------
@@ -229,8 +231,6 @@ def _commands(part: Controller) -> tuple[str, ...]:
 def _fields(kind: Any, prefix: str = "", group: str = "", skipped: Iterable[str] = ()) -> Iterable[Entry]:
     """Yield the fields of a part, a group or a member, without ports and bodies."""
     fields = specs(kind)
-    # A library set (`data`) or a component (`model`) can supply omitted values.
-    has_library = bool({"data", "model"} & fields.keys())
     for name, spec in fields.items():
         address = f"{prefix}{name}"
         if name in skipped or isinstance(spec, PortSpec | BodySpec):
@@ -240,7 +240,7 @@ def _fields(kind: Any, prefix: str = "", group: str = "", skipped: Iterable[str]
         elif isinstance(spec, MemberSpec):
             yield from _fields(spec.part, f"{address}.", address, spec.inherited)
         else:
-            yield {"name": address, "group": group, **_field(name, spec, has_library)}
+            yield {"name": address, "group": group, **_field(name, spec, kind)}
 
 
 def _group(name: str, spec: GroupSpec | MemberSpec) -> Entry:
@@ -250,14 +250,16 @@ def _group(name: str, spec: GroupSpec | MemberSpec) -> Entry:
     return {"name": name, "doc": spec.doc, "optional": spec.optional, "sizes": list(sizes)}
 
 
-def _field(name: str, spec: Spec, has_library: bool) -> Entry:
+def _field(name: str, spec: Spec, owner: Any) -> Entry:
+    """Return the declaration of one field of the class `owner`."""
     match spec:
         case NumberSpec():
             limits = {key: getattr(spec, key) for key in ("low", "high", "above", "below")}
             return {
                 "type": "number",
                 "doc": spec.doc,
-                "required": not spec.optional and spec.default is None and not has_library,
+                # A library set (`data`) or a component (`model`) can supply omitted values.
+                "required": not spec.optional and spec.default is None and not {"data", MODEL} & specs(owner).keys(),
                 "unit": spec.unit,
                 "quantity": spec.kind,
                 "units": list(UNITS.get((spec.unit, spec.kind), ("" if spec.unit == "1" else spec.unit,))),
@@ -276,13 +278,23 @@ def _field(name: str, spec: Spec, has_library: bool) -> Entry:
                 "default": spec.choices[0],
             }
         case ReferenceSpec():
-            known = {"data": library.sets, "characteristic": library.characteristics}
-            choices = known[name]() if name in known else ()
             return {
-                "type": "model" if name == "model" else "reference",
+                "type": "model" if name == MODEL else "reference",
                 "doc": spec.doc,
                 "required": False,
                 "form": spec.form,
-                "choices": [choice for choice in choices if choice != "gases"],
+                "choices": _choices(name, getattr(owner, "kind", "")),
             }
     raise TypeError(spec)
+
+
+def _choices(name: str, kind: str) -> list[str]:
+    """Return the names that a reference of a kind of part can contain; further names come from component files."""
+    match name:
+        case "data":
+            return [choice for choice in library.sets() if choice != "gases"]
+        case "characteristic":
+            return list(library.characteristics())
+        case "model":
+            return sorted({alias for item in components() if kind in item.kinds for alias in item.names})
+    return []

@@ -211,6 +211,15 @@ def test_sizes_are_those_of_the_message():
         assert names >= {*entry["sizes"]} | {size for group in entry["groups"] for size in group["sizes"]}
 
 
+def test_models_are_components_of_the_kind():
+    field = next(field for field in ENTRIES["spool_valve"]["fields"] if field["type"] == "model")
+    assert "SMC SY5000" in field["choices"]
+    SpoolValve(supply="p", a="x", b="y", model="SMC SY5000", function="5/2 monostable")
+    other = next(field for field in ENTRIES["cylinder"]["fields"] if field["type"] == "model")
+    assert other["choices"]
+    assert not {*other["choices"]} & {*field["choices"]}
+
+
 def test_fields_have_default_source_and_limits():
     fields = {field["name"]: field for field in ENTRIES["cylinder"]["fields"]}
     assert fields["bore"]["required"] is False  # a component can state it
