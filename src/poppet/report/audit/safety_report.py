@@ -24,8 +24,9 @@ NORMAL = "normal operation"
 MOST_CURVES = 10
 """Maximum number of volumes and of bodies in a figure: those with the longest times or the largest motion."""
 SETTLED, MARGIN = 0.02, 1.25
-"""Distance from its final value, relative to the largest range of a curve in the panel, below
-which a curve has settled, and margin of the time axis."""
+"""Distance from its final value below which a curve has settled, and factor on this time for the end of the time axis.
+
+The distance is relative to the largest range of a curve in the panel."""
 _UNITS = {"m": ("mm", 1e3), "rad": ("deg", 180.0 / math.pi)}
 _CAPTION = (
     "{kind} after the event, {case}; the event occurs {moment}.{most} Dashed: threshold of the pressure. Displacements "
