@@ -35,8 +35,8 @@ from poppet.parts.fields import from_table
 from poppet.parts.part import Controller, ControlOutputs, Input, PartConnection, Scope, Store, Surroundings
 
 TOP_LEVEL = ("title", "components", "parts", "signals", "connections", "ambient", "gas", "run")
-ABOVE = ("ensemble", "requirements", "audit")
-"""Tables that the packages above read."""
+ABOVE = ("ensemble", "requirements", "audit", "drawing")
+"""Tables that the packages above read; `drawing` contains the positions of an editor."""
 
 
 CircuitT = TypeVar("CircuitT", bound=BaseCircuit)

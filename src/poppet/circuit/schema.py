@@ -112,6 +112,7 @@ def circuit_schema() -> Schema:
                 "gas": {"anyOf": [_gas_name(), _section(GasChoice, "gas in the circuit")]},
                 "run": _section(Run, "how to run"),
                 **{key: {"type": "object"} for key in ABOVE},
+                "drawing": _drawing(),
             },
             required=["parts"],
         ),
@@ -200,6 +201,20 @@ def _number_schema(spec: NumberSpec, owner: type) -> Schema:
 def _models(kind: str) -> list[str]:
     """Return the names of the components that a part of a kind can represent, for the completion of editors."""
     return [*dict.fromkeys(name for component in components() if kind in component.kinds for name in component.names)]
+
+
+def _drawing() -> Schema:
+    """Return the JSON schema of the positions of parts in the drawing of an editor."""
+    place = closed(
+        {
+            "x": {"type": "number"},
+            "y": {"type": "number"},
+            "rotation": {"enum": [0, 90, 180, 270], "default": 0},
+            "mirror": {"type": "boolean", "default": False},
+        },
+        ["x", "y"],
+    )
+    return {"type": "object", "additionalProperties": place, "description": "positions of parts; no effect on a run"}
 
 
 def _gas_name() -> Schema:

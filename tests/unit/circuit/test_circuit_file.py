@@ -561,3 +561,12 @@ def test_missing_gas_node_beside_an_invalid_controller_is_reported():
     with pytest.raises(InputErrors) as caught:
         loads(TANK_WITH_INVALID_CONTROLLER.replace('from = "tank"', 'from = "supply"'))
     assert {problem.address for problem in caught.value.problems} >= {"parts.hole.from", "parts.regulator.sample_time"}
+
+
+def test_positions_in_a_drawing_change_nothing():
+    drawn = CONTRACT + "\n[drawing]\ntank = { x = 12, y = 4, rotation = 90 }\n"
+    plain, placed = loads(CONTRACT), loads(drawn)
+    assert (placed.parts, placed.signals, placed.run) == (plain.parts, plain.signals, plain.run)
+    with pytest.raises(InputError) as caught:
+        loads(CONTRACT + "\n[drawin]\n")
+    assert "drawing" in str(caught.value)

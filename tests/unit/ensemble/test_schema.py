@@ -105,3 +105,11 @@ def test_schema_contains_all_distributions_and_metrics_with_descriptions():
 
 def test_the_old_name_of_parameters_is_valid(validator):
     assert validator.is_valid(tomllib.loads(EXAMPLE.replace("[ensemble.parameters]", "[ensemble.numbers]")))
+
+
+@pytest.mark.parametrize(("place", "is_valid"), [({"x": 1, "y": 2.5}, True), ({"x": 1, "y": 2, "rotation": 45}, False)])
+def test_positions_in_a_drawing(place, is_valid):
+    from jsonschema import Draft202012Validator
+
+    content = {"parts": {"room": {"kind": "reservoir", "pressure": 1e5}}, "drawing": {"room": place}}
+    assert Draft202012Validator(file_schema()).is_valid(content) == is_valid
