@@ -31,6 +31,7 @@ LAYERS = (
     "report",
     "deploy",
     "api",
+    "edit",
     "cli",
 )
 """Packages and modules from the lowest layer to the highest."""

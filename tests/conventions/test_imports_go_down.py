@@ -107,7 +107,7 @@ def test_the_package_imports_two_light_modules():
 
 
 HEAVY = {"scipy", "pandas", "matplotlib", "casadi", "pyarrow", "numba", "llvmlite", "rich", "control", "mpl_toolkits"}
-HEAVY |= {"nptdms", "asammdf", "h5py", "xarray", "distributed"}
+HEAVY |= {"nptdms", "asammdf", "h5py", "xarray", "distributed", "tomlkit"}
 ALLOWED_HEAVY = {
     "engine.integrator": {"numba"},
     "engine.lanes": {"numba", "llvmlite"},

@@ -97,15 +97,21 @@ def check_count(parts: Any) -> None:
         raise InputError("wiring.too_many", "parts", value=len(parts), most=MOST_PARTS)
 
 
+def check_name(name: str) -> None:
+    """Raise InputError if a text is not a valid name of a part."""
+    if name in RESERVED:
+        raise InputError("wiring.reserved", f"parts.{name}")
+    if not _NAME.fullmatch(name):
+        raise InputError("wiring.no_name", f"parts.{name}", name=name)
+
+
 def check_wiring(errors: ErrorCollector, wiring: Wiring) -> None:
     """Collect errors in names of parts and in ports."""
     if not wiring:
         errors.add("wiring.empty", "parts")
     for name in wiring:
-        if name in RESERVED:
-            errors.add("wiring.reserved", f"parts.{name}")
-        elif not _NAME.fullmatch(name):
-            errors.add("wiring.no_name", f"parts.{name}", name=name)
+        with errors.collecting():
+            check_name(name)
     stores = {f"{name}.{store}".rstrip(".") for name, part in wiring.items() for store in part.stores}
     # A gas node without connections cannot change: usually a port is missing.
     joined = {store for part in wiring.values() for store in part.ports.values()}

@@ -10,6 +10,9 @@ import re
 import tomllib
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
+from typing import Any
+
+from poppet.core.toml import value_text
 
 Path = tuple[str | int, ...]
 """Names of the tables and keys from the root to a value; the index of a table in a list of tables is an integer."""
@@ -244,8 +247,11 @@ def spliced(text: str, changes: Iterable[Splice]) -> str:
     return text
 
 
+def read_value(raw: str) -> Any:
+    """Return the value of a piece of TOML text."""
+    return tomllib.loads(f"value = {raw}".replace("\r\n", "\n"))["value"]
+
+
 def key_text(name: str) -> str:
     """Return a name as a TOML key, with quotes if they are necessary."""
-    from poppet.core.toml import value_text
-
     return name if _BARE.fullmatch(name) else value_text(name)

@@ -440,9 +440,15 @@ def stated_conditions(table: Mapping[str, Any]) -> Iterator[tuple[str, Condition
         return
     listed = inputs if isinstance(inputs, Sequence) and not isinstance(inputs, str) else ()
     names = Names([str(name) for name in (*listed, "emergency")], [str(name) for name in steps])
-    for name, step in steps.items():
+    for place, text in condition_texts(table):
+        with suppress(InputError):
+            yield place, parse_condition(text, names, place)
+
+
+def condition_texts(table: Mapping[str, Any]) -> Iterator[tuple[str, Any]]:
+    """Yield the texts of all conditions in the table of a sequence, valid or not, each with its address in the part."""
+    steps = table.get("steps")
+    for name, step in steps.items() if isinstance(steps, Mapping) else ():
         transitions = step.get("next") if isinstance(step, Mapping) else None
         for target, text in transitions.items() if isinstance(transitions, Mapping) else ():
-            place = f"steps.{name}.next.{target}"
-            with suppress(InputError):
-                yield place, parse_condition(text, names, place)
+            yield f"steps.{name}.next.{target}", text

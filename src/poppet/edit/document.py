@@ -1,0 +1,228 @@
+"""Text of a circuit file in the editor, and the history of its changes."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any
+
+from poppet.core.errors import InputError
+from poppet.core.toml_file import TomlFile
+from poppet.edit.operations import CircuitText, apply_operation
+from poppet.edit.part_names import part_kind, wired_fields
+from poppet.parts.fields import GroupSpec, MemberSpec, specs
+
+MARK = "\ufeff"
+"""Byte order mark, with which some editors begin a file."""
+
+
+@dataclass(frozen=True)
+class Document:
+    """Text of a circuit file, which operations change.
+
+    The text is the only state: comments, order, line endings and unknown tables are unchanged, except where an
+    operation changes them. The text can be invalid, since a user can edit it.
+
+    Parameters
+    ----------
+    text : str
+        Content of a circuit file.
+
+    Examples
+    --------
+    >>> document = Document("# plant\\n")
+    >>> document = document.apply([{"op": "add", "kind": "chamber"}])
+    >>> print(document.apply([{"op": "set", "address": "chamber.volume", "value": "10 l"}]).text, end="")
+    # plant
+    <BLANKLINE>
+    [parts.chamber]
+    kind = "chamber"
+    volume = "10 l"
+    """
+
+    text: str
+
+    def apply(self, operations: Iterable[Any]) -> Document:
+        """Return the document after operations; if one of them is not possible, none has an effect.
+
+        Parameters
+        ----------
+        operations : iterable of mapping
+            Operations in the order in which they are performed, see `poppet.edit.operations`.
+        """
+        mark = MARK if self.text.startswith(MARK) else ""
+        text = self.text.removeprefix(mark)
+        CircuitText(text).content  # noqa: B018 - raises if the text is not valid
+        for operation in operations:
+            text = apply_operation(text, operation)
+        return Document(mark + text)
+
+    @cached_property
+    def error(self) -> InputError | None:
+        """Error of a text that is not valid TOML, otherwise None."""
+        try:
+            self._circuit.content  # noqa: B018
+        except InputError as error:
+            return error
+        return None
+
+    @cached_property
+    def _circuit(self) -> CircuitText:
+        return CircuitText(self.text.removeprefix(MARK))
+
+    def view(self) -> dict[str, Any]:
+        """Return the content for the page, as values of JSON.
+
+        The result contains the title, the parts with fields as typed, ports and line, the connections, the signals,
+        the drawing and the run options. Of an invalid text, the result contains only its error.
+        """
+        if self.error is not None:
+            line, column = _location(self.text, self.error)
+            return {"error": {"line": line, "column": column, "message": str(self.error), "code": self.error.code}}
+        circuit = self._circuit
+        file = TomlFile(circuit.text, "")
+        return {
+            "title": str(circuit.content.get("title", "")),
+            "parts": {
+                name: {**_part_view(table), "line": file.line_of(f"parts.{name}")}
+                for name, table in circuit.parts.items()
+            },
+            "connections": dict(_addresses(circuit.table("connections"))),
+            "signals": dict(_addresses(circuit.table("signals"))),
+            "drawing": _json(circuit.table("drawing")),
+            "run": _json(circuit.table("run")),
+        }
+
+
+class History:
+    """Documents of an editing session, with undo and redo.
+
+    Each change, undo and redo increases the revision by one. A change refers to the revision that the user saw; a
+    change of another revision is rejected.
+
+    Parameters
+    ----------
+    text : str
+        Text at the start.
+    """
+
+    def __init__(self, text: str) -> None:
+        self.revision = 0
+        self._documents = [Document(text)]
+        self._position = 0
+
+    @property
+    def document(self) -> Document:
+        """Present document."""
+        return self._documents[self._position]
+
+    @property
+    def can_undo(self) -> bool:
+        """True if there is a change to undo."""
+        return self._position > 0
+
+    @property
+    def can_redo(self) -> bool:
+        """True if there is a change to redo."""
+        return self._position + 1 < len(self._documents)
+
+    def apply(self, revision: int, operations: Iterable[Any]) -> Document:
+        """Perform operations as one change."""
+        self._check(revision)
+        return self._append(self.document.apply(operations))
+
+    def replace(self, revision: int, text: str) -> Document:
+        """Replace the text as one change; the new text can be invalid."""
+        self._check(revision)
+        return self._append(Document(text))
+
+    def undo(self, revision: int) -> Document:
+        """Return to the document before the last change."""
+        self._check(revision)
+        if not self.can_undo:
+            raise InputError("edit.no_undo")
+        return self._move(-1)
+
+    def redo(self, revision: int) -> Document:
+        """Perform a change again after an undo."""
+        self._check(revision)
+        if not self.can_redo:
+            raise InputError("edit.no_redo")
+        return self._move(1)
+
+    def _check(self, revision: int) -> None:
+        if revision != self.revision:
+            raise InputError("edit.stale", revision=revision, present=self.revision)
+
+    def _append(self, document: Document) -> Document:
+        if document.text != self.document.text:
+            self._documents[self._position + 1 :] = [document]
+            self._position += 1
+            self.revision += 1
+        return self.document
+
+    def _move(self, step: int) -> Document:
+        self._position += step
+        self.revision += 1
+        return self.document
+
+
+def _part_view(table: Any) -> dict[str, Any]:
+    """Return kind, fields and ports of a part."""
+    if not isinstance(table, Mapping):
+        return {"kind": "", "fields": {}, "ports": {}}
+    kind = part_kind(table)
+    wired = [(path, value) for path, _, value in wired_fields(kind, table)] if kind else []
+    ports = {".".join(map(str, path)): _json(value) for path, value in wired}
+    fields = {address: value for address, value in _fields(kind, table) if address not in ports and address != "kind"}
+    return {"kind": str(table.get("kind", "")), "fields": fields, "ports": ports}
+
+
+def _fields(kind: Any, table: Mapping[str, Any], start: str = "") -> Iterator[tuple[str, Any]]:
+    """Yield the address and the value of each field; the fields of groups and members have addresses of their own."""
+    declared = specs(kind) if kind else {}
+    for name, value in table.items():
+        spec = declared.get(name)
+        inner = spec.group if isinstance(spec, GroupSpec) else spec.part if isinstance(spec, MemberSpec) else None
+        if inner is not None and isinstance(value, Mapping):
+            yield from _fields(inner, value, f"{start}{name}.")
+        else:
+            yield f"{start}{name}", _json(value)
+
+
+def _addresses(table: Mapping[str, Any], start: str = "") -> Iterator[tuple[str, Any]]:
+    """Yield pairs of address and value from `signals` or `connections`, whose tables can be nested."""
+    for key, value in table.items():
+        if isinstance(value, Mapping) and "kind" not in value:
+            yield from _addresses(value, f"{start}{key}.")
+        else:
+            yield f"{start}{key}", _json(value)
+
+
+def _json(value: Any) -> Any:
+    """Return a value of a TOML file as a value of JSON, which has no dates and no infinite numbers."""
+    if isinstance(value, Mapping):
+        return {key: _json(inner) for key, inner in value.items()}
+    if isinstance(value, list):
+        return [_json(inner) for inner in value]
+    is_plain = (
+        value is None or isinstance(value, bool | int | str) or (isinstance(value, float) and math.isfinite(value))
+    )
+    return value if is_plain else str(value)
+
+
+def _location(text: str, error: InputError) -> tuple[int, int]:
+    """Return line and column of a syntax error."""
+    from tomlkit import parse
+    from tomlkit.exceptions import ParseError
+
+    try:
+        parse(text)
+    except ParseError as problem:
+        if error.line in (None, problem.line):
+            return problem.line, problem.col + 1
+    except Exception:
+        pass
+    return error.line or 1, 1
