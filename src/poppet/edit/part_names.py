@@ -10,7 +10,7 @@ from typing import Any, NamedTuple
 from poppet.core.errors import InputError
 from poppet.core.toml import value_text
 from poppet.edit.toml_edits import remove, remove_items
-from poppet.edit.toml_text import Key, Path, Splice, TomlText, Value, key_text, read_value, spliced
+from poppet.edit.toml_text import Path, Splice, TomlKey, TomlText, TomlValue, key_text, read_value, spliced
 from poppet.parts import KINDS, Part
 from poppet.parts.fields import BodySpec, MemberSpec, PortSpec, Spec, from_table, specs
 from poppet.parts.part import AMBIENT
@@ -170,12 +170,12 @@ def _address_values(
             yield path, in_words
 
 
-def _values(text: TomlText) -> Iterator[tuple[Path, Value]]:
+def _values(text: TomlText) -> Iterator[tuple[Path, TomlValue]]:
     for entry in text.entries():
         yield entry.path, entry.value
 
 
-def _text_changes(text: TomlText, value: Value, change: Callable[[str], str]) -> Iterator[Splice]:
+def _text_changes(text: TomlText, value: TomlValue, change: Callable[[str], str]) -> Iterator[Splice]:
     """Yield the changes of a text, or of all texts in a list."""
     for item in value.items if value.items is not None else (value,):
         old = _text(text, item)
@@ -190,7 +190,7 @@ def _text_changes(text: TomlText, value: Value, change: Callable[[str], str]) ->
         )
 
 
-def _text(text: TomlText, value: Value) -> str:
+def _text(text: TomlText, value: TomlValue) -> str:
     """Return a value that is a text, otherwise an empty text."""
     raw = text.raw(value)
     if raw[0] not in "\"'":
@@ -198,7 +198,7 @@ def _text(text: TomlText, value: Value) -> str:
     return str(read_value(raw))
 
 
-def _key_splice(text: TomlText, key: Key, new: str) -> Splice:
+def _key_splice(text: TomlText, key: TomlKey, new: str) -> Splice:
     quote = text.text[key.start]
     is_plain = quote in "\"'" and re.fullmatch(r"[\w. -]*", new)
     return Splice(key.start, key.end, f"{quote}{new}{quote}" if is_plain else key_text(new))

@@ -11,7 +11,7 @@ from typing import Any
 
 from poppet.core.errors import InputError
 from poppet.core.toml import toml_text, value_text
-from poppet.edit.toml_text import Entry, Path, Splice, Table, TomlText, Value, key_text, spliced
+from poppet.edit.toml_text import Path, Splice, TomlEntry, TomlTable, TomlText, TomlValue, key_text, spliced
 
 _FIRST_COMMENT = re.compile(r"\A(?:#[^\n]*+\n)+[ \t\r]*\n")
 _BLANK_LINES = re.compile(r"(?:[ \t]*\r?\n)*")
@@ -109,7 +109,7 @@ def remove(text: TomlText, paths: Collection[Path]) -> str:
         changed = spliced(changed, [_without_member([(entry.start, entry.value.end) for entry in members], index)])
 
 
-def remove_items(text: TomlText, value: Value, indices: Collection[int]) -> str:
+def remove_items(text: TomlText, value: TomlValue, indices: Collection[int]) -> str:
     """Remove items of an array."""
     members = [(item.start, item.end) for item in value.items or ()]
     changed = text.text
@@ -127,7 +127,7 @@ def _dotted(path: Path) -> str:
     return ".".join(key_text(str(name)) for name in path)
 
 
-def _last_dotted(text: TomlText, container: Path) -> Entry | None:
+def _last_dotted(text: TomlText, container: Path) -> TomlEntry | None:
     """Return the last entry whose dotted key contains the names of a table, which has no header."""
     found = None
     for entry in text.entries():
@@ -136,7 +136,7 @@ def _last_dotted(text: TomlText, container: Path) -> Entry | None:
     return found
 
 
-def _with_line(text: TomlText, table: Table, last: Entry | None, line: str) -> str:
+def _with_line(text: TomlText, table: TomlTable, last: TomlEntry | None, line: str) -> str:
     """Add a line behind an entry of a table, or as its first line."""
     if last is not None:
         start = text.line_start(last.start)
@@ -153,7 +153,7 @@ def _with_line(text: TomlText, table: Table, last: Entry | None, line: str) -> s
     return spliced(text.text, [Splice(location, location, f"{before}{indent}{line}{text.newline}")])
 
 
-def _with_member(text: TomlText, value: Value, member: str) -> str:
+def _with_member(text: TomlText, value: TomlValue, member: str) -> str:
     """Add a member to an inline table."""
     if value.entries:
         location = value.entries[-1].value.end
@@ -194,7 +194,7 @@ def _place_in_order(text: TomlText, path: Path, order: Sequence[str]) -> int:
     return _block_start(text, tables[0]) if tables else len(text.text)
 
 
-def _block_start(text: TomlText, table: Table) -> int:
+def _block_start(text: TomlText, table: TomlTable) -> int:
     """Return the location of the comment lines directly above a header, or of the header."""
     start = text.line_start(table.start)
     while start:
@@ -205,7 +205,7 @@ def _block_start(text: TomlText, table: Table) -> int:
     return start
 
 
-def _block_end(text: TomlText, table: Table) -> int:
+def _block_end(text: TomlText, table: TomlTable) -> int:
     """Return the location behind a table and the comment lines that follow it directly.
 
     Comment lines directly above the next header belong to the next table.

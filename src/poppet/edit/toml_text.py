@@ -28,7 +28,7 @@ _BARE = re.compile(r"[A-Za-z0-9_-]+")
 
 
 @dataclass(frozen=True)
-class Key:
+class TomlKey:
     """Single name in a key or in a header of a table, and its location in the text."""
 
     name: str
@@ -37,22 +37,22 @@ class Key:
 
 
 @dataclass(frozen=True)
-class Value:
+class TomlValue:
     """Location of a value; an inline table has entries, and an array has items."""
 
     start: int
     end: int
-    entries: tuple[Entry, ...] | None = None
-    items: tuple[Value, ...] | None = None
+    entries: tuple[TomlEntry, ...] | None = None
+    items: tuple[TomlValue, ...] | None = None
 
 
 @dataclass(frozen=True)
-class Entry:
+class TomlEntry:
     """Key and value, with the path from the root; `owner` is the path of the table that contains the key."""
 
     owner: Path
-    keys: tuple[Key, ...]
-    value: Value
+    keys: tuple[TomlKey, ...]
+    value: TomlValue
 
     @property
     def path(self) -> Path:
@@ -66,17 +66,17 @@ class Entry:
 
 
 @dataclass(frozen=True)
-class Table:
+class TomlTable:
     """Table with its own header; the root has no keys.
 
     `start` is the location of the header and `end` the location behind the last line of the last entry.
     """
 
     path: Path
-    keys: tuple[Key, ...]
+    keys: tuple[TomlKey, ...]
     start: int
     end: int
-    entries: tuple[Entry, ...]
+    entries: tuple[TomlEntry, ...]
     is_item: bool = False  # one table of a list, [[name]]
 
 
@@ -101,17 +101,17 @@ class TomlText:
         self.newline = "\r\n" if re.search(r"\r?\n|\Z", text).group() == "\r\n" else "\n"  # type: ignore[union-attr]
         self.tables = tuple(self._scan())
 
-    def raw(self, value: Value) -> str:
+    def raw(self, value: TomlValue) -> str:
         """Return a value as it is written."""
         return self.text[value.start : value.end]
 
-    def entries(self) -> Iterator[Entry]:
+    def entries(self) -> Iterator[TomlEntry]:
         """Yield all entries in the order of the text, those of inline tables after the entry that contains them."""
         for table in self.tables:
             for entry in table.entries:
                 yield from _with_inner(entry)
 
-    def names(self) -> Iterator[tuple[Path, Key]]:
+    def names(self) -> Iterator[tuple[Path, TomlKey]]:
         """Yield each name in headers and keys, after the path that ends with it."""
         for table in self.tables:
             position = 0
@@ -130,17 +130,17 @@ class TomlText:
         """Return the location after a line and its line ending."""
         return _REST_OF_LINE.match(self.text, location).end()  # type: ignore[union-attr]
 
-    def _scan(self) -> Iterator[Table]:
+    def _scan(self) -> Iterator[TomlTable]:
         path: Path = ()
-        keys: tuple[Key, ...] = ()
-        entries: list[Entry] = []
+        keys: tuple[TomlKey, ...] = ()
+        entries: list[TomlEntry] = []
         counts: dict[Path, int] = {}
         start = end = 0
         is_item = False
         location = self._skip(_BLANK, 0)
         while location < len(self.text):
             if self.text[location] == "[":
-                yield Table(path, keys, start, end, tuple(entries), is_item)
+                yield TomlTable(path, keys, start, end, tuple(entries), is_item)
                 is_item = self.text.startswith("[[", location)
                 start, entries = location, []
                 keys, location = self._keys(location + 1 + is_item)
@@ -152,9 +152,9 @@ class TomlText:
                 location = entry.value.end
             end = self.line_end(location)
             location = self._skip(_BLANK, end)
-        yield Table(path, keys, start, end, tuple(entries), is_item)
+        yield TomlTable(path, keys, start, end, tuple(entries), is_item)
 
-    def _header_path(self, keys: tuple[Key, ...], counts: dict[Path, int], *, is_item: bool) -> Path:
+    def _header_path(self, keys: tuple[TomlKey, ...], counts: dict[Path, int], *, is_item: bool) -> Path:
         """Return the path of a header, in which each list of tables is followed by the index of its last table."""
         path: Path = ()
         for position, key in enumerate(keys, 1):
@@ -168,31 +168,31 @@ class TomlText:
     def _skip(self, pattern: re.Pattern[str], location: int) -> int:
         return pattern.match(self.text, location).end()  # type: ignore[union-attr]
 
-    def _keys(self, location: int) -> tuple[tuple[Key, ...], int]:
+    def _keys(self, location: int) -> tuple[tuple[TomlKey, ...], int]:
         """Return the names of a dotted key, and the location of the next sign after it."""
-        keys: list[Key] = []
+        keys: list[TomlKey] = []
         while True:
             location = self._skip(_SPACE, location)
             end = self._skip(_KEY, location)
-            keys.append(Key(_name(self.text[location:end]), location, end))
+            keys.append(TomlKey(_name(self.text[location:end]), location, end))
             location = self._skip(_SPACE, end)
             if self.text[location] != ".":
                 return tuple(keys), location
             location += 1
 
-    def _entry(self, location: int, owner: Path) -> Entry:
+    def _entry(self, location: int, owner: Path) -> TomlEntry:
         keys, location = self._keys(location)
         path = (*owner, *(key.name for key in keys))
-        return Entry(owner, keys, self._value(self._skip(_SPACE, location + 1), path))
+        return TomlEntry(owner, keys, self._value(self._skip(_SPACE, location + 1), path))
 
-    def _value(self, start: int, path: Path) -> Value:
+    def _value(self, start: int, path: Path) -> TomlValue:
         sign = self.text[start]
         if sign in "\"'":
-            return Value(start, self._skip(_TEXT_VALUE, start))
+            return TomlValue(start, self._skip(_TEXT_VALUE, start))
         if sign not in "[{":
-            return Value(start, self._skip(_SCALAR, start))
-        entries: list[Entry] = []
-        items: list[Value] = []
+            return TomlValue(start, self._skip(_SCALAR, start))
+        entries: list[TomlEntry] = []
+        items: list[TomlValue] = []
         location = self._skip(_BLANK, start + 1)
         while self.text[location] not in "]}":
             if sign == "{":
@@ -205,11 +205,11 @@ class TomlText:
             if self.text[location] == ",":
                 location = self._skip(_BLANK, location + 1)
         if sign == "{":
-            return Value(start, location + 1, entries=tuple(entries))
-        return Value(start, location + 1, items=tuple(items))
+            return TomlValue(start, location + 1, entries=tuple(entries))
+        return TomlValue(start, location + 1, items=tuple(items))
 
 
-def _with_inner(entry: Entry) -> Iterator[Entry]:
+def _with_inner(entry: TomlEntry) -> Iterator[TomlEntry]:
     yield entry
     values = [entry.value]
     while values:
