@@ -99,7 +99,7 @@ def test_the_fault_table(tmp_path, capsys):
         ([*AUDIT, "--event", "supply.pressure=0"], "--event supply.pressure is specified twice"),
         ([*AUDIT, "--at", "step"], "Did you mean steps"),
         (["faults", MACHINE, "--at", "4 s"], "--at = 4 s is not within the run"),
-        (["faults", MACHINE, "--kinds", ""], "--kinds has no fault"),
+        (["faults", MACHINE, "--kinds", ""], "--kinds contains no fault"),
         (["faults", MACHINE, "--duration", "2"], "duration"),
     ],
 )
