@@ -138,7 +138,7 @@ class SafetyAudit(ResultFileMixin):
     Notes
     -----
     The audit follows the ideas of ISO 13849-1 (single fault in a channel) and ISO 4414 (exhaust of stored pressure).
-    It is no certificate and computes no performance level.
+    It does not certify a machine and computes no performance level.
     """
 
     title: str
