@@ -12,7 +12,7 @@ import poppet
 from poppet import parts
 from poppet.parts import KINDS
 
-HEAVY = ("scipy", "numba", "llvmlite", "casadi", "matplotlib", "pandas", "pyarrow", "rich", "control")
+HEAVY = ("scipy", "numba", "llvmlite", "casadi", "matplotlib", "pandas", "pyarrow", "rich", "control", "tomlkit")
 
 
 def loaded_after(statement: str) -> set[str]:

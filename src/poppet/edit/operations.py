@@ -140,7 +140,7 @@ def set_place(
     for key, value in {"x": x, "y": y, "rotation": rotation, "mirror": mirror}.items():
         if value is not None:
             place[key] = int(value) if isinstance(value, float) and value.is_integer() else value
-    if not all(_is_coordinate(place.get(key)) for key in "xy") or place.get("rotation", 0) not in (0, 90, 180, 270):
+    if not all(is_coordinate(place.get(key)) for key in "xy") or place.get("rotation", 0) not in (0, 90, 180, 270):
         raise InputError("edit.no_position", f"drawing.{part}", value=place)
     # The usual orientation is not written.
     place = {key: value for key, value in place.items() if key in "xy" or value}
@@ -346,7 +346,8 @@ def _place_of(name: str, place: Any) -> dict[str, Any]:
     return dict(place)
 
 
-def _is_coordinate(value: Any) -> bool:
+def is_coordinate(value: Any) -> bool:
+    """Return True if a value is a coordinate of a drawing."""
     is_number = isinstance(value, int | float) and not isinstance(value, bool)
     return is_number and math.isfinite(value) and abs(value) <= MAX_POSITION
 
