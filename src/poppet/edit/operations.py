@@ -29,6 +29,8 @@ ORDER = (*TOP_LEVEL, *ABOVE)
 """Names at the top level of a circuit file in the usual order."""
 MAX_POSITION = 1e5
 """Largest coordinate in a drawing, in grid units."""
+MAX_DEPTH = 20
+"""Largest depth of lists and tables in a value."""
 
 
 class CircuitText:
@@ -317,14 +319,17 @@ def free_name(base: str, taken: Collection[str]) -> str:
     return name
 
 
-def check_value(address: str, value: Any) -> None:
+def check_value(address: str, value: Any, depth: int = 0) -> None:
     """Raise InputError if a value cannot be written in a TOML file."""
+    is_integer = isinstance(value, int) and not isinstance(value, bool)
+    if depth > MAX_DEPTH or (is_integer and abs(value) >= 2**63):
+        raise InputError("edit.no_value", address, value="a deep or large value")
     if isinstance(value, Mapping):
         for key, inner in value.items():
-            check_value(f"{address}.{key}", inner)
+            check_value(f"{address}.{key}", inner, depth + 1)
     elif isinstance(value, list):
         for inner in value:
-            check_value(address, inner)
+            check_value(address, inner, depth + 1)
     elif not isinstance(value, bool | int | float | str):
         raise InputError("edit.no_value", address, value=value)
 
