@@ -58,6 +58,7 @@ PLACEHOLDERS = {
     "VALVE.toml": "bench/valve.toml",
     "MAP.toml": "bench/recordings.toml",
     "FILE.toml": "pressure_control.toml",
+    "leak_survey.toml": "audit/leak_survey.toml",
     "pid.toml": "pressure_control.toml",
     "linearising.toml": "pressure_control_linearising.toml",
 }
@@ -150,7 +151,7 @@ def supply(commands: list[str]) -> None:
         for name in set(shlex.split(command)) - made:
             if Path(name).exists():
                 continue
-            if name in {"valve-fill.toml", "two-tanks.toml"}:
+            if name in {"valve-fill.toml", "two-tanks.toml", "machine.toml"}:
                 assert main.run(["new", name.removesuffix(".toml")]) == 0
             elif name in known:
                 # Beside its recordings: what a file names is relative to it.
