@@ -131,7 +131,9 @@ def check(item: Consequence, run: Run) -> None:
             )
         case "cycle_time" | "none":
             entries = [[time for time, step in result.steps if step == "wait"] for result in (run, run_with())]
-            cycles = [times[-1] - times[-2] for times in entries]
+            # Cycles of equal number: the first one includes waiting for the start button.
+            number = min(map(len, entries)) - 1
+            cycles = [times[number] - times[number - 1] for times in entries]
             if item.kind == "none":
                 assert cycles[0] == pytest.approx(cycles[1], rel=0.06)
             else:

@@ -323,7 +323,7 @@ def test_keys_of_the_result_file(tmp_path):
     assert [row["fault"] for row in content["travel"]] == faults
     infinite = [row for row in content["exhaust"] if row["time_s"] == math.inf]
     assert {row["reason"] for row in infinite} == {"supplied"}
-    assert "certificate" in content["statement"]
+    assert "does not certify" in content["statement"]
 
 
 def test_a_failed_run_has_no_numbers(monkeypatch):
