@@ -31,7 +31,6 @@ from poppet.audit.moves import find_moves
 from poppet.audit.tariff import Tariff
 from poppet.circuit.circuit import BaseCircuit
 from poppet.circuit.energy_trace import EnergyTerm
-from poppet.circuit.instance import Array
 from poppet.circuit.options import Run
 from poppet.core.codes import Note
 from poppet.core.errors import InputError
@@ -116,6 +115,7 @@ def audit_energy(
     cycle = with_change(cycle, result.energy.model, result.values[list(result.energy.states)])
     supplies = {""} | {name for name, pressure in _reservoirs(circuit, recording, result).items() if pressure > 1.0}
     tubes = {name for name, part in circuit.parts.items() if part.kind == TUBE}
+    masses = {store.name: result.values[result.energy.states[store.mass]] for store in result.energy.model.stores}
     rows = tuple(_balance_rows(circuit, recording, result))
     flow_paths = tuple(_flow_paths(circuit, result))
     audit = EnergyAudit(
@@ -124,7 +124,7 @@ def audit_energy(
         _air_of_supplies(circuit, result, supplies),
         rows,
         flow_paths,
-        _part_rows(circuit, rows, air_of_parts(result, _masses(result), supplies, tubes)),
+        _part_rows(circuit, rows, air_of_parts(result, masses, supplies, tubes)),
         tariff=tariff,
         notes=(*recording.remarks, *cycle.notes(), *_limits(circuit, result, rows)),
         recording=recording,
@@ -214,11 +214,6 @@ def _air_of_supplies(circuit: BaseCircuit, run: EnergyRun, supplies: set[str]) -
             if node in supplies:
                 air[node or flow.part] += sign * anr_volume(circuit, run.integral(flow.net))
     return dict(air)
-
-
-def _masses(run: EnergyRun) -> dict[str, Array]:
-    """Return the mass of each gas node at the output times [kg]."""
-    return {store.name: run.values[run.energy.states[store.mass]] for store in run.energy.model.stores}
 
 
 def _part_rows(circuit: BaseCircuit, rows: tuple[BalanceRow, ...], air: Mapping[str, float]) -> tuple[PartRow, ...]:
