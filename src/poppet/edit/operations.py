@@ -73,8 +73,14 @@ class CircuitText:
 # --- Parts ---
 
 
-def add(circuit: CircuitText, kind: str, name: str | None = None, place: Mapping[str, Any] | None = None) -> str:
-    """Add a part behind the last part, named after its kind by default."""
+def add(
+    circuit: CircuitText,
+    kind: str,
+    name: str | None = None,
+    place: Mapping[str, Any] | None = None,
+    fields: Mapping[str, Any] | None = None,
+) -> str:
+    """Add a part with some fields behind the last part, named after its kind by default."""
     if kind not in KINDS:
         suggestion = NameSuggestion(kind, KINDS)
         raise InputError("fields.not_an_option", "kind", value=kind, meaning="kind of part", suggestion=suggestion)
@@ -82,6 +88,8 @@ def add(circuit: CircuitText, kind: str, name: str | None = None, place: Mapping
         name = free_name(kind, circuit.parts)
     _check_new_name(circuit, name)
     text = add_table(circuit.toml, ("parts", name), {"kind": kind}, ORDER)
+    for address, value in (fields or {}).items():
+        text = set_field(CircuitText(text), f"{name}.{address}", value)
     return text if place is None else set_place(CircuitText(text), name, **_place_of(name, place))
 
 
