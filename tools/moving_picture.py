@@ -18,7 +18,7 @@ from PIL import Image
 
 ROOT = Path(__file__).resolve().parents[1]
 sys.path.insert(0, str(ROOT / "tests"))
-browsers = import_module("browser")
+browsers = import_module("chromium")
 PAGE, PICTURE = ROOT / "docs/live/fill_staircase.html", ROOT / "docs/images/live.gif"
 SHOWN = {"x": 0, "y": 145, "width": 1000, "height": 700, "scale": 0.84}
 COLOURS, PACE, REST = 128, 120, 1500

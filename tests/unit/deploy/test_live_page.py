@@ -16,7 +16,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from browser import Browser, found
+from chromium import Browser, found
 from circuits_of_exports import EXAMPLES
 from javascript import needs_node
 from pages import needs_nothing_else

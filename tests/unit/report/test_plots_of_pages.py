@@ -10,7 +10,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from browser import Browser, found
+from chromium import Browser, found
 from pages import column, lines, needs_nothing_else, plots
 from poppet.report.html_page import document, head, picture
 from poppet.report.plots.interactive import DIGITS, MAX_POINTS, data_element, plot_data
