@@ -354,6 +354,30 @@ def convert(value: FloatOrArray, from_unit: str, to_unit: str, *, ambient_pressu
         return result + float(shift) if shift else result
 
 
+def exact_scale(unit: str) -> tuple[Unit, bool]:
+    """Return the exact factor and offset of a unit, and True if it is a gauge pressure.
+
+    A volume flow with a reference state has the factor of its mass flow.
+
+    Parameters
+    ----------
+    unit : str
+        For example `l/min ANR`; a volume flow without a reference state has the factor of m^3/s.
+
+    Returns
+    -------
+    tuple of Unit and bool
+
+    Examples
+    --------
+    >>> scale, is_gauge = exact_scale("mbar g")
+    >>> scale.scale, is_gauge
+    (Fraction(100, 1), True)
+    """
+    parsed, mark = _unit_and_mark(unit)
+    return Unit(parsed.dimension, _si_factor(parsed, mark), parsed.offset), mark == "gauge"
+
+
 def _shift(mark: _Mark, ambient_pressure: float) -> Fraction:
     return Fraction(ambient_pressure) if mark == "gauge" else Fraction(0)
 

@@ -76,7 +76,7 @@ class Document:
         """Return the content for the page, as values of JSON.
 
         The result contains the title, the parts with fields as typed, ports and line, the connections, the signals,
-        the drawing and the run options. Of an invalid text, the result contains only its error.
+        the drawing, the run options, the ambient and the gas. Of an invalid text, the result contains only its error.
         """
         if self.error is not None:
             line, column = _location(self.text, self.error)
@@ -93,6 +93,8 @@ class Document:
             "signals": dict(_addresses(circuit.table("signals"))),
             "drawing": _json(circuit.table("drawing")),
             "run": _json(circuit.table("run")),
+            "ambient": _json(circuit.table("ambient")),
+            "gas": _json(circuit.content.get("gas", {})),
         }
 
 

@@ -11,6 +11,8 @@ from collections.abc import Iterable, Sequence
 from typing import Any
 
 from poppet import library
+from poppet.circuit.options import Ambient, GasChoice, Run
+from poppet.core.units import exact_scale
 from poppet.edit.port_places import PortPlace, arrange
 from poppet.edit.svg_symbols import svg_text
 from poppet.library.components import components
@@ -73,8 +75,75 @@ UNITS: dict[tuple[str, str], tuple[str, ...]] = {
     ("N/Pa", "plain"): ("N/bar", "N/Pa"),
     ("1/Pa", "plain"): ("1/bar", "1/Pa"),
     ("m^3/rad", "plain"): ("cm^3/rad", "m^3/rad"),
+    ("N/m", "plain"): ("N/mm", "N/m"),
+    ("Hz", "plain"): ("Hz", "kHz"),
 }
 """Units that the form of a field offers, by SI unit and kind of quantity; the first is the usual one."""
+
+
+COMMON_UNITS = (
+    "hPa",
+    "psi",
+    "psi a",
+    "bar a",
+    "kPa g",
+    "MPa g",
+    "mbar g",
+    "degF",
+    "Nl/min",
+    "Nm^3/h",
+    "in",
+    "nm",
+    "um",
+    "us",
+    "h",
+    "Hz",
+    "kHz",
+    "V",
+    "mV",
+    "mA",
+    "A",
+    "t",
+    "mN",
+    "N m",
+    "Nm",
+    "N mm",
+    "kg m^2",
+    "g mm^2",
+    "kg cm^2",
+    "rpm",
+    "mrad",
+    "cm/s",
+    "km/h",
+    "kN/m",
+    "N/cm",
+    "m^3/h",
+    "l/min",
+    "l/s",
+    "l/s ANR",
+    "dm^3",
+    "cm^3",
+    "mm^3",
+    "ml",
+    "L",
+    "l/(s bar)",
+    "dm^3/(min bar)",
+    "m^2",
+    "cm^2",
+    "W/K",
+    "J/K",
+    "kJ/K",
+    "J",
+    "kJ",
+    "W",
+    "kW",
+    "1/s",
+    "1/min",
+    "1/bar",
+    "1/m",
+    "1/mm",
+)
+"""Further units that the form converts."""
 
 
 def palette() -> list[Entry]:
@@ -107,6 +176,47 @@ def palette() -> list[Entry]:
     order = {kind: (group, k) for k, (group, kind) in enumerate((g, kind) for g in GROUPS for kind in GROUPS[g])}
     entries = [_entry(name, KINDS[name], order.get(name, (OTHER, len(order)))[0]) for name in KINDS]
     return sorted(entries, key=lambda entry: order.get(entry["kind"], (OTHER, len(order)))[1])
+
+
+def sections() -> dict[str, list[Entry]]:
+    """Return the fields of the tables `run`, `ambient` and `gas`, with the keys of the fields of `palette`.
+
+    Examples
+    --------
+    >>> [field["name"] for field in sections()["ambient"]]
+    ['pressure', 'temperature']
+    """
+    tables = {name: list(_fields(owner)) for name, owner in {"run": Run, "ambient": Ambient, "gas": GasChoice}.items()}
+    for field in tables["gas"]:
+        if field["name"] == "name":
+            field["choices"] = list(library.gas_names())
+    return tables
+
+
+def unit_table() -> dict[str, Entry]:
+    """Return the exact scale of units, for conversions in the form of the editor.
+
+    The SI value is `factor * (value + offset)`, plus the ambient pressure if `gauge` is True. Factors and offsets are
+    pairs of integers, numerator and denominator, as texts. A flow in `ANR` or `N` has the factor of its mass flow.
+
+    Examples
+    --------
+    >>> unit_table()["mm"]
+    {'factor': ['1', '1000'], 'offset': ['0', '1'], 'gauge': False}
+    """
+    names = {*COMMON_UNITS, *(name for (unit, _), names in UNITS.items() for name in (unit, *names))}
+    for kind in KINDS.values():
+        blank = _blank(kind)
+        names |= {field["unit"] for field in _fields(kind) if field["type"] == "number"}
+        names |= {unit for _, unit in _inputs(blank)}
+    names |= {field["unit"] for table in sections().values() for field in table if field["type"] == "number"}
+    return {name: _scale(name) for name in sorted(names - {"", "1"})} | {"": _scale("-"), "1": _scale("-")}
+
+
+def _scale(unit: str) -> Entry:
+    scale, is_gauge = exact_scale(unit)
+    factor, offset = ([str(x.numerator), str(x.denominator)] for x in (scale.scale, scale.offset))
+    return {"factor": factor, "offset": offset, "gauge": is_gauge}
 
 
 def symbol_of(part: Part, *, is_driven: bool = False) -> Entry:

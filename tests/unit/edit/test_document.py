@@ -158,6 +158,7 @@ def test_view():
         "[parts.c.cap]\nvolume = 1979-05-27\n[parts.x]\nanything = inf\n"
         '[signals.v.stroke]\nkind = "steps"\n[connections]\n"v.p" = "c.q"\n'
         "[drawing]\nv = { x = 1, y = 2 }\n[run]\nduration = 3\n"
+        '[ambient]\npressure = "1 bar"\n[gas]\nname = "helium"\n'
     )
     view = Document(text).view()
     assert view == {
@@ -174,6 +175,8 @@ def test_view():
         "signals": {"v.stroke": {"kind": "steps"}},
         "drawing": {"v": {"x": 1, "y": 2}},
         "run": {"duration": 3},
+        "ambient": {"pressure": "1 bar"},
+        "gas": {"name": "helium"},
     }  # fmt: skip
 
 

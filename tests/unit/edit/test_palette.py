@@ -9,15 +9,17 @@ import subprocess
 import sys
 import tomllib
 import xml.etree.ElementTree as ElementTree
+from fractions import Fraction
 from itertools import pairwise
 from pathlib import Path
 
 import pytest
 
 from poppet.circuit.file import load
+from poppet.circuit.options import Ambient, GasChoice, Run
 from poppet.core.errors import InputError
 from poppet.core.units import quantity
-from poppet.edit.palette import GROUPS, palette, symbol_of
+from poppet.edit.palette import GROUPS, palette, sections, symbol_of, unit_table
 from poppet.edit.svg_symbols import svg_text
 from poppet.parts import KINDS, Cylinder, DirectionalValve, Orifice, Sequence, SpoolValve
 from poppet.parts.fields import PortSpec, declared, specs
@@ -237,3 +239,35 @@ def test_palette_needs_no_heavy_package():
     script = f"import sys; from poppet.edit.palette import palette; palette(); print({heavy} & sys.modules.keys())"
     done = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, timeout=120)
     assert done.stdout == "set()\n", done.stderr
+
+
+@pytest.mark.parametrize(
+    ("unit", "factor", "offset", "gauge"),
+    [
+        ("mm", "1/1000", "0", False),
+        ("psi", "8896443230521/1290320000", "0", False),  # lbf/in^2: 0.45359237 kg * 9.80665 m/s^2 / (0.0254 m)^2
+        ("psi g", "8896443230521/1290320000", "0", True),
+        ("degF", "5/9", "459.67", False),
+        ("l/min ANR", "1.185e-3/60", "0", False),  # 1.185 kg/m^3
+        ("", "1", "0", False),
+    ],
+)
+def test_the_unit_table_is_exact(unit, factor, offset, gauge):
+    top, _, bottom = factor.partition("/")
+    entry = unit_table()[unit]
+    assert Fraction(*map(int, entry["factor"])) == Fraction(top) / Fraction(bottom or 1)
+    assert Fraction(*map(int, entry["offset"])) == Fraction(offset)
+    assert entry["gauge"] is gauge
+
+
+def test_the_unit_table_contains_the_units_of_all_fields_and_inputs():
+    table = unit_table()
+    for entry in palette():
+        for field in entry["fields"]:
+            assert {field.get("unit", ""), *field.get("units", ())} <= table.keys()
+        assert {port["doc"] for port in entry["ports"] if port["type"] == "input"} <= table.keys()
+
+
+def test_sections_contain_the_fields_of_the_options():
+    names = {name: {field["name"] for field in fields} for name, fields in sections().items()}
+    assert names == {"run": {*specs(Run)}, "ambient": {*specs(Ambient)}, "gas": {*specs(GasChoice)}}
