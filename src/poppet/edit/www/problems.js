@@ -1,0 +1,43 @@
+/* List of the errors that keep the circuit from running. */
+
+import { text } from "./strings.js";
+
+/* Each error has its address, line and hint; a click selects the part that causes it. */
+export class Problems {
+  constructor(element, store) {
+    Object.assign(this, { element, store });
+    this.title = document.createElement("h2");
+    this.list = document.createElement("ul");
+    element.append(this.title, this.list);
+    store.addEventListener("state", () => this.show());
+  }
+
+  show() {
+    const { errors, state } = this.store;
+    // An empty circuit is incomplete, but that is no news.
+    const isEmpty = state.error === null && !Object.keys(state.view.parts).length;
+    this.element.hidden = !errors.length || isEmpty;
+    this.title.textContent = text(errors.length === 1 ? "problems.title_one" : "problems.title", { count: errors.length });
+    this.list.replaceChildren(...errors.map(error => this.item(error)));
+  }
+
+  item(error) {
+    const item = document.createElement("li");
+    const part = partOf(error.address, this.store.state.view.parts);
+    const content = part ? document.createElement("button") : document.createElement("span");
+    content.textContent = [error.message, error.hint].filter(Boolean).join(" ");
+    if (error.address) content.dataset.address = error.address;
+    if (part) {
+      content.type = "button";
+      content.onclick = () => this.store.select([part]);
+    }
+    item.append(content);
+    return item;
+  }
+}
+
+/* Return the part of an address such as `parts.bleed.to`, or null. */
+export function partOf(address, parts) {
+  const names = (address ?? "").split(".");
+  return [names[1], names[0]].find(name => name && Object.hasOwn(parts, name)) ?? null;
+}

@@ -1,0 +1,211 @@
+/* Catalogue of all texts of the page, one section per module, with sorted keys.
+   A second language is another module with the same keys, whose address is entered in LANGUAGES. */
+
+/* Addresses of the catalogues of other languages, by language: {de: "./strings.de.js"}. Each exports CATALOGUE. */
+export const LANGUAGES = {};
+
+export const CATALOGUE = {
+  compare: {
+    added: "only now",
+    back: "Back to A",
+    changes: "Differences from A",
+    drop: "Forget A",
+    keep: "Keep as A",
+    kept: "The present curves are kept as A and are dashed from now on.",
+    no_changes: "No field differs from A.",
+    removed: "only in A",
+    row: "{address}: A {before}, now {after}",
+  },
+
+  curves: {
+    all: "All",
+    busy: "Simulation in progress",
+    choice: "Select curves",
+    choice_auto: "Curves of the selected parts",
+    clock: "time of the values in the drawing",
+    cursor: "{time} s",
+    empty: "Curves appear here when the circuit is complete.",
+    end: "end",
+    head_time: "time [s]",
+    measured: "{name} (measured)",
+    name: "Curves",
+    none: "No curve is selected.",
+    notes: "Notes",
+    pause: "Pause",
+    plot: "{quantity} versus time: {names}",
+    play: "Play",
+    short: "first {until} s; the whole run follows",
+    speed: "Speed",
+    speed_real: "1 s in 1 s",
+    speed_whole: "whole run in 8 s",
+    stale: "The curves are those of the last complete circuit.",
+    start: "start",
+    status_done: "{duration} s simulated in {milliseconds} ms.",
+    status_other: "The run ended at {time} s: {status}.",
+    status_stopped: "A stop condition ended the run at {time} s.",
+    summary: "Simulated. {values}",
+    summary_value: "{name} ends at {value} {unit}",
+    table: "Table of values",
+    table_caption: "Values of the curves at selected times",
+  },
+
+  drawing: {},
+
+  form: {},
+
+  help: {
+    close: "Close",
+    connect: "Click a port, then another port or a part. Drag does the same. With keys: Enter at a port, Tab or arrow keys to the other one, Enter.",
+    escape: "leave a field, a wire, the selection",
+    keys: "Keys",
+    mouse: "Mouse and touch",
+    move: "move the selection by 1 or by 4",
+    name: "Help",
+    numbers: "Select a part to see its numbers. Enter applies a number. A slider changes the curves while you drag.",
+    pan: "Drag the background with the right mouse button, or with two fingers. The wheel with Ctrl zooms.",
+    play: "play the run in the drawing",
+    search: "search in the palette",
+    select: "select all, copy, cut, paste",
+    undo: "undo, redo",
+    zoom: "zoom, show all",
+  },
+
+  measured: {
+    column: "measures",
+    gone: "Remove {name}",
+    invalid: "{file} is not a table of numbers: {problem}",
+    name: "Measured curves",
+    no_time: "{file}: its first column has the unit {unit}, which is not a unit of time.",
+    none: "not compared",
+    open: "Measured CSV",
+    rms: "RMS {value} {unit}",
+    rms_kept: "RMS {value} {unit}, A {kept} {unit}",
+    rows: "fewer than two rows",
+    unit: "Unit of {name}",
+  },
+
+  page: {
+    applied_again: "The circuit was changed elsewhere. Your change was applied to it.",
+    drawing: "Drawing of the circuit",
+    form: "Properties",
+    not_applied: "The circuit was changed elsewhere, and is displayed as it is now. Your change does not apply to it.",
+    palette: "Parts",
+    panel_curves: "Curves",
+    panel_drawing: "Drawing",
+    panel_palette: "Parts",
+    panel_side: "Details",
+    panels: "Panels",
+    run: "Circuit",
+    side: "Details",
+    skip: "Skip to the drawing",
+    tasks: "Tasks",
+    text: "Text",
+    title: "{name} - poppet edit",
+    title_dirty: "* {name} - poppet edit",
+    unnamed: "new circuit",
+  },
+
+  palette: {},
+
+  problems: {
+    away: "Close",
+    crashed: "The simulation ended unexpectedly. It starts again with the next change.",
+    disk: "{name} was changed on disk.",
+    disk_keep: "Keep mine",
+    disk_take: "Use the text of the file",
+    ended: "The session of this page is over. Open the address that the terminal shows. The circuit is still here: copy its text.",
+    hangs: "The simulation took more than {seconds} s and was ended. Change a number, or shorten the run.",
+    lost: "The server does not answer. The circuit is still here: copy its text, or start the server again.",
+    name: "Errors",
+    overwrite: "{name} was changed on disk after it was opened. Writing replaces those changes.",
+    overwrite_yes: "Replace the file",
+    refused: "Not possible: {message}",
+    retry: "Try again",
+    saved: "{name} is saved.",
+    title: "{count} errors keep the circuit from running",
+    title_one: "One error keeps the circuit from running",
+  },
+
+  run: {},
+
+  save: {
+    cancel: "Cancel",
+    file: "File name in {folder}",
+    name: "Name of the file",
+    write: "Write",
+  },
+
+  signals: {},
+
+  start: {
+    again: "{title}, {date}",
+    back: "Back",
+    discard: "The circuit has changes that are not in its file. They are lost if you open another one.",
+    discard_yes: "Open without them",
+    empty: "Empty circuit",
+    files: "Files of the folder",
+    lead: "Click parts in the palette, or begin with a template.",
+    name: "Start",
+    no_files: "The folder has no circuit files.",
+    templates: "Templates",
+  },
+
+  tasks: {},
+
+  text: {},
+
+  toolbar: {
+    copied: "The text is in the clipboard.",
+    copy_text: "Copy the text",
+    delete: "Delete",
+    delete_keys: "Delete the selection (Del)",
+    file: "File",
+    fit: "Fit",
+    fit_keys: "Show the whole circuit (0)",
+    help: "Help",
+    help_keys: "Keys and hints (?)",
+    mirror: "Mirror",
+    mirror_keys: "Mirror the selection (M)",
+    name: "Tools",
+    open: "Open or new ...",
+    redo: "Redo",
+    redo_keys: "Redo (Ctrl+Y)",
+    rotate: "Rotate",
+    rotate_keys: "Rotate the selection by 90° (R)",
+    save: "Save",
+    save_as: "Write to another file ...",
+    save_keys: "Save (Ctrl+S)",
+    undo: "Undo",
+    undo_keys: "Undo (Ctrl+Z)",
+    zoom_in: "Zoom in",
+    zoom_out: "Zoom out",
+  },
+};
+
+let language = {};
+
+/* Return the text of a key `section.name`, with the values of its places such as {name}. */
+export function text(key, places = {}) {
+  const [section, name] = key.split(".");
+  const phrase = language[section]?.[name] ?? CATALOGUE[section]?.[name] ?? key;
+  return phrase.replace(/\{(\w+)\}/g, (place, field) => (field in places ? String(places[field]) : place));
+}
+
+/* Load the catalogue of the first language of a list that has one; English needs none. */
+export async function loadLanguage(languages) {
+  for (const name of languages.map(tag => tag.slice(0, 2).toLowerCase())) {
+    if (name === "en") return "en";
+    if (name in LANGUAGES) {
+      language = (await import(LANGUAGES[name])).CATALOGUE;
+      return name;
+    }
+  }
+  return "en";
+}
+
+/* Fill the texts, names and tooltips of the elements below an element. */
+export function fillTexts(root) {
+  for (const element of root.querySelectorAll("[data-text]")) element.textContent = text(element.dataset.text);
+  for (const element of root.querySelectorAll("[data-label]")) element.setAttribute("aria-label", text(element.dataset.label));
+  for (const element of root.querySelectorAll("[data-title]")) element.title = text(element.dataset.title);
+}
