@@ -17,7 +17,7 @@ from poppet.edit.port_places import PortPlace, arrange
 from poppet.edit.svg_symbols import svg_text
 from poppet.library.components import components
 from poppet.parts import KINDS
-from poppet.parts.components import MODEL
+from poppet.parts.components import MODEL, numbers_of
 from poppet.parts.compound import Compound
 from poppet.parts.fields import (
     OFF_ON,
@@ -165,7 +165,8 @@ def palette() -> list[Entry]:
 
         Keys of a field: `name`, `group`, `type` (`number`, `option`, `switch`, `model` or `reference`), `doc` and
         `required`. A number also has `unit`, `quantity`, `units` (the usual one first), `default`, `source`, `note` and
-        its finite limits `low`, `high`, `above` and `below`; other fields have `choices`.
+        its finite limits `low`, `high`, `above` and `below`; other fields have `choices`. A model also has
+        `components`: for each component its `names`, the fields that it `sets`, its `options` and its `source`.
 
     Examples
     --------
@@ -394,8 +395,23 @@ def _field(name: str, spec: Spec, owner: Any) -> Entry:
                 "required": False,
                 "form": spec.form,
                 "choices": _choices(name, getattr(owner, "kind", "")),
+                **({"components": _components(owner)} if name == MODEL else {}),
             }
     raise TypeError(spec)
+
+
+def _components(kind: Any) -> list[Entry]:
+    """Return the components of a kind of part: their names, numbers, options and source."""
+    return [
+        {
+            "names": list(component.names),
+            "sets": {field: number.display() for field, number in numbers_of(component, kind).items()},
+            "options": {option: list(words) for option, words in component.options.items()},
+            "source": component.locator,
+        }
+        for component in components()
+        if kind.kind in component.kinds
+    ]
 
 
 def _choices(name: str, kind: str) -> list[str]:

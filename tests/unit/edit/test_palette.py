@@ -271,3 +271,14 @@ def test_the_unit_table_contains_the_units_of_all_fields_and_inputs():
 def test_sections_contain_the_fields_of_the_options():
     names = {name: {field["name"] for field in fields} for name, fields in sections().items()}
     assert names == {"run": {*specs(Run)}, "ambient": {*specs(Ambient)}, "gas": {*specs(GasChoice)}}
+
+
+def test_components_show_their_numbers():
+    field = next(field for field in ENTRIES["tube"]["fields"] if field["name"] == "model")
+    tube = next(item for item in field["components"] if "SMC TU0604" in item["names"])
+    assert tube["sets"] == {"bore": "4 mm"}  # 6 mm outer, 4 mm inner diameter
+    assert "TU" in tube["source"]
+    for entry in ENTRIES.values():
+        for field in entry["fields"]:
+            if field["type"] == "model":
+                assert {*field["choices"]} == {name for item in field["components"] for name in item["names"]}
