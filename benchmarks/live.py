@@ -13,11 +13,10 @@ import sys
 import tempfile
 import time
 from importlib import import_module
-from importlib.resources import files
 from pathlib import Path
 
 from poppet import load
-from poppet.deploy.live.page_kernel import pack_base64, run_data
+from poppet.deploy.live.page_kernel import kernel_script, pack_base64, run_data
 from poppet.deploy.targets import TARGETS
 from poppet.engine.call import Call
 
@@ -83,9 +82,7 @@ def main(size: float = 1.0) -> None:
     circuit = load(EXAMPLE)
     problem = circuit.problem(circuit.run)
     call, data, count = Call(problem), pack_base64(*run_data(problem)), max(20, round(2000 * size))
-    script = (files("poppet.deploy.live") / "kernel.js").read_text(encoding="utf-8") + ROUND.replace(
-        "COUNT", str(count)
-    )
+    script = kernel_script() + ROUND.replace("COUNT", str(count))
     native, browser = [], []
     for _ in range(max(1, round(5 * size))):
         for _ in range(count):

@@ -1,5 +1,7 @@
 """Make `integrator.ll`, `lanes.ll` and `integrator.c` of `src/poppet/engine`; run it when their sources have changed.
 
+The integrator is also compiled to a WebAssembly module for the page of the editor, `integrator.wasm`.
+
 Numba compiles for a generic processor and leaves vectors to the machine that will run the code. What only newer LLVM
 versions can read (hints, not meaning) is taken out, so that the text serves every llvmlite with opaque pointers.
 """
@@ -50,6 +52,22 @@ def main() -> None:
         print(f"{each.text}: {len(text.splitlines())} lines", file=sys.stderr)
     text = f"/* {INTEGRATOR.mark()} */\n{integrator_c()}\n"
     Path(compiled.__file__).with_name("integrator.c").write_text(text, encoding="utf-8")
+    write_page_integrator()
+
+
+def write_page_integrator() -> None:
+    """Write the module of the page, whose last section contains the mark."""
+    from poppet.deploy.live.page_kernel import SHARED_STACK, integrator_module
+    from poppet.edit import build
+    from poppet.engine.compiled import INTEGRATOR
+
+    module = integrator_module().code
+    mark = f"{INTEGRATOR.mark()}, stack {SHARED_STACK}".encode()
+    section = bytes([4]) + b"mark" + mark
+    size = bytes([len(section) & 0x7F | 0x80, len(section) >> 7])
+    path = Path(build.__file__).with_name("www") / "integrator.wasm"
+    path.write_bytes(module + b"\0" + size + section)
+    print(f"{path.name}: {len(module)} bytes", file=sys.stderr)
 
 
 def portable(printed: str) -> str:

@@ -147,7 +147,7 @@ class BaseCircuit(HtmlMixin):
             check_onsets(errors, self.inputs, {*self.signals, *self.connections}, self.parameters)
         # Parts name outputs, whose names and units only the model contains.
         if self._declared and (like is None or like.structure != self.structure):
-            _ = self._symbolic_model
+            _ = self.symbolic_model
 
     def _all_connections(self, like: BaseCircuit | None) -> Mapping[str, str]:
         """Return the connections of the user, and the connections that parts declare.
@@ -442,10 +442,11 @@ class BaseCircuit(HtmlMixin):
         from poppet.engine.kernel import KERNELS, compile_kernel
 
         # Circuits that differ only in values have the same structure and share the kernel.
-        return KERNELS.get(self.structure, lambda: compile_kernel(self._symbolic_model))
+        return KERNELS.get(self.structure, lambda: compile_kernel(self.symbolic_model))
 
     @cached_property
-    def _symbolic_model(self) -> Model:
+    def symbolic_model(self) -> Model:
+        """Symbolic model of the circuit, for which no machine code is compiled."""
         from poppet.circuit.trace import trace
 
         return trace(self.parts, tuple(self.parameters), self.connections)
@@ -458,9 +459,13 @@ class BaseCircuit(HtmlMixin):
     @cached_property
     def instance(self) -> Instance:
         """Compiled model with the parameter values and signals of this circuit."""
+        return self.instance_of(self.kernel)
+
+    def instance_of(self, kernel: Kernel) -> Instance:
+        """Return the parameter values and signals of this circuit with another kernel of its model."""
         placed = self._placed.values()
         return Instance(
-            kernel=self.kernel,
+            kernel=kernel,
             parameters=self.parameters,
             drive=self._drive,
             surroundings=self.surroundings,

@@ -51,7 +51,7 @@ class Inputs {
   with(others, until) {
     const replaced = new Map(others), kept = Array.from({ length: this.n }, (_, k) => k).filter(k => !replaced.has(k));
     const marks = [];  // time, and true if a value jumps
-    for (let k = 0; k < this.starts.length; k++) {
+    for (let k = 0; k < this.starts.length && (!k || this.starts[k] < until); k++) {
       const turns = k ? kept.map(input => this.turns(k, input)) : [[true, false]];
       if (turns.some(([is]) => is)) marks.push([this.starts[k], this.jumps[k] && turns.some(([, jumps]) => jumps)]);
     }
@@ -124,11 +124,12 @@ class Kernel {
     this.counts = new BigInt64Array(memory.buffer, this.at.counts, 5);
   }
 
-  /* Fill the fields; replaced inputs are stored after all other arrays. */
-  drive(inputs) {
-    const at = { ...this.at }, lengths = { ...this.lengths };
+  /* Fill the fields; replaced inputs are stored after all other arrays. A run can end at an earlier row. */
+  drive(inputs, n_rows) {
+    const at = { ...this.at }, lengths = { ...this.lengths, n_rows }, until = this.grid[n_rows - 1];
+    if (n_rows < this.grid.length) lengths.n_segments = Math.max(1, this.file.starts.filter(t => t < until).length);
     if (inputs.length) {
-      const merged = this.file.with(inputs, this.grid[this.grid.length - 1]);
+      const merged = this.file.with(inputs, until);
       let end = Math.ceil(this.end / 16) * 16;
       for (const name in merged) { at[name] = end; end += Math.ceil(merged[name].byteLength / 16) * 16; }
       this.room(end);
@@ -164,9 +165,9 @@ class Kernel {
   }
 
   /* One run, with other numbers by their places in p, other inputs (the place of each, and its rows of time, value, slope and
-     jump), and other weights of stop conditions. The table is written over by the next. */
-  run(numbers = [], inputs = [], thresholds = []) {
-    this.drive(inputs);
+     jump), and other weights of stop conditions, up to the last of some rows. The table is written over by the next. */
+  run(numbers = [], inputs = [], thresholds = [], n_rows = this.grid.length) {
+    this.drive(inputs, n_rows);
     this.weights.set(this.given.weights);
     for (const [k, v] of thresholds) this.weights[k] = v;
     for (const share of TIGHTER) {
@@ -178,8 +179,8 @@ class Kernel {
       this.counts.fill(0n);
       const status = ENDINGS[Number(this.exports.integrate(this.job))];
       const [accepted, attempts, rows] = Array.from(this.counts, Number);
-      const n = this.grid.length;
-      for (let k = 0; k < this.lengths.n_outputs; k++) this.table.fill(NaN, k * n + rows, (k + 1) * n);
+      for (let k = 0; k < this.lengths.n_outputs; k++) this.table.fill(NaN, k * n_rows + rows, (k + 1) * n_rows);
+      this.n_rows = n_rows;
       this.ended = { status, accepted, attempts, rows, reached: this.watch[0], share };
       if (status !== "stalled") break;
     }
@@ -187,5 +188,6 @@ class Kernel {
   }
 
   /* An output of the last run. */
-  series(k) { return this.table.subarray(k * this.grid.length, (k + 1) * this.grid.length); }
+  series(k) { return this.table.subarray(k * this.n_rows, (k + 1) * this.n_rows); }
 }
+export { Kernel, LIBRARY };

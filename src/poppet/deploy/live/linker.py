@@ -1,9 +1,9 @@
 """Linker from a relocatable WebAssembly object of LLVM to a module for a browser.
 
 There is only one object, so no symbols of other objects are resolved: functions, types, globals and tables keep their
-indices. The linker sets the addresses of data and stack, defines the memory, the table and the stack pointer that the
-object imports, and exports functions. The formats are those of the WebAssembly core specification, section 5, and of
-the tool conventions, "WebAssembly Object File Linking".
+indices. The linker sets the addresses of data and stack, and exports functions. The module defines the memory, the
+table and the stack pointer, or it imports them to share them with another module. The formats are those of the
+WebAssembly core specification, section 5, and of the tool conventions, "WebAssembly Object File Linking".
 """
 
 from __future__ import annotations
@@ -18,6 +18,7 @@ _CUSTOM, _TYPE, _IMPORT, _FUNCTION, _TABLE, _MEMORY, _GLOBAL, _EXPORT, _START, _
 _COUNT = 12  # of data segments; precedes the code
 _ORDER = (_TYPE, _IMPORT, _FUNCTION, _TABLE, _MEMORY, _GLOBAL, _EXPORT, _ELEMENT, _COUNT, _CODE, _DATA)
 _OF_FUNCTION, _OF_TABLE, _OF_MEMORY, _OF_GLOBAL = range(4)
+_POINTER = b"\x7f\1"  # type of the stack pointer: a variable integer of 32 bits
 _SYMBOLS, _SYMBOL_FUNCTION, _SYMBOL_DATA = 8, 0, 1
 _UNDEFINED, _EXPLICIT = 0x10, 0x40
 _INDEX_RELOCATIONS = (0, 6, 7, 20)
@@ -95,7 +96,7 @@ class _Object:
     symbols: list[tuple[int, str, int]] = field(default_factory=list)  # kind, name, function or address
 
 
-def link(code: bytes, exports: Sequence[str], tabled: Sequence[str], *, stack: int) -> Module:
+def link(code: bytes, exports: Sequence[str], tabled: Sequence[str], *, stack: int, data: int | None = None) -> Module:
     """Link one WebAssembly object file to a module.
 
     Parameters
@@ -108,13 +109,16 @@ def link(code: bytes, exports: Sequence[str], tabled: Sequence[str], *, stack: i
         Functions that are called by their index in the function table, which begins at 1.
     stack : int
         Size of the stack [B]. The stack is below the data, so an overflow causes a trap.
+    data : int, optional
+        Address of the data of a module that imports memory, table and stack pointer, which it shares with another
+        module. The imports are `memory`, `table` and `stack` of the module `shared`.
 
     Returns
     -------
     Module
     """
     wasm_object = _read_object(code)
-    base = -(-stack // 16) * 16
+    base = -(-max(stack, data or 0) // 16) * 16
     for section, relocations in wasm_object.relocations:
         reader, target = _ByteReader(relocations), wasm_object.sections[section]
         for _ in range(reader.number()):
@@ -141,17 +145,25 @@ def link(code: bytes, exports: Sequence[str], tabled: Sequence[str], *, stack: i
             for address, content in segments
         ]
         sections[_DATA] = _encode_vector(encoded)
-    sections[_IMPORT] = _encode_vector(wasm_object.function_imports)
-    sections[_TABLE] = _encode_vector([b"\x70\0" + _encode_unsigned(1 + len(tabled))])
-    sections[_MEMORY] = _encode_vector([b"\0" + _encode_unsigned(-(-heap // _PAGE))])
-    sections[_GLOBAL] = _encode_vector([b"\x7f\1\x41" + _encode_signed(base) + b"\x0b"])
+    table, memory = b"\x70\0" + _encode_unsigned(1 + len(tabled)), b"\0" + _encode_unsigned(-(-heap // _PAGE))
     export_entries = [
         _encode_name(name) + bytes([_OF_FUNCTION]) + _encode_unsigned(function_index[name]) for name in exports
     ]
-    sections[_EXPORT] = _encode_vector([_encode_name("memory") + bytes([_OF_MEMORY, 0]), *export_entries])
-    sections[_ELEMENT] = _encode_vector(
-        [b"\0\x41\1\x0b" + _encode_vector([_encode_unsigned(function_index[name]) for name in tabled])]
-    )
+    if data is None:
+        sections[_IMPORT] = _encode_vector(wasm_object.function_imports)
+        sections[_TABLE], sections[_MEMORY] = _encode_vector([table]), _encode_vector([memory])
+        sections[_GLOBAL] = _encode_vector([_POINTER + b"\x41" + _encode_signed(base) + b"\x0b"])
+        export_entries.insert(0, _encode_name("memory") + bytes([_OF_MEMORY, 0]))
+    else:
+        shared = {"table": bytes([_OF_TABLE]) + table, "memory": bytes([_OF_MEMORY]) + memory}
+        shared["stack"] = bytes([_OF_GLOBAL]) + _POINTER
+        entries = [_encode_name("shared") + _encode_name(name) + entry for name, entry in shared.items()]
+        sections[_IMPORT] = _encode_vector([*wasm_object.function_imports, *entries])
+    sections[_EXPORT] = _encode_vector(export_entries)
+    if tabled:
+        sections[_ELEMENT] = _encode_vector(
+            [b"\0\x41\1\x0b" + _encode_vector([_encode_unsigned(function_index[name]) for name in tabled])]
+        )
     body = b"".join(
         bytes([kind]) + _encode_unsigned(len(sections[kind])) + sections[kind] for kind in _ORDER if kind in sections
     )
@@ -177,7 +189,7 @@ def _read_object(code: bytes) -> _Object:
             target = wasm_object.kinds[custom_reader.number()]
             if target != _CUSTOM:
                 wasm_object.relocations.append((target, content[custom_reader.position :]))
-    # The module itself defines the memory, the table and the stack pointer.
+    # The imports of memory, table and stack pointer are replaced.
     reader, other_imports = _ByteReader(bytes(wasm_object.sections[_IMPORT])), []
     for _ in range(reader.number()):
         begin = reader.position

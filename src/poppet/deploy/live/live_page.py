@@ -12,7 +12,7 @@ from poppet.core.number_format import USUAL, pretty, printable
 from poppet.core.units import convert
 from poppet.deploy.export_model import ExportModel, build_export_model
 from poppet.deploy.live.page_inputs import Slider, affine, select_sliders
-from poppet.deploy.live.page_kernel import pack_base64, run_data
+from poppet.deploy.live.page_kernel import kernel_script, pack_base64, run_data
 from poppet.deploy.targets import CircuitSource, Export
 from poppet.report.circuit.schematic import EmptyLine, draw_with_empty_lines
 from poppet.report.html_page import document, findings, head, inline_svg
@@ -111,7 +111,7 @@ def live_page(circuit: BaseCircuit, *, parameters: Sequence[str] = ()) -> str:
         ("Notes of the run as in the file", findings([*recording.remarks, *notes])),
         ("", f'<script type="application/octet-stream" id="model">{data}</script>\n'),
     ]
-    program = minify(_read("kernel.js") + _read("live.js"))
+    program = minify(kernel_script() + _read("live.js"))
     return document(title, sections, style=minify(_read("live.css")), program=program)
 
 

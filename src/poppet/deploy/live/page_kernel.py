@@ -1,18 +1,24 @@
 """Kernel of a live page: one WebAssembly module with the model and the integrator, and the arrays of a run.
 
 The browser fills the same fields as `poppet.engine.job.Job`, with addresses in the memory of the module.
+
+A page of the editor gets a new model whenever a wire changes. Its model is a module of its own, without optimisation,
+because browsers optimise as well; the integrator, which is equal for all models, is another module. The memory begins
+with the stack, so an overflow causes a trap; then come the data of the integrator, of the model, and of a run.
 """
 
 from __future__ import annotations
 
 import base64
 import json
+import re
 import subprocess
 import zlib
 from collections.abc import Mapping, Sequence
+from functools import cache
 from importlib.resources import files
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -27,11 +33,19 @@ from poppet.engine.printers.instructions import trace_functions
 from poppet.engine.printers.llvm import OF_ONE, OF_TWO
 from poppet.engine.problem import Problem
 
+if TYPE_CHECKING:
+    import casadi
+
 CALLED = ("jacobian", "step", "dense", "outputs", "update")
 """Functions that the integrator calls by their index in the table."""
 PAGE_FUNCTIONS = (*OF_ONE, *OF_TWO, "exp2", "log2", "exp10")
 """Functions that the page provides. LLVM replaces some powers and logarithms by calls of the last ones."""
+SHARED_STACK = 1 << 20
+"""Size of the stack that a model shares with the integrator [B]."""
+SHARED_DATA = SHARED_STACK + 256
+"""Address of the data of a model, after those of the integrator."""
 _FEATURES = "+simd128,+bulk-memory,+bulk-memory-opt"
+_TRIPLE = "wasm32-unknown-unknown"
 _STACK_SIZE = 65536
 _ALIGNMENT = 8
 _MAIN = """
@@ -69,28 +83,81 @@ def live_module(model: Model, mapping: ParameterMap | None = None) -> Module:
     for function in defined:
         if function.name not in (*tabled, *exports):
             function.linkage = "internal"  # the optimiser removes unused functions
-    # The stack contains the slots of a long function and of its callers.
-    stack = _STACK_SIZE + 8 * sum(function.sz_w() for function in functions.values())
-    module = link(compile_wasm_object(llvm_module), exports, tabled, stack=stack)
+    return _checked(link(compile_wasm_object(llvm_module), exports, tabled, stack=_stack_of(functions)))
+
+
+def model_module(model: Model, functions: Mapping[str, casadi.Function]) -> Module:
+    """Return the WebAssembly module of a model alone, without optimisation.
+
+    `functions` contains the functions of the model. The module exports `start`, and shares memory, table and stack
+    pointer with the module of the integrator.
+    """
+    import llvmlite.binding as llvm
+
+    stack = _stack_of(functions)
+    if stack > SHARED_STACK:
+        raise LinkError(f"a stack of {stack} bytes")
+    code = kernel_code(model, {name: function for name, function in functions.items() if name != "energy"})
+    tabled = [name for name in CALLED if re.search(rf"^define void @{name}\(", code, re.MULTILINE)]
+    wasm_object = _machine().emit_object(llvm.parse_assembly(code))
+    return _checked(link(bytes(wasm_object), ("start",), tabled, stack=SHARED_STACK, data=SHARED_DATA))
+
+
+def integrator_module() -> Module:
+    """Return the WebAssembly module of the integrator alone, which exports `integrate`."""
+    import llvmlite.binding as llvm
+
+    llvm_module = llvm.parse_assembly(INTEGRATOR.read())
+    module = link(compile_wasm_object(llvm_module), (INTEGRATOR.entry,), (), stack=SHARED_STACK, data=SHARED_STACK)
+    if module.heap > SHARED_DATA:
+        raise LinkError(f"{module.heap - SHARED_STACK} bytes of data")
+    return _checked(module)
+
+
+def _stack_of(functions: Mapping[str, casadi.Function]) -> int:
+    """Return the size of the stack of a model [B]: it contains the slots of a long function and of its callers."""
+    return _STACK_SIZE + 8 * sum(function.sz_w() for function in functions.values())
+
+
+def _checked(module: Module) -> Module:
     missing = set(module.imports) - set(PAGE_FUNCTIONS)
     if missing:
         raise LinkError(f"a page has no {', '.join(sorted(missing))}")
     return module
 
 
+@cache
+def _machine() -> Any:
+    """Return the LLVM target machine for WebAssembly without optimisation."""
+    import llvmlite.binding as llvm
+
+    llvm.initialize_all_targets()
+    llvm.initialize_all_asmprinters()
+    return llvm.Target.from_triple(_TRIPLE).create_target_machine(opt=0, features=_FEATURES)
+
+
 def compile_wasm_object(llvm_module: Any) -> bytes:
     """Compile an LLVM module to an optimised, relocatable WebAssembly object file."""
-    return compile_object(llvm_module, "wasm32-unknown-unknown", features=_FEATURES)
+    return compile_object(llvm_module, _TRIPLE, features=_FEATURES)
 
 
-def run_data(problem: Problem, mapping: ParameterMap | None = None) -> tuple[dict[str, Any], dict[str, bytes]]:
+def kernel_script() -> str:
+    """Return the script of the kernel for a classic script; the file is a module, which exports its names."""
+    text = (files("poppet.deploy.live") / "kernel.js").read_text(encoding="utf-8")
+    return re.sub(r"^export \{.*\};\n", "", text, flags=re.MULTILINE)
+
+
+def run_data(
+    problem: Problem, mapping: ParameterMap | None = None, module: Module | None = None
+) -> tuple[dict[str, Any], dict[str, bytes]]:
     """Return the data with which a live page simulates a run.
 
     The result contains a header with array lengths, and the bytes of each array by name. The compiled model is one of
-    the arrays. `mapping` contains the effect of sliders on parameters.
+    the arrays. `mapping` contains the effect of sliders on parameters, and `module` the model (default: the result of
+    `live_module`).
     """
     kernel, conditions = problem.kernel, problem.stop_conditions
-    module = live_module(kernel.model, mapping)
+    module = module or live_module(kernel.model, mapping)
     lengths = {name: value for name, value in kernel.job.items() if name.startswith("n_")}
     lengths |= {
         "n_segments": problem.starts.size, "n_courses": len(problem.coefficients), "n_rows": problem.grid.size,
@@ -140,8 +207,7 @@ def run_in_node(
     values of the sliders in `mapping`.
     """
     script, table = folder / "run.js", folder / "table.bin"
-    kernel = (files("poppet.deploy.live") / "kernel.js").read_text(encoding="utf-8")
-    script.write_text(kernel + _MAIN, encoding="utf-8")
+    script.write_text(kernel_script() + _MAIN, encoding="utf-8")
     command = ["node", str(script), str(table), json.dumps([float(value) for value in values])]
     text = pack_base64(*run_data(problem, mapping))
     result = subprocess.run(command, input=text, capture_output=True, text=True, check=True, timeout=300)

@@ -1,0 +1,146 @@
+"""Model of a circuit for the page of the editor: a WebAssembly module without optimisation, and the arrays of a run."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from poppet.deploy.export_model import find_tied
+from poppet.deploy.live.linker import Module
+from poppet.deploy.live.page_kernel import SHARED_STACK, model_module, run_data
+from poppet.engine.compiled import CompiledFunctions
+from poppet.engine.kernel import Kernel
+from poppet.engine.lru_cache import LruCache
+from poppet.engine.printers.instructions import trace_functions
+
+if TYPE_CHECKING:
+    from poppet.circuit.circuit import BaseCircuit
+    from poppet.circuit.instance import Instance
+    from poppet.engine.model import Model
+
+MARK = b"POPPETM1"
+"""First bytes of a payload."""
+MAX_VALUES = 4_000_000
+"""Maximum number of values of all outputs on the page; a longer run has a larger output step there."""
+MAX_ATTEMPTS = 2_000_000
+"""Maximum number of solver steps on the page, because the user waits for the result."""
+_ALIGNMENT, _PAGE = 8, 65536
+
+
+@dataclass(frozen=True, eq=False)
+class PageKernel(Kernel):
+    """Kernel of the page: it has no machine code for this process, but a WebAssembly module."""
+
+    module: Module = field(kw_only=True)
+
+    @property
+    def key(self) -> str:
+        """Text that is equal for equal modules."""
+        return hashlib.sha256(self.module.code).hexdigest()[:16]
+
+    def start(self, p: NDArray[np.float64]) -> NDArray[np.float64]:
+        """Return zeros, because the page computes the initial state."""
+        return np.zeros(self.model.size)
+
+
+PAGE_KERNELS: LruCache[PageKernel] = LruCache(40)
+"""Models of pages by structure, apart from the kernels with machine code."""
+
+
+def build_payload(circuit: BaseCircuit, key: str | None = None) -> bytes:
+    """Return the model of a circuit with the data of a run, from which the page simulates the circuit.
+
+    The bytes are `MARK`, the length of the header, the header as JSON, and the arrays. In addition to the fields of
+    `run_data`, the header contains `key`, `columns` (name and unit of each output), `numbers` (parameters that the page
+    can change by itself), `duration`, `output_step` and `notes`.
+
+    Parameters
+    ----------
+    circuit : Circuit
+        Circuit with a duration.
+    key : str, optional
+        Key of the model that the page has. If the circuit has the same model, the result does not contain the model.
+
+    Raises
+    ------
+    InputErrors
+        If the circuit has no duration, or a stop condition is invalid.
+    """
+    grid = circuit.run.grid()  # checks without cost come before the compilation
+    kernel = page_kernel(circuit)
+    max_rows = max(2, MAX_VALUES // max(1, len(kernel.model.outputs)))
+    if grid.size > max_rows:
+        circuit = circuit.with_values({"run.output_step": float(grid[-1]) / (max_rows - 1)})
+    instance = circuit.instance_of(kernel)
+    problem = instance.problem(circuit.run)
+    header, arrays = run_data(replace(problem, most_attempts=MAX_ATTEMPTS), module=kernel.module)
+    if key == kernel.key:
+        del arrays["module"]
+    header |= {
+        "key": kernel.key,
+        "shared": {
+            "stack": SHARED_STACK,
+            "pages": -(-kernel.module.heap // _PAGE),
+            "functions": len(kernel.module.table),
+        },
+        "columns": [{"name": name, "unit": unit} for name, unit in kernel.model.outputs],
+        "numbers": _free_numbers(circuit, instance),
+        "duration": float(problem.grid[-1]),
+        "output_step": float(problem.grid[1] - problem.grid[0]) if problem.grid.size > 1 else 0.0,
+        "notes": [str(note) for note in circuit.static_notes],
+    }
+    return _pack(header, arrays)
+
+
+def page_kernel(circuit: BaseCircuit) -> PageKernel:
+    """Return the model of a circuit for a page."""
+    return PAGE_KERNELS.get(circuit.structure, lambda: _compile(circuit.symbolic_model))
+
+
+def _compile(model: Model) -> PageKernel:
+    functions = trace_functions(model)
+    sparsity = functions["jacobian"].sparsity_out(1)
+    rows, columns = (np.array(places, dtype=np.int64) for places in sparsity.get_triplet())
+    n_factor = functions["factor"].nnz_out(0)
+    no_code = CompiledFunctions({}, None)
+    return PageKernel(model, no_code, sparsity.nnz(), n_factor, (rows, columns), module=model_module(model, functions))
+
+
+def _free_numbers(circuit: BaseCircuit, instance: Instance) -> dict[str, dict[str, Any]]:
+    """Return the parameters that the page can change by itself, with their indices in p and their values.
+
+    Nothing else of the run depends on them: no other parameter, no breakpoint of a signal and no stop condition. Inputs
+    that take a parameter are included, as indices in u.
+    """
+    inputs, signals = instance.model.inputs, instance.signals
+    excluded = {*find_tied(circuit), *(item.delay for item in inputs), *(item.slope_of for item in inputs)}
+    excluded |= {str(item.default) for item in inputs if item.slope_of}
+    limited = {address.partition(".")[0] for address, (curve, _) in instance.domains.items() if curve.edge == "error"}
+    users: dict[str, list[int]] = {}
+    for k, item in enumerate(inputs):
+        if isinstance(item.default, str) and item.name not in signals and not item.slope_of:
+            users.setdefault(item.default, []).append(k)
+    numbers, values = circuit.numbers(), instance.parameters
+    free = {}
+    for place, address in enumerate(values):
+        part = address.partition(".")[0]
+        if address in numbers and address not in excluded and part in circuit.parts and part not in limited:
+            free[address] = {"place": place, "value": values[address], "inputs": users.get(address, [])}
+    return free
+
+
+def _pack(header: Mapping[str, Any], blobs: Mapping[str, bytes]) -> bytes:
+    """Return a header and arrays as bytes; the header and each array begin at a multiple of 8 bytes."""
+    places, body = {}, bytearray()
+    for name, blob in blobs.items():
+        places[name] = [len(body), len(blob)]
+        body += blob + bytes(-len(blob) % _ALIGNMENT)
+    text = json.dumps({**header, "blobs": places}, allow_nan=False, separators=(",", ":")).encode()
+    text += b" " * (-(len(MARK) + 4 + len(text)) % _ALIGNMENT)
+    return MARK + len(text).to_bytes(4, "little") + text + body
