@@ -1,11 +1,338 @@
-/* Drawing of the circuit. */
+/* Drawing of the circuit: parts, ports and wires, drawn by difference so that nodes and focus stay.
+
+   The text of the circuit is the only state. Positions of a running drag, and of parts that the file does not place,
+   are those of the drawing. */
+
+import { Animation } from "./animation.js";
+import { Clipboard } from "./clipboard.js";
+import { Connecting } from "./connecting.js";
+import { split } from "./connections.js";
+import { around, boxOf, freePlace, mirroredPlace, overlaps, rotatedPlace } from "./geometry.js";
+import { Keys } from "./drawing_keys.js";
+import { Offers } from "./offers.js";
+import { PartNode } from "./part_node.js";
+import { Pointer } from "./pointer.js";
+import { svgElement } from "./symbols.js";
+import { text } from "./strings.js";
+import { Viewport } from "./viewport.js";
+import { Wires } from "./wires.js";
+
+const EMPTY = { title: "", parts: {}, connections: {}, signals: {}, drawing: {}, run: {} };
+const GAP = 4;  // distance of a new part from the selected one
+const UNKNOWN = {
+  kind: "", box: [-4, -3, 8, 6], ports: [], fields: [], svg: '<path class="dashed" d="M-4 -3L4 -3L4 3L-4 3L-4 -3"/>',
+};
+
 export class Drawing {
-  constructor(svg, store) { Object.assign(this, { svg, store }); }
-  onKey() { return false; }
-  rotate() {}
-  mirror() {}
-  remove() {}
-  copy() {}
-  paste() {}
-  zoom() {}
+  constructor(svg, store) {
+    Object.assign(this, { svg, store, items: new Map(), moving: new Map(), settled: new Map(), coming: new Map() });
+    svg.setAttribute("role", "application");
+    svg.setAttribute("aria-roledescription", text("drawing.role"));
+    if (!svg.hasAttribute("tabindex")) svg.setAttribute("tabindex", 0);
+    this.#layers();
+    this.viewport = new Viewport(svg, () => this.bounds());
+    this.viewport.addEventListener("change", () => this.#zoomed());
+    this.wires = new Wires(this.wireLayer, store);
+    this.offers = new Offers(this);
+    this.connecting = new Connecting(this);
+    this.animation = new Animation(this);
+    this.clipboard = new Clipboard(this);
+    this.pointer = new Pointer(this);
+    this.keys = new Keys(this);
+    store.addEventListener("state", () => this.update());
+    store.addEventListener("selection", () => this.#mark());
+    for (const name of ["run", "cursor"]) store.addEventListener(name, () => this.animation.later());
+    this.update();
+  }
+
+  /* --- Content --- */
+
+  /* Last valid view of the circuit. */
+  get view() {
+    const view = this.store.state?.view;
+    return view && view.parts ? view : EMPTY;
+  }
+
+  /* Palette entry of a part with its symbol. */
+  entry(name) {
+    return this.store.entry(name) ?? UNKNOWN;
+  }
+
+  /* Place of a part, including a running drag. */
+  place(name) {
+    return this.moving.get(name) ?? this.view.drawing[name] ?? this.settled.get(name) ?? this.store.state?.places?.[name] ?? { x: 0, y: 0 };
+  }
+
+  /* Ends of all parts at which wires begin or end. */
+  get ends() {
+    return [...this.items.values()].flatMap(item => item.ends);
+  }
+
+  /* Ends of an address, of which a part can have several. */
+  endsAt(address) {
+    return this.items.get(split(address)[0])?.ends.filter(end => end.address === address) ?? [];
+  }
+
+  /* Boxes and names that new parts do not cover. */
+  taken(without = new Set()) {
+    const items = [...this.items.values()].filter(item => !without.has(item.name));
+    return [...items.flatMap(item => [item.box, item.labelBox]), ...this.coming.values()];
+  }
+
+  /* Box of the whole drawing, or null. */
+  bounds() {
+    return around([...this.items.values()].flatMap(item => [item.box, item.labelBox]));
+  }
+
+  /* Show the present circuit. */
+  update() {
+    const { parts } = this.view, before = this.items.size, known = [...this.items.keys()].some(name => name in parts);
+    for (const [name, item] of this.items) {
+      if (!(name in parts)) { item.remove(); this.items.delete(name); this.settled.delete(name); }
+    }
+    for (const name of Object.keys(parts)) {
+      if (!this.items.has(name)) {
+        this.items.set(name, new PartNode(name, this.partLayer));
+        this.#settle(name);
+      }
+    }
+    this.draw();
+    this.#order();
+    this.#mark();
+    this.animation.changed();
+    const isOther = !known && this.items.size > 1, isNew = isOther || this.file !== this.#file();
+    this.file = this.#file();
+    if (isNew && (this.items.size !== 1 || before === 0)) this.viewport.fit();
+  }
+
+  /* Place a new part that the file does not place: where the layout has it, unless another part is there. */
+  #settle(name) {
+    if (this.view.drawing[name]) return;
+    const entry = this.entry(name), place = this.store.state.places?.[name] ?? { x: 0, y: 0 }, box = boxOf(entry, place);
+    const others = [...this.items.values()].filter(item => item.box).map(item => item.box);
+    this.settled.set(name, others.some(other => overlaps(box, other)) ? freePlace(entry, place, others) : place);
+  }
+
+  #file() {
+    return `${this.store.state?.folder}/${this.store.state?.name}`;
+  }
+
+  /* Draw the parts `moved`, or all, at their places, and the wires. */
+  draw(moved = null) {
+    for (const name of moved ?? this.items.keys()) {
+      const entry = this.entry(name);
+      this.items.get(name)?.draw(entry, this.place(name), this.#symbol(name, entry));
+    }
+    const ends = new Map();
+    for (const end of this.ends) ends.set(end.address, [...ends.get(end.address) ?? [], end]);
+    const items = [...this.items.values()];
+    this.wires.update({
+      ends, boxes: items.map(({ name, box }) => ({ name, ...box })), labels: items.map(item => item.labelBox), moved,
+    });
+    this.connecting.redraw();
+  }
+
+  #symbol(name, entry) {
+    const own = this.store.state?.symbols?.[name]?.svg;
+    if (own) return own;
+    const isDriven = entry.ports.some(({ type, name: port }) => type === "input"
+      && (`${name}.${port}` in this.view.connections || `${name}.${port}` in this.view.signals));
+    return (isDriven && entry.svg_driven) || entry.svg;
+  }
+
+  #mark() {
+    const { selection, state } = this.store, errors = this.#errors(state?.errors ?? this.store.errors ?? []);
+    for (const item of this.items.values()) {
+      const kind = this.view.parts[item.name]?.kind ?? "";
+      item.mark({ isSelected: selection.has(item.name), kind, view: this.view, errors });
+    }
+    this.svg.setAttribute("aria-label", text("drawing.label", { count: this.items.size }));
+    this.connecting.mark();
+  }
+
+  /* Errors with the part and the port at which they are shown. */
+  #errors(errors) {
+    return errors.filter(error => error.address).map(error => {
+      const inside = error.address.replace(/^(parts|connections|signals|drawing)\./, "").replaceAll('"', "");
+      const [owner] = split(inside);
+      return { address: error.address, owner, port: inside, words: [error.message, error.hint].filter(Boolean).join(" ") };
+    }).filter(error => this.items.has(error.owner));
+  }
+
+  /* Nodes follow the drawing from left to right, then from top to bottom, so that the Tab key does. */
+  #order() {
+    const sorted = [...this.items.values()].sort((a, b) => a.box.x - b.box.x || a.box.y - b.box.y);
+    const layer = this.partLayer, focused = document.activeElement;
+    sorted.forEach((item, k) => {
+      if (layer.children[k] === item.item) return;
+      if (layer.moveBefore && item.item.isConnected) layer.moveBefore(item.item, layer.children[k] ?? null);
+      else layer.insertBefore(item.item, layer.children[k] ?? null);
+    });
+    if (focused !== document.activeElement && layer.contains(focused)) focused.focus({ preventScroll: true });
+  }
+
+  /* --- Operations --- */
+
+  /* Operations that write the places of all parts that the file does not place, except some. */
+  pins(without = new Set()) {
+    return Object.keys(this.view.parts).filter(name => !this.view.drawing[name] && !without.has(name))
+      .map(name => placing(name, this.place(name)));
+  }
+
+  /* Store new places of parts; they are shown until the server has answered. */
+  async put(places, options = {}) {
+    for (const [name, place] of places) this.moving.set(name, place);
+    this.draw(new Set(places.keys()));
+    const operations = [...places].map(([name, place]) => placing(name, place));
+    await this.store.apply([...this.pins(new Set(places.keys())), ...operations], options);
+    for (const [name, place] of places) {
+      if (this.moving.get(name) === place) this.moving.delete(name);
+    }
+    this.draw(new Set([...places.keys()].filter(name => this.items.has(name))));
+    this.#order();
+  }
+
+  /* Add a part of a kind at the nearest free place to a point, by default beside the selected part. */
+  async add(kind, point = null) {
+    const entry = this.store.palette.get(kind);
+    const place = freePlace(entry, point ?? this.#wanted(entry), this.taken(), point ? null : this.viewport.wideArea);
+    const state = await this.insert([this.adding(kind, this.freeName(kind), place)], [[entry, place]], { select: "created" });
+    const [name] = state?.created ?? [];
+    if (!name) return;
+    this.store.announce(text("drawing.added", { name }));
+    this.viewport.reveal(around([this.items.get(name).box, this.items.get(name).labelBox]));
+  }
+
+  /* Place at the right of the part that is selected or coming, otherwise in the left half of the visible area. */
+  #wanted(entry) {
+    const { x, y, width, height } = this.viewport.area, [name] = this.selected;
+    const [left, top, , tall] = entry.box;
+    const box = [...this.coming.values()].at(-1) ?? (this.selected.length === 1 ? this.items.get(name).box : null);
+    if (!box) return { x: x + width / 4, y: y + height / 2 };
+    return { x: box.x + box.width + GAP - left, y: box.y + box.height / 2 - top - tall / 2 };
+  }
+
+  /* Operation that adds a part with starting values, of which some can be other ones. */
+  adding(kind, name, { x, y }, others = {}) {
+    const fields = { ...this.store.start?.[kind] };
+    for (const [field, value] of Object.entries(others)) {
+      const usual = fields[field];
+      fields[field] = usual && typeof usual === "object" ? { ...usual, value } : value;
+    }
+    return { op: "add", kind, name, place: { x, y }, ...Object.keys(fields).length && { fields } };
+  }
+
+  /* Apply operations that add parts; their places are taken until the server has answered. */
+  async insert(operations, places, options = {}) {
+    const names = operations.filter(({ op }) => op === "add").map(({ name }) => name);
+    const boxes = places.map(([entry, place], k) => [names[k] ?? `${k}`, boxOf(entry, place)]);
+    for (const [name, box] of boxes) this.coming.set(name, box);
+    const state = await this.store.apply([...this.pins(), ...operations], options);
+    for (const [name] of boxes) this.coming.delete(name);
+    return state;
+  }
+
+  /* First of the names `orifice`, `orifice_2`, `orifice_3`, ... that no part has. */
+  freeName(base, others = new Set()) {
+    const isTaken = name => name in this.view.parts || this.coming.has(name) || others.has(name);
+    let name = base;
+    for (let number = 2; isTaken(name); number++) name = `${base}_${number}`;
+    return name;
+  }
+
+  /* Rotate the selection by a quarter turn clockwise. */
+  rotate() {
+    this.#turn(rotatedPlace);
+  }
+
+  /* Exchange left and right of the selection. */
+  mirror() {
+    this.#turn(mirroredPlace);
+  }
+
+  #turn(turn) {
+    const names = this.selected;
+    if (!names.length) return;
+    const places = names.map(name => this.place(name));
+    const middle = key => Math.round((Math.min(...places.map(place => place[key])) + Math.max(...places.map(place => place[key]))) / 2);
+    const centre = { x: middle("x"), y: middle("y") };
+    this.put(new Map(names.map((name, k) => [name, turn(places[k], centre)])));
+  }
+
+  /* Remove the selected parts, or the selected wire. */
+  remove() {
+    const { wire } = this.store, names = this.selected;
+    if (names.length) {
+      this.#focusBeside(names);
+      this.store.apply([{ op: "remove", parts: names }]).then(state => state && this.store.announce(text("drawing.removed", { names: names.join(", ") })));
+    } else if (wire) {
+      this.store.apply([wire.input ? { op: "unlink", input: wire.input } : { op: "disconnect", port: wire.port }]);
+      this.store.selectWire(null);
+    }
+  }
+
+  /* The focus of a part that is removed moves to the drawing. */
+  #focusBeside(names) {
+    if (names.some(name => this.items.get(name)?.item.contains(document.activeElement))) this.svg.focus({ preventScroll: true });
+  }
+
+  /* Move the selection by a distance in grid units. */
+  move(dx, dy) {
+    const names = this.selected;
+    const moved = names.map(name => { const place = this.place(name); return [name, { ...place, x: place.x + dx, y: place.y + dy }]; });
+    return this.put(new Map(moved), { continues: true });
+  }
+
+  /* Names of the selected parts of the circuit. */
+  get selected() {
+    return [...this.store.selection].filter(name => this.items.has(name));
+  }
+
+  copy() {
+    return this.clipboard.copyButton();
+  }
+
+  paste() {
+    return this.clipboard.pasteButton();
+  }
+
+  /* Change the zoom by a factor; without one, show the whole drawing. */
+  zoom(factor = null) {
+    if (factor === null) this.viewport.fit();
+    else this.viewport.zoomBy(factor);
+  }
+
+  /* Use a key of the page; the result is true if the drawing used it. */
+  onKey(event) {
+    return this.keys.use(event);
+  }
+
+  /* Show the state of the last run at the cursor. */
+  show() {
+    this.animation.show();
+  }
+
+  /* --- Layers --- */
+
+  #layers() {
+    const { svg } = this;
+    svg.classList.add("drawing");
+    const defs = svgElement("defs", {}, svg);
+    const pattern = svgElement("pattern", { id: "grid", width: 1, height: 1, x: -0.5, y: -0.5, patternUnits: "userSpaceOnUse" }, defs);
+    svgElement("circle", { cx: 0.5, cy: 0.5, r: 0.07, class: "grid-dot" }, pattern);
+    this.grid = svgElement("rect", { class: "grid", fill: "url(#grid)" }, svg);
+    for (const name of ["wire", "part", "arrow", "over"]) this[`${name}Layer`] = svgElement("g", { class: `${name}-layer` }, svg);
+  }
+
+  #zoomed() {
+    const { x, y, width, height } = this.viewport.area;
+    for (const [name, value] of Object.entries({ x, y, width, height })) this.grid.setAttribute(name, value);
+    this.svg.classList.toggle("is-far", this.viewport.zoom < 0.5);
+    this.svg.style.setProperty("--pixel", `${0.1 / this.viewport.zoom}`);
+  }
+}
+
+/* Operation that stores the place of a part. */
+export function placing(part, { x, y, rotation = 0, mirror = false }) {
+  return { op: "place", part, x, y, rotation, mirror };
 }

@@ -1,0 +1,5 @@
+/* Wires of the drawing. */
+export class Wires {
+  constructor(group, store) { Object.assign(this, { group, store }); }
+  update() {}
+}
