@@ -1,5 +1,162 @@
-/* Curves of the last run. */
+/* Curves of the last run: one plot per quantity, with the kept run and measured values. */
+
+import { Choice } from "./choice.js";
+import { Compare } from "./compare.js";
+import { Measured } from "./measured.js";
+import { Playback } from "./playback.js";
+import { Plot } from "./plot.js";
+import { digits } from "./quantities.js";
+import { text } from "./strings.js";
+import { Values } from "./values.js";
+
+const WIDE = 560;  // px above which two plots are side by side
+const [LOWEST, HIGHEST] = [110, 260];  // px of a plot
+const GAP = 12;
+
+/* Panel of the curves. */
 export class Curves {
-  constructor(element, store) { Object.assign(this, { element, store }); }
-  toggle() {}
+  constructor(element, store) {
+    Object.assign(this, { element, store, plots: [], layout: "", frame: 0, cursorFrame: 0 });
+    const make = (tag, kind, parent = element) => {
+      const node = parent.appendChild(document.createElement(tag));
+      node.className = kind;
+      return node;
+    };
+    this.bar = make("div", "curve-bar");
+    this.playback = new Playback(make("div", "clock", this.bar), store);
+    this.choice = new Choice(this.bar, store);
+    this.status = make("p", "status");
+    this.grid = make("div", "plots");
+    const below = make("div", "below");
+    this.compare = new Compare(this.bar, below, store);
+    this.measured = new Measured(element, this.bar, below, store);
+    this.notes = below.appendChild(document.createElement("details"));
+    this.notesTitle = this.notes.appendChild(document.createElement("summary"));
+    this.notesList = this.notes.appendChild(document.createElement("ul"));
+    this.values = new Values(below, store);
+    for (const event of ["run", "selection", "state", "busy"]) store.addEventListener(event, () => this.later());
+    for (const source of [this.choice, this.compare, this.measured]) source.addEventListener("change", () => this.later());
+    store.addEventListener("cursor", () => {
+      this.cursorFrame ||= requestAnimationFrame(() => {
+        this.cursorFrame = 0;
+        for (const plot of this.plots) plot.showClock();
+      });
+    });
+    new ResizeObserver(() => this.later()).observe(element);
+    matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => this.plots.forEach(plot => plot.redraw()));
+    this.show();
+  }
+
+  /* Play or pause. */
+  toggle() { this.playback.toggle(); }
+
+  later() { this.frame ||= requestAnimationFrame(() => { this.frame = 0; this.show(); }); }
+
+  show() {
+    const { run, header, isStale } = this.store;
+    this.showStatus();
+    this.showNotes();
+    this.grid.classList.toggle("is-stale", isStale);
+    if (!run) {
+      this.setPlots([], "");
+      return;
+    }
+    if (header !== this.header) {
+      this.header = header;
+      this.choice.setColumns(run.columns);
+      this.measured.setColumns(run.columns);
+    }
+    this.showPlots(run);
+  }
+
+  showPlots(run) {
+    const kept = this.compare.kept?.run ?? null;
+    const state = [[...this.store.selection], kept, this.measured.items, this.choice.names, this.header];
+    if (!this.groups || state.some((value, k) => !isSame(value, this.groupState[k]))) {
+      this.groups = this.choice.groups(run);
+      this.groupState = state;
+    }
+    const lines = this.groups.map(([unit, columns]) => [unit, this.linesOf(columns, kept)]);
+    const key = JSON.stringify(lines.map(([unit, own]) => [unit, own.map(({ label, role, isSelected, colour }) => [label, role, isSelected, colour])]));
+    this.setPlots(lines, key);
+    this.grid.classList.remove("is-empty");
+    this.resize();
+    lines.forEach(([, own], k) => {
+      const pairs = own.map(line => line.data ?? [run.time, run.series.get(line.name) ?? []]);
+      this.plots[k].setData(pairs, run.duration);
+    });
+    this.values.show(this.groups.flatMap(([, columns]) => columns));
+    this.measured.showDeviations(run, kept);
+  }
+
+  /* Lines of a plot: the present ones, then those of A and the measured ones in the same colours. */
+  linesOf(columns, kept) {
+    return columns.flatMap((column, colour) => {
+      const base = { name: column.name, isStep: column.step ?? false, isSelected: column.isSelected, colour };
+      const lines = [{ ...base, label: column.name, role: "now" }];
+      if (kept?.series.has(column.name)) {
+        lines.push({ ...base, label: `A: ${column.name}`, role: "kept", isSelected: false, data: [kept.time, kept.series.get(column.name)] });
+      }
+      for (const { label, time, values } of this.measured.linesOf(column)) {
+        lines.push({ ...base, label, role: "measured", isSelected: false, isStep: false, data: [time, values] });
+      }
+      return lines;
+    });
+  }
+
+  setPlots(lines, key) {
+    if (key === this.layout) return;
+    this.layout = key;
+    for (const plot of this.plots) plot.remove();
+    const size = this.sizeFor(lines.length);
+    this.plots = lines.map(([unit, own]) => {
+      const plot = new Plot(this.grid, unit, this.store);
+      plot.setLines(own, size);
+      return plot;
+    });
+  }
+
+  sizeFor(count) {
+    const width = this.element.clientWidth - 24;
+    const columns = width >= WIDE && count > 1 ? 2 : 1;
+    const rows = Math.max(1, Math.ceil(count / columns));
+    const height = (this.element.clientHeight - this.bar.offsetHeight - this.status.offsetHeight - 12) / rows - 44;
+    return {
+      width: Math.max(160, Math.floor((width - GAP * (columns - 1)) / columns)), height: Math.round(Math.min(HIGHEST, Math.max(LOWEST, height))),
+    };
+  }
+
+  resize() {
+    const size = this.sizeFor(this.plots.length);
+    this.grid.style.gridTemplateColumns = `repeat(auto-fill, ${size.width}px)`;
+    for (const plot of this.plots) plot.resize(size);
+  }
+
+  showStatus() {
+    const { run, isStale, isBusy } = this.store;
+    this.element.setAttribute("aria-busy", String(isBusy));
+    let shown = text("curves.empty");
+    if (run && isStale) shown = text("curves.stale");
+    else if (run) shown = statusOf(run);
+    if (this.status.textContent !== shown) this.status.textContent = shown;
+    this.status.classList.toggle("is-bad", Boolean(run) && !isStale && !["done", "stopped"].includes(run.status));
+  }
+
+  showNotes() {
+    const { run, state } = this.store;
+    const notes = [...new Set([...state?.notes ?? [], ...run?.notes ?? []])];
+    this.notes.hidden = !notes.length;
+    this.notesTitle.textContent = `${text("curves.notes")} (${notes.length})`;
+    if (this.notesList.childElementCount === notes.length && [...this.notesList.children].every((item, k) => item.textContent === notes[k])) return;
+    this.notesList.replaceChildren(...notes.map(note => Object.assign(document.createElement("li"), { textContent: note })));
+  }
 }
+
+function statusOf({ status, time, seconds, duration, isShort, until }) {
+  const last = digits(time.at(-1) ?? 0, duration);
+  if (isShort) return text("curves.short", { until: digits(until, duration) });
+  if (status === "done") return text("curves.status_done", { duration: last, milliseconds: digits(1000 * seconds) });
+  return text(status === "stopped" ? "curves.status_stopped" : "curves.status_other", { time: last, status });
+}
+
+function isSame(a, b) { return a === b || Array.isArray(a) && Array.isArray(b) && a.length === b.length && a.every((value, k) => value === b[k]); }

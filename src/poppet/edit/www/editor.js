@@ -28,13 +28,8 @@ window.poppet = {
 
 /* Commands of the toolbar and of the keys. */
 function commandsOf(drawing, palette, curves, start) {
-  const save = async options => {
-    store.dispatchEvent(new Event("flush"));
-    if (store.state?.name || options?.name) await store.save(options);
-    else await askFileName(store);
-  };
   return {
-    save,
+    save: () => store.save(),
     saveAs: () => askFileName(store),
     undo: () => store.undo(),
     redo: () => store.redo(),

@@ -6,14 +6,13 @@ export const LANGUAGES = {};
 
 export const CATALOGUE = {
   compare: {
-    added: "only now",
+    absent: "none",
     back: "Back to A",
     changes: "Differences from A",
     drop: "Forget A",
     keep: "Keep as A",
     kept: "The present curves are kept as A and are dashed from now on.",
     no_changes: "No field differs from A.",
-    removed: "only in A",
     row: "{address}: A {before}, now {after}",
   },
 
@@ -190,6 +189,23 @@ export const CATALOGUE = {
     title_one: "One error keeps the circuit from running",
   },
 
+  quantities: {
+    "1": "Signals",
+    "K": "Temperature",
+    "N": "Force",
+    "N m": "Torque",
+    "Pa": "Pressure",
+    "kg": "Mass",
+    "kg/s": "Mass flow",
+    "m": "Position",
+    "m/s": "Velocity",
+    "m^2": "Area",
+    "m^3": "Volume",
+    "rad": "Angle",
+    "rad/s": "Angular velocity",
+    "W": "Power",
+  },
+
   run: {},
 
   save: {
@@ -250,7 +266,7 @@ let language = {};
 
 /* Return the text of a key `section.name`, with the values of its places such as {name}. */
 export function text(key, places = {}) {
-  const [section, name] = key.split(".");
+  const [section, name] = key.split(/\.(.*)/s);
   const phrase = language[section]?.[name] ?? CATALOGUE[section]?.[name] ?? key;
   return phrase.replace(/\{(\w+)\}/g, (place, field) => (field in places ? String(places[field]) : place));
 }

@@ -1,0 +1,120 @@
+/* Choice of the curves: those of the selected parts and the usual ones, or those of a checklist. */
+
+import { text } from "./strings.js";
+
+const LINES = 8;  // of a plot
+const PLOTS = 6;
+
+/* Rank of a column among the usual ones; columns of a low rank are shown first. */
+function rankOf({ name, unit }) {
+  const last = name.slice(name.lastIndexOf(".") + 1);
+  if (unit === "Pa" && /pressure$/.test(last)) return 0;
+  if (/position$|^angle$|contraction$/.test(last)) return 1;
+  if (unit === "kg/s") return 2;
+  if (unit === "m/s" || unit === "rad/s") return 3;
+  return 4;
+}
+
+/* Checklist of all columns, and the choice: null for the usual one, or a set of names. */
+export class Choice extends EventTarget {
+  constructor(element, store) {
+    super();
+    Object.assign(this, { store, names: null, columns: [], key: "" });
+    this.details = element.appendChild(document.createElement("details"));
+    this.details.className = "menu choice";
+    const summary = this.details.appendChild(document.createElement("summary"));
+    summary.textContent = text("curves.choice");
+    this.list = this.details.appendChild(document.createElement("div"));
+    this.details.addEventListener("toggle", () => this.fill());
+    store.addEventListener("open", () => { this.names = null; });
+  }
+
+  /* Columns of a model. */
+  setColumns(columns) {
+    this.columns = columns;
+    const key = columns.map(({ name }) => name).join();
+    if (key === this.key) return;
+    this.key = key;
+    this.fill();
+  }
+
+  /* Groups of columns to show: [unit, columns] per plot. */
+  groups(run) {
+    const { selection } = this.store;
+    const isSelected = ({ name }) => selection.has(name.split(".")[0]);
+    const columns = this.names ? this.columns.filter(({ name }) => this.names.has(name)) : this.usual(run, isSelected);
+    const groups = new Map();
+    for (const column of columns) {
+      if (!groups.has(column.unit)) groups.set(column.unit, []);
+      const group = groups.get(column.unit);
+      if (this.names || group.length < LINES) group.push({ ...column, isSelected: isSelected(column) });
+    }
+    return [...groups].slice(0, this.names ? undefined : PLOTS);
+  }
+
+  /* Columns of the selected parts, then pressures and positions that vary, or what there is. */
+  usual(run, isSelected) {
+    const visible = this.columns.filter(column => !column.inner || isSelected(column));
+    const ranked = visible.map(column => ({ column, rank: rankOf(column), first: isSelected(column) && varies(run, column) ? 0 : 1 }));
+    const best = Math.max(1, Math.min(...ranked.filter(({ column }) => varies(run, column)).map(({ rank }) => rank)));
+    const chosen = ranked.filter(({ column, rank, first }) => first === 0 || rank <= best && varies(run, column));
+    chosen.sort((a, b) => a.first - b.first || a.rank - b.rank);
+    return chosen.map(({ column }) => column);
+  }
+
+  fill() {
+    if (!this.details.open) return;
+    const auto = checkbox(text("curves.choice_auto"), this.names === null, isOn => this.choose(isOn ? null : this.shownNames()));
+    const parts = new Map();
+    for (const column of this.columns) {
+      const part = column.name.split(".")[0];
+      parts.set(part, [...parts.get(part) ?? [], column]);
+    }
+    const shown = this.shownNames();
+    const sets = [...parts].map(([part, columns]) => {
+      const set = document.createElement("fieldset");
+      set.appendChild(document.createElement("legend")).textContent = part;
+      for (const { name } of columns) {
+        set.append(checkbox(name.slice(part.length + 1) || name, shown.has(name), isOn => {
+          const names = new Set(this.shownNames());
+          if (isOn) names.add(name);
+          else names.delete(name);
+          this.choose(names);
+        }));
+      }
+      return set;
+    });
+    this.list.replaceChildren(auto, ...sets);
+  }
+
+  shownNames() {
+    return this.names ?? new Set(this.groups(this.store.run).flatMap(([, columns]) => columns.map(({ name }) => name)));
+  }
+
+  choose(names) {
+    this.names = names;
+    const index = [...this.list.querySelectorAll("input")].indexOf(document.activeElement);
+    this.fill();
+    this.list.querySelectorAll("input")[index]?.focus();
+    this.dispatchEvent(new Event("change"));
+  }
+}
+
+function varies(run, { name }) {
+  const values = run?.series.get(name);
+  if (!values) return false;
+  let low = Infinity, high = -Infinity;
+  for (const value of values) {
+    if (value < low) low = value;
+    if (value > high) high = value;
+  }
+  return high - low > 1e-6 * Math.max(Math.abs(low), Math.abs(high));
+}
+
+function checkbox(label, isChecked, change) {
+  const element = document.createElement("label");
+  const box = element.appendChild(document.createElement("input"));
+  Object.assign(box, { type: "checkbox", checked: isChecked, onchange: () => change(box.checked) });
+  element.append(label);
+  return element;
+}

@@ -1,0 +1,183 @@
+/* One plot of curves with the same unit. */
+
+import { displayOf, digits, prettyUnit, quantityName } from "./quantities.js";
+import { text } from "./strings.js";
+
+const COLOURS = 8;
+const LOWEST = 90;  // px
+const DASH_KEPT = [6, 4];
+const DASH_MEASURED = [2, 3];
+
+let palette = null;
+matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => { palette = null; });
+
+/* Colours of the style sheet, which a canvas cannot use by name. */
+function colours() {
+  if (palette) return palette;
+  const style = getComputedStyle(document.documentElement);
+  const value = name => style.getPropertyValue(name).trim();
+  const curves = Array.from({ length: COLOURS }, (_, k) => value(`--curve-${k + 1}`));
+  palette = { curves, ink: value("--ink"), soft: value("--soft"), line: value("--line") };
+  return palette;
+}
+
+/* A plot of columns with one SI unit: present curves, those of the kept run (dashed) and measured ones (dotted). */
+export class Plot {
+  constructor(parent, unit, store) {
+    Object.assign(this, { unit, store, lines: [], zoom: null, end: 1 });
+    this.display = displayOf(unit, store.units);
+    this.element = parent.appendChild(document.createElement("figure"));
+    this.element.className = "plot";
+    const caption = this.element.appendChild(document.createElement("figcaption"));
+    this.title = caption.appendChild(document.createElement("b"));
+    const shown = prettyUnit(this.display.unit);
+    this.title.textContent = shown ? `${quantityName(unit)} [${shown}]` : quantityName(unit);
+    this.legend = caption.appendChild(document.createElement("span"));
+    this.legend.className = "legend";
+    this.place = this.element.appendChild(document.createElement("div"));
+    this.place.setAttribute("role", "img");
+    this.clock = document.createElement("div");
+    this.clock.className = "clock-line";
+  }
+
+  /* Select the lines: {name, label, role: "now" | "kept" | "measured", isStep, isSelected, colour}. */
+  setLines(lines, size) {
+    this.lines = lines;
+    this.zoom = null;
+    this.u?.destroy();
+    this.u = new uPlot(this.options(lines, size), [[0], ...lines.map(() => [null])], this.place);
+    this.u.over.append(this.clock);
+    this.u.over.addEventListener("pointermove", event => this.point(event));
+    this.u.over.addEventListener("pointerdown", event => this.point(event));
+    this.u.over.addEventListener("dblclick", () => { this.zoom = null; });
+    this.showLegend();
+  }
+
+  options(lines, { width, height }) {
+    const axis = { stroke: () => colours().soft, grid: { stroke: () => colours().line, width: 1 }, ticks: { stroke: () => colours().line }, font: "12px sans-serif" };
+    return {
+      width, height, pxAlign: false, padding: [6, 10, 0, 0], legend: { show: false },
+      cursor: { x: false, y: false, points: { show: false }, drag: { x: true, y: false } },
+      scales: { x: { time: false, range: (u, low, high) => this.rangeX(low, high) }, y: { range: (u, low, high) => rangeY(low, high) } },
+      axes: [{ ...axis, size: 26, space: 50 }, { ...axis, size: 52, space: 26, values: (u, ticks) => ticks.map(plain) }],
+      series: [{}, ...lines.map(line => ({
+        stroke: () => colours().curves[line.colour % COLOURS], width: line.isSelected ? 2.4 : 1.4, spanGaps: true, points: { show: false },
+        dash: { now: [], kept: DASH_KEPT, measured: DASH_MEASURED }[line.role],
+        ...line.isStep ? { paths: uPlot.paths.stepped({ align: 1 }) } : {},
+      }))],
+      hooks: { setSelect: [u => this.setZoom(u)] },
+    };
+  }
+
+  rangeX(low, high) {
+    if (this.zoom) return this.zoom;
+    return [0, this.end > 0 ? this.end : Math.max(high ?? 1, 1e-9)];
+  }
+
+  setZoom(u) {
+    const { left, width } = u.select;
+    if (width > 4) this.zoom = [u.posToVal(left, "x"), u.posToVal(left + width, "x")];
+  }
+
+  /* Show values: one pair of times and values in SI per line. */
+  setData(pairs, end) {
+    this.end = end;
+    const tables = pairs.map(([time, values]) => [time, this.shown(values)]);
+    const isAligned = tables.every(([time]) => time === tables[0][0] || areEqual(time, tables[0][0]));
+    const data = isAligned ? [tables[0]?.[0] ?? [], ...tables.map(([, values]) => values)] : uPlot.join(tables);
+    this.values = tables;
+    this.u.setData(data, false);
+    const [min, max] = this.rangeX(0, end);
+    this.u.setScale("x", { min, max });
+    this.place.setAttribute("aria-label", this.describe());
+    this.showClock();
+  }
+
+  shown(values) {
+    const { from } = this.display, shown = new Array(values.length);
+    for (let k = 0; k < values.length; k++) shown[k] = Number.isFinite(values[k]) ? from(values[k]) : null;
+    return shown;
+  }
+
+  resize({ width, height }) {
+    if (this.u && (this.u.width !== width || this.u.height !== height)) this.u.setSize({ width, height: Math.max(LOWEST, height) });
+  }
+
+  redraw() { this.u?.redraw(false); }
+
+  describe() {
+    const names = this.lines.map(({ label }, k) => {
+      const last = this.values[k][1].at(-1);
+      return `${label} ${digits(last ?? NaN)} ${this.display.unit}`.trim();
+    });
+    return text("curves.plot", { quantity: this.title.textContent, names: names.join(", ") });
+  }
+
+  /* --- Legend and time cursor --- */
+
+  showLegend() {
+    this.legend.replaceChildren(...this.lines.map(line => {
+      const item = document.createElement("span");
+      item.className = `key is-${line.role}`;
+      const swatch = item.appendChild(document.createElement("i"));
+      swatch.style.color = `var(--curve-${line.colour % COLOURS + 1})`;
+      item.append(line.label);
+      line.value = item.appendChild(document.createElement("output"));
+      line.value.setAttribute("aria-live", "off");
+      return item;
+    }));
+  }
+
+  showClock() {
+    if (!this.u || !this.values) return;
+    const { cursor } = this.store;
+    const left = this.u.valToPos(cursor, "x");
+    this.clock.hidden = !(left >= 0 && left <= this.u.over.clientWidth);
+    this.clock.style.transform = `translateX(${left}px)`;
+    this.lines.forEach((line, k) => {
+      const [time, values] = this.values[k];
+      line.value.textContent = digits(valueAt(time, values, cursor, line.isStep), spanOf(this.u));
+    });
+  }
+
+  point(event) {
+    if (this.store.isPlaying || event.pointerType === "touch" && event.type === "pointermove" && !event.buttons) return;
+    const { left } = this.u.over.getBoundingClientRect();
+    const time = this.u.posToVal(event.clientX - left, "x");
+    this.store.setCursor(Math.min(this.end, Math.max(0, time)));
+  }
+
+  remove() {
+    this.u?.destroy();
+    this.element.remove();
+  }
+}
+
+function spanOf(u) { return (u.scales.y.max ?? 1) - (u.scales.y.min ?? 0); }
+
+function plain(value) { return Math.abs(value) >= 1e5 || value !== 0 && Math.abs(value) < 1e-4 ? value.toExponential(1) : String(+value.toPrecision(6)); }
+
+/* Range of the vertical axis; a constant curve lies in the middle. */
+function rangeY(low, high) {
+  if (low === null || high === null) return [0, 1];
+  const size = Math.max(Math.abs(low), Math.abs(high));
+  const span = high - low > 1e-6 * size ? high - low : 0.1 * size || 1;
+  const middle = (low + high) / 2;
+  return [middle - 0.56 * span, middle + 0.56 * span];
+}
+
+function areEqual(a, b) { return a.length === b.length && a.every((value, k) => value === b[k]); }
+
+/* Value of a curve at a time, straight between two rows. */
+export function valueAt(time, values, at, isStep = false) {
+  let low = 0, high = time.length - 1;
+  if (high < 0 || at < time[0] || at > time[high] * (1 + 1e-12)) return NaN;
+  while (high - low > 1) {
+    const middle = (low + high) >> 1;
+    if (time[middle] <= at) low = middle;
+    else high = middle;
+  }
+  if (at >= time[high]) return values[high] ?? NaN;
+  if (isStep || high === low) return values[low] ?? NaN;
+  return values[low] + (values[high] - values[low]) * (at - time[low]) / (time[high] - time[low]);
+}

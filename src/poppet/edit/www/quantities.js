@@ -1,0 +1,44 @@
+/* Display units of the curves. */
+
+import { text } from "./strings.js";
+
+/* Usual unit of each SI unit, as in the figures of reports; other units stay SI. */
+const USUAL = {
+  Pa: "bar", K: "degC", m: "mm", "m^2": "mm^2", "m^3": "l", "m/s": "mm/s", kg: "g", "kg/s": "g/s", "m^3/(s Pa)": "dm^3/(s bar)",
+};
+
+/* Scale of a unit: its SI value is factor * (value + offset). */
+export function scaleOf(unit, units) {
+  const { factor = ["1", "1"], offset = ["0", "1"] } = units[unit] ?? {};
+  const quotient = ([numerator, denominator]) => Number(numerator) / Number(denominator);
+  return { factor: quotient(factor), offset: quotient(offset) };
+}
+
+/* Display unit of an SI unit: its name and functions to and from SI. */
+export function displayOf(si, units) {
+  const unit = USUAL[si] in units ? USUAL[si] : si;
+  const { factor, offset } = unit === si ? { factor: 1, offset: 0 } : scaleOf(unit, units);
+  return { unit: unit === "1" ? "" : unit, from: value => value / factor - offset };
+}
+
+/* Name of a quantity by its SI unit. */
+export function quantityName(si) {
+  const key = `quantities.${si}`;
+  const name = text(key);
+  return name === key ? si : name;
+}
+
+/* Unit as readers expect it. */
+export function prettyUnit(unit) {
+  return unit.replace("degC", "°C").replace(/\bdeg\b/, "°").replace(/\^2/g, "²").replace(/\^3/g, "³").replace(/(\w) (?=\w)/g, "$1·");
+}
+
+/* Number with the digits that a span of values shows. */
+export function digits(value, span = Math.abs(value)) {
+  if (!Number.isFinite(value)) return "-";
+  const size = Math.max(Math.abs(value), Math.abs(span));
+  if (size !== 0 && (size >= 1e6 || size < 1e-4)) return value.toPrecision(4);
+  const count = span > 0 ? Math.min(10, Math.max(0, Math.ceil(2.6 - Math.log10(span)))) : 3;
+  const shown = value.toFixed(count);
+  return Number(shown) === 0 ? shown.replace("-", "") : shown;
+}
