@@ -76,12 +76,12 @@ export class StartPage {
   }
 
   choose(source) {
-    const open = () => {
+    const open = options => {
       this.isAsked = false;
-      this.store.open(source);
+      this.store.open({ ...source, ...options });
     };
-    if (this.store.state?.dirty) askToDiscard(open);
-    else open();
+    if (this.store.state?.dirty) askToDiscard(() => open({ discard: true }));
+    else open({});
   }
 }
 

@@ -92,7 +92,7 @@ export class Store extends EventTarget {
   /* Take the text of the file, which was changed on disk. */
   reload() { return this.#change("/reload", {}); }
 
-  /* Open a template, a file or an empty circuit: {template}, {file} or {empty: true}. */
+  /* Open a template, a file or an empty circuit: {template}, {file} or {empty: true}; unsaved changes need `discard`. */
   open(source) { return this.#change("/open", source, { isOpen: true }); }
 
   /* Write the file. The result is null if it is not written; a file that was changed on disk needs `overwrite`. */
@@ -199,9 +199,9 @@ export class Store extends EventTarget {
   async #perform(change) {
     try {
       let reply = await this.#post(change);
-      const isStale = reply.status === 409 && reply.body.code !== "edit.changed_on_disk";
+      const isStale = reply.status === 409 && reply.body.code === "edit.stale";
       if (isStale) {
-        this.#accept(reply.body.state ?? reply.body, change.edit - 1);
+        this.#accept(reply.body.state, change.edit - 1);
         if (change.isRepeatable) reply = await this.#post(change);
         this.announce(text(reply.status === 200 ? "page.applied_again" : "page.not_applied"));
       }

@@ -8,12 +8,11 @@ let model = null;
 /* Load a model if the message has one, run it, and answer with all columns. Messages are handled one after another. */
 async function perform({ payload, numbers, until }) {
   if (payload) model = await PageModel.load(payload, await integrator, model);
-  const { status, rows, time, series, seconds } = model.run({ numbers, ...(until === null ? {} : { until }) });
-  const columns = new Map(model.header.columns.map(({ name }) => [name, series(name).slice(0, rows)]));
-  const run = { status, time: time.slice(0, rows), series: columns, seconds };
-  const buffers = [run.time.buffer, ...[...columns.values()].map(values => values.buffer)];
-  const { header } = model;
-  postMessage({ run, seconds, ...(payload ? { header: pageHeader(header) } : {}) }, buffers);
+  const { status, time, series, seconds } = model.run({ numbers, until: until ?? Infinity });
+  const columns = new Map(model.header.columns.map(({ name }) => [name, series(name)]));
+  const run = { status, time, series: columns, seconds };
+  const buffers = [time, ...columns.values()].map(({ buffer }) => buffer);
+  postMessage({ run, seconds, ...(payload ? { header: pageHeader(model.header) } : {}) }, buffers);
 }
 
 /* Fields of the header that the page needs. */
