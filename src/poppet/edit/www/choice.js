@@ -9,7 +9,7 @@ const PLOTS = 6;
 function rankOf({ name, unit }) {
   const last = name.slice(name.lastIndexOf(".") + 1);
   if (unit === "Pa" && /pressure$/.test(last)) return 0;
-  if (/position$|^angle$|contraction$/.test(last)) return 1;
+  if ((unit === "m" || unit === "rad") && /position$|^angle$/.test(last) || /contraction$/.test(last)) return 1;
   if (unit === "kg/s") return 2;
   if (unit === "m/s" || unit === "rad/s") return 3;
   return 4;
@@ -59,7 +59,7 @@ export class Choice extends EventTarget {
     const best = Math.max(1, Math.min(...ranked.filter(({ column }) => varies(run, column)).map(({ rank }) => rank)));
     const chosen = ranked.filter(({ column, rank, first }) => first === 0 || rank <= best && varies(run, column));
     chosen.sort((a, b) => a.first - b.first || a.rank - b.rank);
-    return chosen.map(({ column }) => column);
+    return withoutTwins(chosen.map(({ column }) => column), run);
   }
 
   fill() {
@@ -98,6 +98,15 @@ export class Choice extends EventTarget {
     this.list.querySelectorAll("input")[index]?.focus();
     this.dispatchEvent(new Event("change"));
   }
+}
+
+/* Columns without those that equal a former one, such as the position of a mass on a piston rod. */
+function withoutTwins(columns, run) {
+  const isTwin = (a, b) => a.length === b.length && a.every((value, k) => Math.abs(value - b[k]) <= 1e-9 * Math.abs(value));
+  return columns.filter((column, k) => {
+    const values = run.series.get(column.name);
+    return !columns.slice(0, k).some(({ name, unit }) => unit === column.unit && isTwin(values, run.series.get(name)));
+  });
 }
 
 function varies(run, { name }) {

@@ -155,7 +155,7 @@ export class Curves {
 function statusOf({ status, time, seconds, duration, isShort, until }) {
   const last = digits(time.at(-1) ?? 0, duration);
   if (isShort) return text("curves.short", { until: digits(until, duration) });
-  if (status === "done") return text("curves.status_done", { duration: last, milliseconds: digits(1000 * seconds) });
+  if (status === "done") return text("curves.status_done", { duration: last, milliseconds: 1000 * seconds < 10 ? digits(1000 * seconds) : Math.round(1000 * seconds) });
   return text(status === "stopped" ? "curves.status_stopped" : "curves.status_other", { time: last, status });
 }
 

@@ -19,8 +19,9 @@ import { TextPanel } from "./text.js";
 const find = id => document.getElementById(id);
 const store = new Store();
 
-// For programs that control the page.
+// For programs that control the page; `store` is the state, for tests of the page itself.
 window.poppet = {
+  store,
   text: () => store.text(),
   recording: () => store.recording(),
   get ready() { return store.ready; },

@@ -6,6 +6,7 @@ import { text } from "./strings.js";
 const HANGS = 20;  // s after which a run is ended
 const SHORT_RUN = 0.012;  // s that a run may take while a number is dragged
 const SHORTEST = 0.02;  // fraction of the duration that such a run has at least
+const NEARLY_WHOLE = 0.6;  // fraction of the duration above which a run is not shortened
 const QUIET = 250;  // ms after the last number, then the run is performed in full
 
 /* At most one run is under way, and the last value wins. Callbacks: run({run, header}), refused(errors), settled(edit),
@@ -129,7 +130,7 @@ export class Simulation {
     const { payload, isDrag } = job;
     const duration = this.header?.duration ?? 0;
     const share = SHORT_RUN / (this.seconds || SHORT_RUN);
-    job.until = isDrag && !payload && share < 1 ? Math.max(share, SHORTEST) * duration : null;
+    job.until = isDrag && !payload && share < NEARLY_WHOLE ? Math.max(share, SHORTEST) * duration : null;
     const numbers = [...this.numbers].map(([address, { si }]) => [address, si]);
     job.includes = this.#edit;
     this.#watch = setTimeout(() => this.#hang(), 1000 * HANGS);
