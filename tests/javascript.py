@@ -7,6 +7,7 @@ import json
 import os
 import shutil
 import struct
+import subprocess
 import threading
 from dataclasses import replace
 from pathlib import Path
@@ -16,6 +17,7 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
+import poppet.edit
 from poppet import Circuit
 from poppet.deploy.live import page_kernel
 from poppet.deploy.live.page_kernel import PAGE_FUNCTIONS
@@ -25,6 +27,8 @@ from poppet.engine.printers.llvm import OF_TWO
 from poppet.engine.problem import Problem
 
 needs_node = pytest.mark.skipif(shutil.which("node") is None, reason="node is not installed")
+WWW = Path(poppet.edit.__file__).parent / "www"
+"""Modules of the page of the editor."""
 
 
 def unfused(circuit: Circuit, monkeypatch: pytest.MonkeyPatch, folder: Path) -> call.Call:
@@ -90,3 +94,17 @@ def with_functions_of_this_machine(
     with monkeypatch.context() as changed:
         changed.setattr(page_kernel, "_MAIN", asking + page_kernel._MAIN)
         return page_kernel.run_in_node(problem, folder)
+
+
+def run_module(folder: Path, script: str, *, data: Any = None) -> Any:
+    """Run a module of node beside a copy of the modules of the page; it prints JSON. `data` is its variable `DATA`."""
+    folder.mkdir(parents=True, exist_ok=True)
+    for path in WWW.glob("*.js"):
+        shutil.copy(path, folder)
+    (folder / "package.json").write_text('{"type": "module"}', encoding="utf-8")
+    (folder / "data.json").write_text(json.dumps(data), encoding="utf-8")
+    head = 'import { readFileSync } from "node:fs";\nconst DATA = JSON.parse(readFileSync("data.json", "utf8"));\n'
+    (folder / "main.js").write_text(head + script, encoding="utf-8")
+    done = subprocess.run(["node", "main.js"], cwd=folder, capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stderr
+    return json.loads(done.stdout)
