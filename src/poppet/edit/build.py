@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from poppet.core.codes import Note
 from poppet.deploy.export_model import find_tied
 from poppet.deploy.live.linker import Module
 from poppet.deploy.live.page_kernel import SHARED_STACK, model_module, run_data
@@ -26,6 +27,8 @@ if TYPE_CHECKING:
 
 MARK = b"POPPETM1"
 """First bytes of a payload."""
+DURATION = 2.0
+"""Duration of a run in the editor if the file states none [s]."""
 MAX_VALUES = 4_000_000
 """Maximum number of values of all outputs on the page; a longer run has a larger output step there."""
 MAX_ATTEMPTS = 2_000_000
@@ -58,25 +61,32 @@ def build_payload(circuit: BaseCircuit, key: str | None = None) -> bytes:
 
     The bytes are `MARK`, the length of the header, the header as JSON, and the arrays. In addition to the fields of
     `run_data`, the header contains `key`, `columns` (name and unit of each output), `numbers` (parameters that the page
-    can change by itself), `duration`, `output_step` and `notes`.
+    can change by itself), `duration`, `output_step` and `notes`. A circuit without a duration is simulated for
+    `DURATION`.
 
     Parameters
     ----------
     circuit : Circuit
-        Circuit with a duration.
+        Circuit.
     key : str, optional
         Key of the model that the page has. If the circuit has the same model, the result does not contain the model.
 
     Raises
     ------
     InputErrors
-        If the circuit has no duration, or a stop condition is invalid.
+        If the run has too many rows, or a stop condition is invalid.
     """
+    notes = list(circuit.static_notes)
+    if circuit.run.duration is None:
+        circuit = circuit.with_values({"run.duration": DURATION})
+        notes.append(Note("edit.default_run", "run.duration", duration=DURATION))
     grid = circuit.run.grid()  # checks without cost come before the compilation
     kernel = page_kernel(circuit)
-    max_rows = max(2, MAX_VALUES // max(1, len(kernel.model.outputs)))
+    n_outputs = len(kernel.model.outputs)
+    max_rows = max(2, MAX_VALUES // max(1, n_outputs))
     if grid.size > max_rows:
         circuit = circuit.with_values({"run.output_step": float(grid[-1]) / (max_rows - 1)})
+        notes.append(Note("edit.fewer_rows", "run.output_step", rows=grid.size, shown=max_rows, outputs=n_outputs))
     instance = circuit.instance_of(kernel)
     problem = instance.problem(circuit.run)
     header, arrays = run_data(replace(problem, most_attempts=MAX_ATTEMPTS), module=kernel.module)
@@ -89,11 +99,13 @@ def build_payload(circuit: BaseCircuit, key: str | None = None) -> bytes:
             "pages": -(-kernel.module.heap // _PAGE),
             "functions": len(kernel.module.table),
         },
-        "columns": [{"name": name, "unit": unit} for name, unit in kernel.model.outputs],
+        "columns": [
+            {"name": name, "unit": unit, "inner": name in instance.inner} for name, unit in kernel.model.outputs
+        ],
         "numbers": _free_numbers(circuit, instance),
         "duration": float(problem.grid[-1]),
         "output_step": float(problem.grid[1] - problem.grid[0]) if problem.grid.size > 1 else 0.0,
-        "notes": [str(note) for note in circuit.static_notes],
+        "notes": [str(note) for note in notes],
     }
     return _pack(header, arrays)
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import random
 from pathlib import Path
 
 import numpy as np
@@ -11,13 +12,14 @@ import pytest
 from circuits_of_exports import EXAMPLES, TEN, example
 from javascript import needs_node
 from page_model import run_payloads
-from poppet import Circuit, load, loads
+from poppet import Chamber, CheckValve, Circuit, Orifice, ReliefValve, Reservoir, load, loads
 from poppet.core.errors import InputError
 from poppet.deploy.live.page_kernel import SHARED_STACK, run_in_node
 from poppet.edit import build
 from poppet.edit.build import build_payload, page_kernel
 from poppet.engine.compiled import INTEGRATOR
 from poppet.engine.kernel import KERNELS
+from poppet.parts.part import Part
 
 TANK = """
 [parts.tank]
@@ -34,7 +36,7 @@ critical_ratio = 0.3
 duration = "1 s"
 output_step = "20 ms"
 """
-SIX = ("staircase", "regulator", "switched", "cylinder", "muscle joint", "32 chambers")
+FIVE = ("regulator", "switched", "cylinder", "muscle joint", "32 chambers")
 
 
 def header(payload: bytes) -> dict:
@@ -48,10 +50,8 @@ def optimised(circuit: Circuit, folder: Path) -> tuple[dict, np.ndarray]:
     return run_in_node(circuit.problem(circuit.run), folder)
 
 
-@needs_node
-@pytest.mark.parametrize("name", SIX, ids=lambda name: name.replace(" ", "_"))
-def test_the_page_computes_the_bits_of_the_optimised_kernel(name, tmp_path_factory):
-    circuit = TEN[name]()
+def assert_same_bits(circuit: Circuit, tmp_path_factory: pytest.TempPathFactory) -> None:
+    """Compare a page of the editor with a live page: steps, times and all values."""
     expected, table = optimised(circuit, tmp_path_factory.mktemp("live") / "run")
     ((ended, columns),) = run_payloads([build_payload(circuit)], tmp_path_factory.mktemp("page"))
     assert [ended[name] for name in ("status", "accepted", "attempts", "rows")] == [
@@ -61,12 +61,50 @@ def test_the_page_computes_the_bits_of_the_optimised_kernel(name, tmp_path_facto
     assert np.array_equal(columns[1:], table, equal_nan=True)
 
 
+def random_circuit(seed: int) -> Circuit:
+    """Return stores in a row with passages of random kinds between them, and some across; with random values."""
+    chance = random.Random(seed)
+    parts: dict[str, Part] = {"supply": Reservoir(pressure=f"{chance.uniform(4.0, 8.0)} bar")}
+    stores = ["supply"]
+    for k in range(chance.randint(1, 6)):
+        law = {"thermal": "isothermal"} if chance.random() < 0.3 else {"wall_conductance": chance.uniform(0.0, 1.0)}
+        parts[f"tank{k}"] = Chamber(volume=f"{chance.uniform(0.1, 3.0)} l", **law)
+        stores.append(f"tank{k}")
+    ends = [*zip(stores, [*stores[1:], "ambient"], strict=True)]
+    ends += [tuple(chance.sample(stores, 2)) for _ in range(chance.randint(0, 3))]
+    for k, (first, second) in enumerate(ends):
+        size = {"sonic_conductance": chance.uniform(1e-9, 3e-8), "critical_ratio": chance.uniform(0.1, 0.5)}
+        wired = {"from_": first, "to": second, **size}
+        parts[f"passage{k}"] = chance.choice(
+            [
+                lambda wired=wired: Orifice(**wired),
+                lambda wired=wired: CheckValve(cracking_pressure="0.2 bar", **wired),
+                lambda wired=wired: ReliefValve(set_pressure="2 bar", **wired),
+            ]
+        )()
+    return Circuit(parts).with_values({"run.duration": "2 s", "run.output_step": "10 ms"})
+
+
+@needs_node
+def test_the_staircase_has_the_bits_of_the_optimised_kernel(tmp_path_factory):
+    assert_same_bits(TEN["staircase"](), tmp_path_factory)
+
+
+@needs_node
+@pytest.mark.parametrize("name", FIVE)
+def test_the_page_computes_the_bits_of_the_optimised_kernel(name, tmp_path_factory):
+    assert_same_bits(TEN[name](), tmp_path_factory)
+
+
 @needs_node
 def test_a_sequence_gives_the_same_bits(tmp_path_factory):
-    circuit = example("two_cylinders", "2 s")
-    _, table = optimised(circuit, tmp_path_factory.mktemp("live") / "run")
-    ((_, columns),) = run_payloads([build_payload(circuit)], tmp_path_factory.mktemp("page"))
-    assert np.array_equal(columns[1:], table, equal_nan=True)
+    assert_same_bits(example("two_cylinders", "2 s"), tmp_path_factory)
+
+
+@needs_node
+@pytest.mark.parametrize("seed", range(20))
+def test_random_structures_give_the_same_bits(seed, tmp_path_factory):
+    assert_same_bits(random_circuit(seed), tmp_path_factory)
 
 
 def test_the_integrator_of_the_page_is_made_from_the_present_source():
@@ -167,10 +205,16 @@ def test_a_run_that_stops_ends_at_the_condition(tmp_path):
     assert columns[1, -1] == pytest.approx(2e5, rel=1e-6)
 
 
-def test_a_circuit_without_duration_is_refused_before_the_compilation():
+def test_a_circuit_without_duration_is_simulated_with_a_note():
+    content = header(build_payload(loads(TANK.replace('duration = "1 s"', ""))))
+    assert content["duration"] == 2.0
+    assert any("2 s" in note and "run.duration" in note for note in content["notes"])
+
+
+def test_a_run_with_too_many_rows_is_refused_before_the_compilation():
     build.PAGE_KERNELS.clear()
-    with pytest.raises(InputError, match="duration"):
-        build_payload(loads(TANK.replace('duration = "1 s"', "")))
+    with pytest.raises(InputError, match=r"run\.output_step"):
+        build_payload(loads(TANK.replace('"20 ms"', '"1 ps"')))
     assert len(build.PAGE_KERNELS) == 0
 
 
@@ -180,3 +224,4 @@ def test_a_long_run_has_fewer_rows_on_the_page(monkeypatch):
     content = header(build_payload(circuit))
     assert content["lengths"]["n_rows"] * content["lengths"]["n_outputs"] <= 100
     assert content["duration"] == 1.0
+    assert any("51 rows" in note for note in content["notes"])
