@@ -1,4 +1,247 @@
-/* Form of the selected part. */
+/* Form of the selected part: name, size, fields, ports and inputs. */
+
+import { LinkRow, PortRow, driverOf } from "./connection_rows.js";
+import { make, newId, show } from "./elements.js";
+import { FieldRow, InputRow, bare } from "./field_row.js";
+import { ModelRow } from "./model_row.js";
+import { SizeChoice, sizeGroups } from "./sizes.js";
+import { text } from "./strings.js";
+import { inWords } from "./field_values.js";
+
+const LISTED = 30;  // connections that a gas node shows
+
+/* Panel that follows the selection of the store. */
 export class Form {
-  constructor(element, store) { Object.assign(this, { element, store }); }
+  constructor(element, store) {
+    Object.assign(this, { element, store });
+    this.rows = [];
+    this.closed = new Set();  // groups that the user closed, by kind and name
+    for (const event of ["state", "selection"]) store.addEventListener(event, () => this.update());
+    store.addEventListener("flush", () => this.flush());
+    this.update();
+  }
+
+  /* Apply typed values that are not applied yet. */
+  flush() { for (const row of this.rows) if (row.isDirty) row.commit(); }
+
+  update() {
+    const { selection, state } = this.store;
+    const part = selection.size === 1 ? [...selection][0] : null;
+    const view = part === null ? null : state?.view.parts[part];
+    if (!view) {
+      this.#clear();
+      return;
+    }
+    const outline = this.#outline(part);
+    if (outline !== this.outline) this.#build(part, outline);
+    for (const row of this.rows) row.update();
+    this.#showErrors(part);
+    this.#showConnections(part);
+  }
+
+  #clear() {
+    const { selection } = this.store;
+    const hint = selection.size ? text("form.several", { count: selection.size, names: [...selection].join(", ") }) : text("form.none");
+    if (this.outline === hint) return;
+    this.flush();
+    Object.assign(this, { rows: [], outline: hint });
+    this.element.replaceChildren(make("p", { class: "hint" }, hint));
+  }
+
+  /* Text that changes when the form needs other rows. */
+  #outline(part) {
+    const entry = this.store.entry(part), view = this.store.state.view.parts[part];
+    const sizes = entry ? sizeGroups(entry).map(group => group.shown(view.fields)) : [];
+    const ports = entry?.ports.map(port => `${port.type}:${port.name}`);
+    const unknown = Object.keys(view.fields).filter(name => !entry?.fields.some(field => field.name === name));
+    return JSON.stringify([part, view.kind, sizes, ports, unknown]);
+  }
+
+  /* --- Structure --- */
+
+  #build(part, outline) {
+    if (this.part !== part) this.flush();
+    const focus = this.#focus();
+    const entry = this.store.entry(part);
+    Object.assign(this, { part, outline, rows: [] });
+    this.rename = new RenameRow(this.store, part);
+    this.rows.push(this.rename);
+    this.errors = make("ul", { class: "errors", hidden: true });
+    this.connections = make("div", { class: "connections", hidden: true });
+    const kind = this.store.state.view.parts[part].kind;
+    const content = [
+      make("h2", { class: "sr-only" }, text("form.title", { part })),
+      this.rename.element,
+      make("p", { class: "kind" }, make("b", {}, kind || text("form.no_kind")), entry ? `: ${entry.summary}` : ""),
+      this.errors,
+      ...(entry ? this.#sections(part, entry) : []),
+      this.connections,
+    ];
+    this.element.replaceChildren(...content);
+    this.#restoreFocus(focus);
+  }
+
+  #focus() {
+    const active = document.activeElement;
+    if (!this.element.contains(active)) return null;
+    const row = this.rows.findIndex(({ element }) => element.contains(active));
+    return { key: row < 0 ? null : this.rows[row].key, tag: active.tagName, type: active.type, start: active.selectionStart };
+  }
+
+  #restoreFocus(focus) {
+    if (!focus) return;
+    const row = this.rows.find(({ key }) => key === focus.key);
+    const target = row && [...row.element.querySelectorAll(focus.tag)].find(element => element.type === focus.type && !element.hidden);
+    (target ?? row?.input ?? this.rename.input).focus({ preventScroll: true });
+  }
+
+  #sections(part, entry) {
+    const { fields } = this.store.state.view.parts[part];
+    const groups = sizeGroups(entry);
+    const hidden = new Set(groups.flatMap(group => group.hidden(fields)));
+    const inputs = new Map(entry.ports.filter(port => port.type === "input").map(port => [port.name, port]));
+    const shown = entry.fields.filter(field => !hidden.has(field.name) && !isLink(field, inputs));
+    const unknown = Object.keys(fields).filter(name => !entry.fields.some(field => field.name === name) && !inputs.has(name));
+    const main = sorted(shown.filter(field => !field.group), fields, groups.filter(group => !group.name));
+    const sections = [
+      ...groups.filter(group => !group.name).map(group => this.#size(part, group)),
+      ...main.flatMap(field => this.#field(part, field, inputs)),
+      ...unknown.flatMap(name => this.#field(part, unknownField(name), inputs)),
+      this.#ports(part, entry),
+      this.#inputs(part, entry, shown),
+    ];
+    for (const group of entry.groups) {
+      const own = sorted(shown.filter(field => field.group === group.name), fields, []);
+      const size = groups.filter(({ name }) => name === group.name).map(choice => this.#size(part, choice));
+      if (own.length) sections.push(this.#group(entry.kind, group, [...size, ...own.flatMap(field => this.#field(part, field, inputs))]));
+    }
+    return sections.filter(Boolean);
+  }
+
+  #size(part, group) {
+    const choice = new SizeChoice(this.store, part, group);
+    this.#add(choice, `size ${group.name}`);
+    return choice.element;
+  }
+
+  #field(part, field, inputs) {
+    const read = () => this.store.state.view.parts[part]?.fields[field.name];
+    const group = this.store.entry(part)?.groups.find(({ name }) => name === field.group);
+    const isRequired = field.required && !group?.optional;
+    const Row = field.type === "model" ? ModelRow : FieldRow;
+    const row = this.#add(new Row(this.store, { owner: part, field, read, isRequired, part }), field.name);
+    if (!inputs.has(field.name)) return [row.element];
+    const driver = this.#add(new LinkRow(this.store, part, inputs.get(field.name), { isNamed: false }), `driver ${field.name}`);
+    row.element.append(driver.element);
+    return [row.element];
+  }
+
+  #add(row, key) {
+    row.key = key;
+    this.rows.push(row);
+    return row;
+  }
+
+  #ports(part, entry) {
+    const ports = entry.ports.filter(port => port.name && ["port", "tube", "body"].includes(port.type));
+    if (!ports.length) return null;
+    const rows = ports.map(port => this.#add(new PortRow(this.store, part, port), `port ${port.name}`));
+    return this.#details(entry.kind, "ports", text("form.ports"), rows.map(row => row.element));
+  }
+
+  #inputs(part, entry, shown) {
+    const others = entry.ports.filter(port => port.type === "input" && !shown.some(field => field.name === port.name));
+    if (!others.length) return null;
+    const rows = others.map(port => this.#add(new LinkRow(this.store, part, port), `input ${port.name}`));
+    return this.#details(entry.kind, "inputs", text("form.inputs"), rows.map(row => row.element));
+  }
+
+  #group(kind, group, children) {
+    const title = [inWords(group.name), group.optional ? text("form.group_optional") : ""].filter(Boolean).join(" ");
+    return this.#details(kind, group.name, title, [group.doc ? make("p", { class: "help" }, group.doc) : null, ...children]);
+  }
+
+  #details(kind, name, title, children) {
+    const key = `${kind} ${name}`;
+    const element = make("details", { open: !this.closed.has(key) }, make("summary", {}, title), ...children);
+    element.addEventListener("toggle", () => { this.closed[element.open ? "delete" : "add"](key); });
+    return element;
+  }
+
+  /* --- Content that is not a row --- */
+
+  #showErrors(part) {
+    const rows = new Set(this.rows.filter(row => row.input?.name).map(row => row.address));
+    const isOwn = address => address === part || address.startsWith(`${part}.`);
+    const errors = this.store.errors.filter(({ address }) => isOwn(bare(address)) && !rows.has(bare(address)));
+    this.errors.hidden = !errors.length;
+    this.errors.replaceChildren(...errors.map(({ address, message, hint }) =>
+      make("li", { class: "bad", "data-address": address }, [message, hint].filter(Boolean).join(" "))));
+  }
+
+  #showConnections(part) {
+    const { view } = this.store.state;
+    const to = value => typeof value === "string" && (value === part || value.startsWith(`${part}.`));
+    const lines = [];
+    for (const [name, { ports }] of Object.entries(view.parts)) {
+      for (const [port, value] of Object.entries(ports)) if (to(value)) lines.push([name, `${name}.${port} → ${value}`]);
+    }
+    for (const name of Object.keys(view.parts)) {
+      for (const port of this.store.entry(name)?.ports ?? []) {
+        if (port.type !== "input") continue;
+        const output = driverOf(view, name, port.name);
+        if (to(output)) lines.push([name, `${output} → ${name}.${port.name}`]);
+      }
+    }
+    const content = JSON.stringify(lines);
+    if (this.connections.dataset.content === content) return;
+    this.connections.dataset.content = content;
+    this.connections.hidden = !lines.length;
+    const items = lines.slice(0, LISTED).map(([name, line]) =>
+      make("li", {}, make("button", { type: "button", class: "link", onclick: () => this.store.select([name]) }, line)));
+    this.connections.replaceChildren(make("h3", {}, text("form.connected")), make("ul", {}, ...items));
+  }
+}
+
+/* Row of the name of a part. */
+class RenameRow extends InputRow {
+  constructor(store, part) {
+    super(store, { address: part, label: text("form.name") });
+    this.part = part;
+    this.key = "name";
+    this.input.removeAttribute("name");
+    this.element.classList.add("rename");
+  }
+
+  present() { return this.part; }
+
+  operations(typed) {
+    const name = typed.trim();
+    return name === this.part ? [] : name ? [{ op: "rename", part: this.part, name }] : null;
+  }
+
+  options() { return { select: [this.input.value.trim()] }; }
+
+  showErrors() {
+    show(this.bad, this.refused);
+    this.input.setAttribute("aria-invalid", this.refused ? "true" : "false");
+  }
+}
+
+/* Return fields in the order of the form: those of the size first, then required and stated ones. */
+function sorted(fields, stated, groups) {
+  const sizes = new Set(groups.flatMap(group => group.names));
+  const rank = field => {
+    if (sizes.has(field.name)) return 0;
+    if (sizes.size && field.name === "critical_ratio") return 1;
+    return field.required || field.name in stated ? 2 : field.type === "model" ? 3 : 4;
+  };
+  return fields.map((field, k) => [rank(field), k, field]).sort(([a, i], [b, k]) => a - b || i - k).map(([, , field]) => field);
+}
+
+/* A field that is only the address of an output is a connection. */
+function isLink(field, inputs) { return field.type === "reference" && inputs.has(field.name); }
+
+function unknownField(name) {
+  return { name, group: "", type: "reference", form: "", doc: text("form.unknown"), required: false, choices: [] };
 }

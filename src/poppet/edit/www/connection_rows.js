@@ -1,0 +1,101 @@
+/* Rows of the ports and inputs of a part: what they are connected to, as texts. */
+
+import { fillChoices, make } from "./elements.js";
+import { InputRow } from "./field_row.js";
+import { text } from "./strings.js";
+import { inWords, plainValue } from "./field_values.js";
+
+const AMBIENT = "ambient";
+
+/* Row of a port, of a tube end or of a body. */
+export class PortRow extends InputRow {
+  constructor(store, part, port) {
+    const label = inWords(port.name);
+    super(store, { address: `${part}.${port.name}`, label, help: port.doc });
+    Object.assign(this, { part, port });
+    if (port.required) this.name.append(make("span", { class: "required" }, ` ${text("form.required")}`));
+    this.input.placeholder = text(port.required ? "form.connect" : "form.connect_optional");
+    this.element.dataset.type = "port";
+  }
+
+  present() { return String(this.store.state.view.parts[this.part]?.ports[this.port.name] ?? ""); }
+
+  operations(typed) {
+    const to = typed.trim();
+    return [to ? { op: "connect", port: this.address, to } : { op: "disconnect", port: this.address }];
+  }
+
+  update() {
+    super.update();
+    fillChoices(this.choices, targetsOf(this.store, this.part, this.port));
+  }
+}
+
+/* Row of an input that no field of the part has: the output that it is connected to. */
+export class LinkRow extends InputRow {
+  constructor(store, part, input, { isNamed = true } = {}) {
+    const label = isNamed ? inWords(input.name) : text("form.driven_by");
+    super(store, { address: `${part}.${input.name}`, label, help: isNamed ? text("form.link_help", { unit: unitName(input.doc) }) : "" });
+    Object.assign(this, { part, source: input });
+    this.element.dataset.type = "link";
+    this.input.placeholder = text("form.not_connected");
+    if (!isNamed) {
+      this.input.removeAttribute("name");
+      this.input.setAttribute("aria-label", text("form.driver_of", { name: inWords(input.name) }));
+    }
+  }
+
+  present() { return driverOf(this.store.state.view, this.part, this.source.name); }
+
+  operations(typed) {
+    const output = typed.trim();
+    return [output ? { op: "link", input: this.address, output } : { op: "unlink", input: this.address }];
+  }
+
+  update() {
+    super.update();
+    fillChoices(this.choices, outputsFor(this.store, this.part, this.source.doc));
+  }
+}
+
+/* Return the output that an input is connected to, or an empty text. */
+export function driverOf(view, part, input) {
+  const stated = plainValue(view.parts[part]?.fields[input]);
+  const isAddress = typeof stated === "string" && /^[A-Za-z][\w-]*\.[\w.-]+$/.test(stated) && stated.split(".")[0] in view.parts;
+  return view.connections[`${part}.${input}`] ?? (isAddress ? stated : "");
+}
+
+/* Return the addresses that a port can be connected to. */
+export function targetsOf(store, part, port) {
+  const { view } = store.state;
+  const others = Object.keys(view.parts).filter(name => name !== part);
+  const ends = type => others.flatMap(name => (store.entry(name)?.ports ?? [])
+    .filter(end => end.type === type).map(end => ({ name, port: end.name, address: end.name ? `${name}.${end.name}` : name })));
+  if (port.type === "body") return ends("body").filter(end => !end.port).map(end => end.address);
+  const isOpen = end => view.parts[end.name].ports[end.port] === undefined;
+  const open = ends(port.type === "tube" ? "port" : "tube").filter(isOpen);
+  return [...ends("store").map(end => end.address), ...(port.type === "tube" ? [] : [AMBIENT]), ...open.map(end => end.address)];
+}
+
+/* Return the outputs of other parts with a unit. */
+export function outputsFor(store, part, unit) {
+  const { view } = store.state;
+  const names = new Set();
+  const isOther = name => name.split(".")[0] !== part && name.split(".")[0] in view.parts;
+  for (const column of store.header?.columns ?? []) {
+    if (column.unit === unit && isOther(column.name)) names.add(column.name);
+  }
+  const usual = { Pa: ["store", "pressure"], K: ["store", "temperature"], m: ["body", "position"], "m/s": ["body", "velocity"] }[unit];
+  for (const name of Object.keys(view.parts)) {
+    for (const port of store.entry(name)?.ports ?? []) {
+      const address = port.name ? `${name}.${port.name}` : name;
+      if (name === part) continue;
+      if (usual && port.type === usual[0] && (port.type === "store" || !port.name)) names.add(`${address}.${usual[1]}`);
+      if (port.type === "output" && port.name !== "output") names.add(address);
+    }
+  }
+  return [...names];
+}
+
+/* Return the name of a unit of an input. */
+export function unitName(unit) { return !unit || unit === "1" ? text("form.no_unit") : unit; }

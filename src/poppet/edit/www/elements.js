@@ -1,0 +1,33 @@
+/* Elements of the form. */
+
+let count = 0;
+
+/* Return an id that no other element has. */
+export function newId() { return `f${++count}`; }
+
+/* Return a new element. Keys of `properties` that begin with "on" are listeners, `class` and names with a hyphen are
+   attributes, others are properties; children are elements or texts, null is omitted. */
+export function make(tag, properties = {}, ...children) {
+  const element = document.createElement(tag);
+  for (const [name, value] of Object.entries(properties)) {
+    if (value === null || value === undefined) continue;
+    if (name.startsWith("on")) element.addEventListener(name.slice(2), value);
+    else if (name === "class" || name === "for" || name === "list" || name.includes("-")) element.setAttribute(name, value);
+    else element[name] = value;
+  }
+  element.append(...children.filter(child => child !== null && child !== undefined));
+  return element;
+}
+
+/* Set the text of an element, which is hidden if the text is empty. */
+export function show(element, content) {
+  if (element.textContent !== content) element.textContent = content;
+  element.hidden = !content;
+}
+
+/* Fill a list of choices of an input. */
+export function fillChoices(datalist, choices) {
+  const present = [...datalist.options].map(option => option.value);
+  if (present.length === choices.length && choices.every((choice, k) => choice === present[k])) return;
+  datalist.replaceChildren(...choices.map(value => make("option", { value })));
+}

@@ -1,0 +1,254 @@
+/* Row of one field in the form: input, unit, slider, source, help and error. */
+
+import { fillChoices, make, newId, show } from "./elements.js";
+import { positionOf, rangeOf, STEPS, textAt } from "./sliders.js";
+import { SourceEditor } from "./source_editor.js";
+import { text } from "./strings.js";
+import { converted, fromSi, siOf, withUnit } from "./units.js";
+import { ambientOf, defaultOf, inWords, isEqual, isSourced, limitsOf, plainValue, textOf, unitOf, valueOf } from "./field_values.js";
+
+const QUIET = 400;  // ms after the last key on a slider, then its value is written
+
+/* Input with a value that is applied by Enter or when the focus leaves it; Escape restores it. Subclasses define
+   `present()`, the value in the circuit as a text, and `operations(typed)`, or null if the typed text is not valid. */
+export class InputRow {
+  constructor(store, { address, label, help = "" }) {
+    Object.assign(this, { store, address, label });
+    this.id = newId();
+    this.shown = "";  // text of the value in the circuit
+    this.refused = "";  // reason why the typed text was refused
+    this.choices = make("datalist", { id: `${this.id}-list` });
+    this.input = make("input", {
+      type: "text", id: this.id, name: address, autocomplete: "off", spellcheck: false, list: this.choices.id,
+      "aria-describedby": `${this.id}-help ${this.id}-bad`,
+      onkeydown: event => this.#onKey(event), onchange: () => this.commit(), oninput: () => this.#onInput(),
+    });
+    this.name = make("label", { for: this.id }, label);
+    this.help = make("p", { class: "help", id: `${this.id}-help` }, help);
+    this.bad = make("p", { class: "bad", id: `${this.id}-bad`, hidden: true });
+    this.value = make("div", { class: "value" }, this.input, this.choices);
+    this.head = make("div", { class: "head" }, this.name);
+    this.element = make("div", { class: "field" }, this.head, this.value, this.bad, this.help);
+  }
+
+  get isDirty() { return this.input.value !== this.shown; }
+
+  #onKey(event) {
+    if (event.key === "Enter") {
+      event.preventDefault();
+      this.commit();
+    } else if (event.key === "Escape" && this.isDirty) {
+      this.restore();
+    }
+  }
+
+  #onInput() {
+    if (!this.refused) return;
+    this.refused = "";
+    this.showErrors();
+  }
+
+  restore() {
+    this.refused = "";
+    this.input.value = this.shown;
+    this.showErrors();
+  }
+
+  /* Show the value of the circuit; a text that is being typed stays. */
+  update() {
+    const present = this.present();
+    const isTyped = this.isDirty;
+    this.shown = present;
+    if (!isTyped) this.input.value = present;
+    this.showErrors();
+  }
+
+  showErrors() {
+    const errors = this.store.errors.filter(error => bare(error.address) === this.address);
+    const message = this.refused || errors.map(({ message, hint }) => [message, hint].filter(Boolean).join(" ")).join(" ");
+    show(this.bad, message);
+    this.input.setAttribute("aria-invalid", message ? "true" : "false");
+    if (errors.length) this.bad.dataset.address = errors[0].address;
+    else delete this.bad.dataset.address;
+  }
+
+  /* Apply the typed text if it differs from the value of the circuit. */
+  async commit() {
+    if (!this.isDirty) return;
+    const typed = this.input.value;
+    const operations = this.operations(typed);
+    if (!operations) {
+      this.refuse(text("form.not_valid"));
+      return;
+    }
+    this.shown = typed;
+    if (!operations.length) {
+      this.update();
+      this.input.value = this.shown;
+      return;
+    }
+    this.refused = "";
+    const state = await this.store.apply(operations, this.options?.() ?? {});
+    if (!state) this.refuse(this.store.message);
+    else if (this.input.value === typed) this.input.value = this.shown = this.present();
+  }
+
+  refuse(message) {
+    this.refused = message;
+    this.shown = this.present();
+    this.showErrors();
+  }
+}
+
+/* Return an address without the name of its table. */
+export function bare(address) { return (address ?? "").replace(/^parts\./, ""); }
+
+/* Row of a field of a part, or of a table such as `run`. `read()` returns the value in the file. */
+export class FieldRow extends InputRow {
+  constructor(store, { owner, field, read, isRequired = false }) {
+    super(store, { address: `${owner}.${field.name}`, label: inWords(field.name) });
+    Object.assign(this, { field, read, isRequired });
+    this.element.dataset.type = field.type;
+    if (isRequired) this.name.append(make("span", { class: "required" }, ` ${text("form.required")}`));
+    this.input.placeholder = this.#placeholder();
+    show(this.help, this.#help());
+    this.#addOrigin();
+    if (field.type === "number") this.#addUnit();
+    else fillChoices(this.choices, field.choices ?? []);
+  }
+
+  #timer = 0;
+
+  get stated() { return this.read(); }
+
+  present() { return textOf(this.stated); }
+
+  operations(typed) {
+    const value = valueOf(this.field, typed, this.unit?.value ?? "");
+    if (value === undefined) return null;
+    if (value !== null && isEqual(value, plainValue(this.stated))) return [];
+    return [{ op: "set", address: this.address, value }];
+  }
+
+  update() {
+    super.update();
+    const { stated } = this;
+    this.element.classList.toggle("is-stated", stated !== undefined);
+    this.origin.update(stated);
+    if (this.field.type !== "number") return;
+    this.#updateUnit();
+    if (document.activeElement !== this.slider || !this.isDirty) this.#updateSlider();
+  }
+
+  #placeholder() {
+    const { field } = this;
+    const preset = defaultOf(field);
+    return preset || (this.isRequired ? text("form.needed") : text("form.optional"));
+  }
+
+  #help() {
+    const { field, store } = this;
+    const preset = defaultOf(field);
+    const isSpoken = field.note && field.note !== "default";
+    const source = [text(`form.source_${field.source ?? "given"}`), isSpoken ? field.note : ""].filter(Boolean).join(": ");
+    return [
+      field.doc,
+      field.type === "number" ? limitsOf(field, store.units).join(", ") : "",
+      preset ? text("form.default", { value: field.type === "number" ? `${preset} (${source})` : preset }) : "",
+    ].filter(Boolean).join(" · ");
+  }
+
+  #addOrigin() {
+    this.origin = new SourceEditor(this.label, value => this.#write(value));
+    this.head.append(this.origin.button);
+    this.value.after(this.origin.element);
+  }
+
+  #write(value) { return this.store.apply([{ op: "set", address: this.address, value }]); }
+
+  /* --- Unit --- */
+
+  #addUnit() {
+    this.unit = make("select", {
+      class: "unit", "aria-label": text("form.unit_of", { name: this.label }), onchange: () => this.#convert(),
+    });
+    this.value.append(this.unit);
+    this.slider = make("input", {
+      type: "range", class: "slider", min: 0, max: STEPS, step: 1, "aria-label": text("form.slider_of", { name: this.label }),
+      oninput: () => this.#slide(), onchange: () => this.#finishSlide(), onblur: () => this.#finishSlide(true),
+    });
+    this.value.after(this.slider);
+  }
+
+  #updateUnit() {
+    const present = this.stated === undefined ? this.unit.value || this.field.units[0] : unitOf(this.field, this.stated);
+    const names = [...new Set([...this.field.units, present])];
+    if ([...this.unit.options].map(option => option.value).join("|") !== names.join("|")) {
+      this.unit.replaceChildren(...names.map(value => make("option", { value }, value || text("form.no_unit"))));
+    }
+    this.unit.value = present;
+    this.unit.hidden = names.length === 1 && !names[0];
+  }
+
+  async #convert() {
+    const { field, stated, store } = this;
+    if (stated === undefined) return;
+    const unit = this.unit.value, ambient = ambientOf(store.state.view, store.units);
+    const si = store.header?.numbers?.[this.address]?.value;
+    const other = si === undefined ? null : fromSi(si, field.unit, unit, store.units, ambient);
+    const typed = converted(plainValue(stated), field.unit, unit, store.units, ambient)
+      ?? (other === null ? null : withUnit(other, unit));
+    if (typed === null) {
+      this.refuse(text("form.no_conversion", { unit: unitOf(field, stated) }));
+      this.#updateUnit();
+      return;
+    }
+    const value = unit ? typed : Number(typed);
+    await this.#write(isSourced(stated) ? { ...stated, value } : value);
+  }
+
+  /* --- Slider --- */
+
+  #updateSlider() {
+    const { field, stated, store } = this;
+    const plain = plainValue(stated);
+    this.range = stated === undefined ? null : rangeOf(field, plain, store.units, ambientOf(store.state.view, store.units));
+    this.slider.hidden = !this.range;
+    if (!this.range) return;
+    this.slider.value = positionOf(parseFloat(plain), this.range);
+    this.slider.setAttribute("aria-valuetext", textOf(plain));
+  }
+
+  #slide() {
+    const { field, store } = this;
+    const typed = textAt(Number(this.slider.value), this.range);
+    this.input.value = typed;
+    this.slider.setAttribute("aria-valuetext", typed);
+    const si = siOf(typed, field.unit, store.units, ambientOf(store.state.view, store.units));
+    this.isLive = si !== null && store.number(this.address, si);
+    if (!this.isLive) store.apply(this.operations(typed), { continues: true });
+    clearTimeout(this.#timer);
+  }
+
+  /* Write the number of the slider: at once after the mouse, later after a key, since more keys may follow. */
+  #finishSlide(isLast = false) {
+    clearTimeout(this.#timer);
+    if (!this.isDirty) return;
+    if (isLast || !this.slider.matches(":focus-visible")) this.commit();
+    else this.#timer = setTimeout(() => this.commit(), QUIET);
+  }
+
+  options() { return this.isLive === false ? { continues: true } : {}; }
+
+  restore() {
+    if (this.isLive) this.store.number(this.address, null);
+    clearTimeout(this.#timer);
+    super.restore();
+    if (this.slider) this.#updateSlider();
+  }
+
+  async commit() {
+    await super.commit();
+    this.isLive = undefined;
+  }
+}
