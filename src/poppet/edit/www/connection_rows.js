@@ -20,6 +20,8 @@ export class PortRow extends InputRow {
 
   present() { return String(this.store.state.view.parts[this.part]?.ports[this.port.name] ?? ""); }
 
+  problem(typed) { return unknownPart(this.store.state.view, typed, this.part, AMBIENT); }
+
   operations(typed) {
     const to = typed.trim();
     return [to ? { op: "connect", port: this.address, to } : { op: "disconnect", port: this.address }];
@@ -47,6 +49,8 @@ export class LinkRow extends InputRow {
 
   present() { return driverOf(this.store.state.view, this.part, this.source.name); }
 
+  problem(typed) { return unknownPart(this.store.state.view, typed, this.part); }
+
   operations(typed) {
     const output = typed.trim();
     return [output ? { op: "link", input: this.address, output } : { op: "unlink", input: this.address }];
@@ -56,6 +60,14 @@ export class LinkRow extends InputRow {
     super.update();
     fillChoices(this.choices, outputsFor(this.store, this.part, this.source.doc));
   }
+}
+
+/* Return an error if an address names no other part, otherwise an empty text. */
+function unknownPart(view, typed, part, ...others) {
+  const name = typed.trim().split(".")[0];
+  if (!name || others.includes(typed.trim())) return "";
+  if (name === part) return text("form.itself", { name });
+  return name in view.parts ? "" : text("form.no_part", { name });
 }
 
 /* Return the output that an input is connected to, or an empty text. */

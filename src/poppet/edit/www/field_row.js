@@ -17,6 +17,7 @@ export class InputRow {
     this.id = newId();
     this.shown = "";  // text of the value in the circuit
     this.refused = "";  // reason why the typed text was refused
+    this.refusedText = null;
     this.choices = make("datalist", { id: `${this.id}-list` });
     this.input = make("input", {
       type: "text", id: this.id, name: address, autocomplete: "off", spellcheck: false, list: this.choices.id,
@@ -36,6 +37,7 @@ export class InputRow {
   #onKey(event) {
     if (event.key === "Enter") {
       event.preventDefault();
+      this.refusedText = null;
       this.commit();
     } else if (event.key === "Escape" && this.isDirty) {
       this.restore();
@@ -50,6 +52,7 @@ export class InputRow {
 
   restore() {
     this.refused = "";
+    this.refusedText = null;
     this.input.value = this.shown;
     this.showErrors();
   }
@@ -72,13 +75,13 @@ export class InputRow {
     else delete this.bad.dataset.address;
   }
 
-  /* Apply the typed text if it differs from the value of the circuit. */
+  /* Apply the typed text if it differs from the value of the circuit; a refused text is tried again only by Enter. */
   async commit() {
-    if (!this.isDirty) return;
     const typed = this.input.value;
-    const operations = this.operations(typed);
+    if (!this.isDirty || typed === this.refusedText) return;
+    const problem = this.problem(typed), operations = problem ? null : this.operations(typed);
     if (!operations) {
-      this.refuse(text("form.not_valid"));
+      this.refuse(problem || text("form.not_valid"));
       return;
     }
     this.shown = typed;
@@ -93,8 +96,12 @@ export class InputRow {
     else if (this.input.value === typed) this.input.value = this.shown = this.present();
   }
 
+  /* Reason why a typed text cannot be applied, or an empty text. */
+  problem() { return ""; }
+
   refuse(message) {
     this.refused = message;
+    this.refusedText = this.input.value;
     this.shown = this.present();
     this.showErrors();
   }
@@ -152,7 +159,7 @@ export class FieldRow extends InputRow {
     const isSpoken = field.note && field.note !== "default";
     const source = [text(`form.source_${field.source ?? "given"}`), isSpoken ? field.note : ""].filter(Boolean).join(": ");
     return [
-      field.doc,
+      field.doc === this.label ? "" : field.doc,
       field.type === "number" ? limitsOf(field, store.units).join(", ") : "",
       preset ? text("form.default", { value: field.type === "number" ? `${preset} (${source})` : preset }) : "",
     ].filter(Boolean).join(" · ");
@@ -174,7 +181,7 @@ export class FieldRow extends InputRow {
     });
     this.value.append(this.unit);
     this.slider = make("input", {
-      type: "range", class: "slider", min: 0, max: STEPS, step: 1, "aria-label": text("form.slider_of", { name: this.label }),
+      type: "range", class: "slider", "data-slider": this.address, min: 0, max: STEPS, step: 1, "aria-label": text("form.slider_of", { name: this.label }),
       oninput: () => this.#slide(), onchange: () => this.#finishSlide(), onblur: () => this.#finishSlide(true),
     });
     this.value.after(this.slider);
