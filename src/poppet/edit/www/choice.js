@@ -1,5 +1,6 @@
 /* Choice of the curves: those of the selected parts and the usual ones, or those of a checklist. */
 
+import { isStaircase } from "./quantities.js";
 import { text } from "./strings.js";
 
 const LINES = 8;  // of a plot
@@ -47,7 +48,7 @@ export class Choice extends EventTarget {
     for (const column of columns) {
       if (!groups.has(column.unit)) groups.set(column.unit, []);
       const group = groups.get(column.unit);
-      if (this.names || group.length < LINES) group.push({ ...column, isSelected: isSelected(column) });
+      if (this.names || group.length < LINES) group.push({ ...column, isSelected: isSelected(column), isStep: isStaircase(run.series.get(column.name) ?? []) });
     }
     return [...groups].slice(0, this.names ? undefined : PLOTS);
   }

@@ -92,7 +92,7 @@ export class Curves {
   /* Lines of a plot: the present ones, then those of A and the measured ones in the same colours. */
   linesOf(columns, kept) {
     return columns.flatMap((column, colour) => {
-      const base = { name: column.name, isStep: column.step ?? false, isSelected: column.isSelected, colour };
+      const base = { name: column.name, isStep: column.isStep, isSelected: column.isSelected, colour };
       const lines = [{ ...base, label: column.name, role: "now" }];
       if (kept?.series.has(column.name)) {
         lines.push({ ...base, label: `A: ${column.name}`, role: "kept", isSelected: false, data: [kept.time, kept.series.get(column.name)] });
@@ -120,7 +120,8 @@ export class Curves {
     const width = this.element.clientWidth - 24;
     const columns = width >= WIDE && count > 1 ? 2 : 1;
     const rows = Math.max(1, Math.ceil(count / columns));
-    const height = (this.element.clientHeight - this.bar.offsetHeight - this.status.offsetHeight - 12) / rows - 44;
+    const caption = Math.max(22, ...this.plots.map(plot => plot.captionHeight));
+    const height = (this.element.clientHeight - this.bar.offsetHeight - this.status.offsetHeight - 16) / rows - caption;
     return {
       width: Math.max(160, Math.floor((width - GAP * (columns - 1)) / columns)), height: Math.round(Math.min(HIGHEST, Math.max(LOWEST, height))),
     };

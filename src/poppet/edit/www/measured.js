@@ -1,8 +1,7 @@
 /* Measured curves: CSV files that are dropped on the curves, and the outputs that their columns measure. */
 
 import { readTable } from "./csv.js";
-import { valueAt } from "./plot.js";
-import { digits, displayOf, prettyUnit, scaleOf } from "./quantities.js";
+import { digits, displayOf, prettyUnit, scaleOf, valueAt } from "./quantities.js";
 import { text } from "./strings.js";
 
 const UNITS = {

@@ -1,6 +1,6 @@
 /* One plot of curves with the same unit. */
 
-import { displayOf, digits, prettyUnit, quantityName } from "./quantities.js";
+import { digits, displayOf, prettyUnit, quantityName, valueAt } from "./quantities.js";
 import { text } from "./strings.js";
 
 const COLOURS = 8;
@@ -28,11 +28,11 @@ export class Plot {
     this.display = displayOf(unit, store.units);
     this.element = parent.appendChild(document.createElement("figure"));
     this.element.className = "plot";
-    const caption = this.element.appendChild(document.createElement("figcaption"));
-    this.title = caption.appendChild(document.createElement("b"));
+    this.caption = this.element.appendChild(document.createElement("figcaption"));
+    this.title = this.caption.appendChild(document.createElement("b"));
     const shown = prettyUnit(this.display.unit);
     this.title.textContent = shown ? `${quantityName(unit)} [${shown}]` : quantityName(unit);
-    this.legend = caption.appendChild(document.createElement("span"));
+    this.legend = this.caption.appendChild(document.createElement("span"));
     this.legend.className = "legend";
     this.place = this.element.appendChild(document.createElement("div"));
     this.place.setAttribute("role", "img");
@@ -103,6 +103,8 @@ export class Plot {
     if (this.u && (this.u.width !== width || this.u.height !== height)) this.u.setSize({ width, height: Math.max(LOWEST, height) });
   }
 
+  get captionHeight() { return this.caption.offsetHeight; }
+
   redraw() { this.u?.redraw(false); }
 
   describe() {
@@ -167,17 +169,3 @@ function rangeY(low, high) {
 }
 
 function areEqual(a, b) { return a.length === b.length && a.every((value, k) => value === b[k]); }
-
-/* Value of a curve at a time, straight between two rows. */
-export function valueAt(time, values, at, isStep = false) {
-  let low = 0, high = time.length - 1;
-  if (high < 0 || at < time[0] || at > time[high] * (1 + 1e-12)) return NaN;
-  while (high - low > 1) {
-    const middle = (low + high) >> 1;
-    if (time[middle] <= at) low = middle;
-    else high = middle;
-  }
-  if (at >= time[high]) return values[high] ?? NaN;
-  if (isStep || high === low) return values[low] ?? NaN;
-  return values[low] + (values[high] - values[low]) * (at - time[low]) / (time[high] - time[low]);
-}

@@ -1,4 +1,4 @@
-/* Display units of the curves. */
+/* Values of the curves in display units. */
 
 import { text } from "./strings.js";
 
@@ -41,4 +41,29 @@ export function digits(value, span = Math.abs(value)) {
   const count = span > 0 ? Math.min(10, Math.max(0, Math.ceil(2.6 - Math.log10(span)))) : 3;
   const shown = value.toFixed(count);
   return Number(shown) === 0 ? shown.replace("-", "") : shown;
+}
+
+/* Value of a curve at a time, straight between two rows. */
+export function valueAt(time, values, at, isStep = false) {
+  let low = 0, high = time.length - 1;
+  if (high < 0 || at < time[0] || at > time[high] * (1 + 1e-12)) return NaN;
+  while (high - low > 1) {
+    const middle = (low + high) >> 1;
+    if (time[middle] <= at) low = middle;
+    else high = middle;
+  }
+  if (at >= time[high]) return values[high] ?? NaN;
+  if (isStep || high === low) return values[low] ?? NaN;
+  return values[low] + (values[high] - values[low]) * (at - time[low]) / (time[high] - time[low]);
+}
+
+/* True if values jump and are constant between jumps, as those of a sampled controller. */
+export function isStaircase(values) {
+  let jumps = 0;
+  for (let k = 1; k < values.length; k++) {
+    if (values[k] === values[k - 1]) continue;
+    if (k > 1 && values[k - 1] !== values[k - 2]) return false;
+    jumps++;
+  }
+  return jumps > 0;
 }

@@ -1,7 +1,6 @@
 /* Results for screen readers: a table of the curves, and an announcement after each run. */
 
-import { valueAt } from "./plot.js";
-import { digits, displayOf, prettyUnit } from "./quantities.js";
+import { digits, displayOf, prettyUnit, valueAt } from "./quantities.js";
 import { text } from "./strings.js";
 
 const ROWS = 11;
@@ -39,7 +38,7 @@ export class Values {
     const titles = this.columns.map(({ name }, k) => (displays[k].unit ? `${name} [${prettyUnit(displays[k].unit)}]` : name));
     const body = Array.from({ length: ROWS }, (_, row) => {
       const time = (run.time.at(-1) ?? 0) * row / (ROWS - 1);
-      const values = this.columns.map(({ name, step }, k) => digits(displays[k].from(valueAt(run.time, run.series.get(name), time, step))));
+      const values = this.columns.map(({ name, isStep }, k) => digits(displays[k].from(valueAt(run.time, run.series.get(name), time, isStep))));
       return rowOf("td", [digits(time, run.duration), ...values]);
     });
     const head = document.createElement("thead");
