@@ -284,6 +284,20 @@ _COMMANDS = {
         ),
         ("poppet new", "poppet new valve-fill", "poppet new two-tanks -o rig.toml"),
     ),
+    "edit": Command(
+        "draw a circuit in the browser, with its curves",
+        "edit:execute",
+        (
+            Option("[FILE]", "circuit file (.toml), which Save creates if it does not exist; or a folder"),
+            Option("--no-browser", "print the address only, and do not open the browser"),
+            Option(
+                "--port N",
+                "port of the server on this computer (default: any free one)",
+                keywords={"type": int, "default": 0},
+            ),
+        ),
+        ("poppet edit", "poppet edit plant.toml", "poppet edit plant.toml --no-browser --port 8800"),
+    ),
     "show": Command(
         "list the parameters of a circuit by their source, assumed ones first",
         "circuit_files:show_parameters",

@@ -16,6 +16,8 @@ from poppet.parts.fields import GroupSpec, MemberSpec, specs
 
 MARK = "\ufeff"
 """Byte order mark, with which some editors begin a file."""
+LARGEST = 2**20
+"""Maximum size of a circuit file in the editor, in bytes."""
 
 
 @dataclass(frozen=True)
@@ -108,12 +110,15 @@ class History:
     ----------
     text : str
         Text at the start.
+    revision : int, optional
+        Number of the first revision.
     """
 
-    def __init__(self, text: str) -> None:
-        self.revision = 0
+    def __init__(self, text: str, revision: int = 0) -> None:
+        self.revision = revision
         self._documents = [Document(text)]
         self._position = 0
+        self._continues = False  # True if the last change can be continued
 
     @property
     def document(self) -> Document:
@@ -130,45 +135,67 @@ class History:
         """True if there is a change to redo."""
         return self._position + 1 < len(self._documents)
 
-    def apply(self, revision: int, operations: Iterable[Any]) -> Document:
-        """Perform operations as one change."""
-        self._check(revision)
-        return self._append(self.document.apply(operations))
+    def apply(self, revision: int, operations: Iterable[Any], *, continues: bool = False) -> Document:
+        """Perform operations as one change.
+
+        If `continues` is True for several changes in a row, such as those of a slider, undo reverts them together.
+        """
+        self.check(revision)
+        return self._append(self.document.apply(operations), continues=continues)
 
     def replace(self, revision: int, text: str) -> Document:
         """Replace the text as one change; the new text can be invalid."""
-        self._check(revision)
+        self.check(revision)
         return self._append(Document(text))
 
     def undo(self, revision: int) -> Document:
         """Return to the document before the last change."""
-        self._check(revision)
+        self.check(revision)
         if not self.can_undo:
             raise InputError("edit.no_undo")
         return self._move(-1)
 
     def redo(self, revision: int) -> Document:
         """Perform a change again after an undo."""
-        self._check(revision)
+        self.check(revision)
         if not self.can_redo:
             raise InputError("edit.no_redo")
         return self._move(1)
 
-    def _check(self, revision: int) -> None:
+    def check(self, revision: int) -> None:
+        """Raise an error if a revision is not the present one."""
         if revision != self.revision:
             raise InputError("edit.stale", revision=revision, present=self.revision)
 
-    def _append(self, document: Document) -> Document:
+    def _append(self, document: Document, *, continues: bool = False) -> Document:
         if document.text != self.document.text:
-            self._documents[self._position + 1 :] = [document]
-            self._position += 1
+            check_text(document.text)
+            if continues and self._continues:
+                self._position -= 1
+            is_reverted = document.text == self.document.text  # a continued change that ends where it began
+            self._documents[self._position + 1 :] = [] if is_reverted else [document]
+            self._position += not is_reverted
+            self._continues = continues and not is_reverted
             self.revision += 1
         return self.document
 
     def _move(self, step: int) -> Document:
         self._position += step
+        self._continues = False
         self.revision += 1
         return self.document
+
+
+def check_text(text: str) -> None:
+    """Raise an error if a text cannot be saved and opened again."""
+    try:
+        size = len(text.encode("utf-8"))
+    except UnicodeEncodeError:  # half of a surrogate pair
+        raise InputError("edit.no_text") from None
+    if "\0" in text:
+        raise InputError("edit.no_text")
+    if size > LARGEST:
+        raise InputError("edit.too_large", most=LARGEST // 2**20)
 
 
 def _part_view(table: Any) -> dict[str, Any]:
