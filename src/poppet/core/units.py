@@ -230,32 +230,6 @@ def same_dimension(first: str, second: str) -> bool:
     return is_known(first) and is_known(second) and _flow_dimension(first) == _flow_dimension(second)
 
 
-def si_conversion(unit: str) -> tuple[float, float, bool]:
-    """Return the linear conversion of a unit to SI.
-
-    Parameters
-    ----------
-    unit : str
-        For example `degC`, `bar g`, `l/min ANR`.
-
-    Returns
-    -------
-    factor : float
-        Value in SI of one unit; a volume flow with a reference state becomes a mass flow.
-    offset : float
-        Value in SI of zero, for a gauge pressure without the ambient pressure.
-    is_gauge : bool
-        True if the ambient pressure must be added.
-
-    Examples
-    --------
-    >>> si_conversion("bar g"), si_conversion("degC")
-    ((100000.0, 0.0, True), (1.0, 273.15, False))
-    """
-    parsed, mark = _unit_and_mark(unit)
-    return float(_si_factor(parsed, mark)), float(parsed.offset * parsed.scale), mark == "gauge"
-
-
 def _flow_dimension(unit: str) -> Dimension:
     """Return the physical dimension of a unit.
 

@@ -5,16 +5,17 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from functools import cache
 from http import HTTPStatus
-from importlib import import_module
 from pathlib import Path
 from threading import Lock
 from typing import Any
 
 from poppet.core.errors import InputError
-from poppet.core.units import si_conversion
-from poppet.edit.palette import palette
+from poppet.edit.build import build_payload
+from poppet.edit.palette import palette, sections, unit_table
 from poppet.edit.server import BYTES, Reply, Request, Route, Routes
 from poppet.edit.session import Session, State, error_list
+from poppet.edit.starting_values import starting_fields
+from poppet.parts import KINDS
 
 PACKAGE = Path(__file__).parents[1]
 PAGE = Path(__file__).with_name("www")
@@ -32,8 +33,6 @@ TYPES = {
     ".wasm": "application/wasm",
 }
 """Media types of the files of the page; no other files are sent."""
-MORE_UNITS = ("bar a", "kPa g", "MPa g", "mbar g", "psi", "psi g", "degF", "h", "l/s ANR")
-"""Units that files often contain, in addition to those in forms."""
 CONFLICTS = ("edit.stale", "edit.changed_on_disk", "edit.file_exists", "edit.unsaved")
 """Codes of errors that the page resolves with the present state, which the reply contains."""
 
@@ -87,21 +86,13 @@ def _file(name: str) -> Reply:
 
 @cache
 def _palette() -> bytes:
-    kinds = palette()
-    units = {unit for entry in kinds for item in entry["fields"] for unit in (item.get("unit"), *item.get("units", ()))}
-    conversions = {}
-    for unit in sorted({*units, *MORE_UNITS} - {None, ""}):
-        factor, offset, is_gauge = si_conversion(unit)
-        conversions[unit] = {"factor": factor, "offset": offset, "gauge": is_gauge}
-    conversions[""] = {"factor": 1.0, "offset": 0.0, "gauge": False}
-    return Reply.json({"kinds": kinds, "units": conversions, "start": _starting_values()}).body
-
-
-def _starting_values() -> Any:
-    try:
-        return import_module("poppet.edit.starting_values").STARTING_VALUES
-    except (ImportError, AttributeError):
-        return {}
+    content = {
+        "kinds": palette(),
+        "units": unit_table(),
+        "sections": sections(),
+        "start": {kind: starting_fields(kind) for kind in KINDS},
+    }
+    return Reply.json(content).body
 
 
 def _change(
@@ -149,7 +140,7 @@ def _model(session: Session) -> Callable[[Request], Reply]:
         with session.lock:
             session.history.check(int(query["revision"]) if query.get("revision", "").isdecimal() else -1)
             circuit = session.circuit()
-        return Reply(import_module("poppet.edit.build").build_payload(circuit, query.get("key")), BYTES)
+        return Reply(build_payload(circuit, query.get("key")), BYTES)
 
     def reply(request: Request) -> Reply:
         with building:

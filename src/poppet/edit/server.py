@@ -228,10 +228,10 @@ class _Handler(BaseHTTPRequestHandler):
 
             return Reply.json({"errors": error_list(error)}, HTTPStatus.UNPROCESSABLE_ENTITY)
         except (PoppetError, OSError) as error:
-            return Reply.json(
-                {"errors": [{"code": "", "address": "", "line": None, "message": str(error), "hint": ""}]},
-                HTTPStatus.UNPROCESSABLE_ENTITY,
-            )
+            return Reply.json({"errors": [_problem(str(error))]}, HTTPStatus.UNPROCESSABLE_ENTITY)
+        except Exception as error:
+            text = f"internal error: {type(error).__name__}: {error}. Please report it."
+            return Reply.json({"errors": [_problem(text)]}, HTTPStatus.INTERNAL_SERVER_ERROR)
 
     def _send(self, reply: Reply) -> None:
         body, headers = reply.body, {**HEADERS, "Content-Type": reply.media_type, **reply.headers}
@@ -250,6 +250,11 @@ class _Handler(BaseHTTPRequestHandler):
 
     def log_message(self, format: str, *args: Any) -> None:
         """Print nothing: the terminal shows the address only."""
+
+
+def _problem(message: str) -> dict[str, Any]:
+    """Return an error without a code for the page."""
+    return {"code": "", "address": "", "line": None, "message": message, "hint": ""}
 
 
 def _match(pattern: list[str], parts: list[str]) -> dict[str, str] | None:

@@ -16,10 +16,14 @@ from poppet.circuit.file import loads
 from poppet.core.errors import InputError, NameSuggestion
 from poppet.core.files import check_characters, open_input, write_whole
 from poppet.edit.document import LARGEST, MARK, Document, History
+from poppet.edit.operations import free_name
 from poppet.edit.palette import palette
 from poppet.edit.places import places_of
 
 SUFFIX = ".toml"
+
+EMPTY = '[run]\nduration = "2 s"\noutput_step = "5 ms"\n'
+"""Text of a circuit without parts."""
 
 State = dict[str, Any]
 
@@ -46,7 +50,8 @@ class Session:
         is_folder = path.is_dir()
         self.folder = Path(os.path.realpath(path if is_folder else path.parent))
         self.name: str | None = None
-        self.history = History("")
+        self.history = History(EMPTY)
+        self._first = EMPTY  # text without a file
         self._disk: bytes | None = None  # content of the file when it was read or saved
         self._content_of: tuple[int, State, BaseCircuit | InputError] | None = None
         if not is_folder:
@@ -157,16 +162,14 @@ class Session:
     # --- File ---
 
     def save(self, revision: int, name: str | None = None, overwrite: bool = False) -> State:
-        """Write the text to its file, or to a new file in the folder.
+        """Write the text to its file, or to a new file in the folder; a circuit without a name receives a free one.
 
         A file that another program has changed is overwritten only if `overwrite` is True; a new file never replaces
         another file.
         """
         with self.lock:
             self.history.check(revision)
-            target = self.name if name is None else file_name(name)
-            if target is None:
-                raise InputError("edit.no_name")
+            target = (self.name or self._free_name()) if name is None else file_name(name)
             is_new = target != self.name
             known = None if is_new else self._disk
             data = self.document.text.encode("utf-8")
@@ -202,7 +205,7 @@ class Session:
                     )
                 self._begin(None, None, self.templates[template].read_text(encoding="utf-8"))
             else:
-                self._begin(None, None, "")
+                self._begin(None, None, EMPTY)
             return self.state()
 
     def start(self) -> State:
@@ -219,6 +222,9 @@ class Session:
             "files": sorted(files, key=lambda item: -float(str(item["modified"]))),
         }
 
+    def _free_name(self) -> str:
+        return free_name("circuit", {path.stem for path in self.folder.iterdir()}) + SUFFIX
+
     def _open_file(self, name: str, *, is_new: bool = False) -> None:
         """Open a file of the folder; with `is_new`, a missing file is an empty circuit."""
         name = file_name(name)
@@ -228,7 +234,7 @@ class Session:
             if not is_new:
                 suggestion = NameSuggestion(name, [path.name for path in self.folder.glob(f"*{SUFFIX}")])
                 raise InputError("names.unknown", name, meaning="a file of the folder", suggestion=suggestion) from None
-            self._begin(name, None, "")
+            self._begin(name, None, EMPTY)
             return
         self._begin(name, data, _decoded(data, name))
 
@@ -356,5 +362,6 @@ def _sizes(view: Mapping[str, Any]) -> dict[str, tuple[float, float]]:
     for name, part in view["parts"].items():
         if part["kind"] in BOXES:
             *_, width, height = BOXES[part["kind"]]
-            sizes[name] = (float(width), float(height))
+            # With room for names, vents and wires.
+            sizes[name] = (width + 2.0, height + 4.0)
     return sizes
