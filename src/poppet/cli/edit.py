@@ -6,32 +6,39 @@ import argparse
 import signal
 import webbrowser
 from pathlib import Path
+from threading import Thread
 from types import FrameType
 from typing import NoReturn
 
 
 def execute(options: argparse.Namespace) -> None:
     """Run the command `edit`: start the server of the editor, and open the browser."""
+    # Both, because a shell makes programs in the background ignore Ctrl-C.
+    previous = {number: signal.signal(number, _interrupt) for number in (signal.SIGINT, signal.SIGTERM)}
+    try:
+        _serve(options)
+    except KeyboardInterrupt:
+        pass
+    finally:
+        for number, handler in previous.items():
+            signal.signal(number, handler)
+
+
+def _serve(options: argparse.Namespace) -> None:
+    """Serve the page until the program is interrupted."""
     from poppet.cli.circuit_files import TEMPLATES
-    from poppet.edit.routes import page_routes, session_routes
+    from poppet.edit.routes import load_simulation, page_routes, session_routes
     from poppet.edit.server import EditServer
     from poppet.edit.session import Session
 
     session = Session(Path(options.file or "."), TEMPLATES)
     with EditServer(options.port, [page_routes(), session_routes(session)]) as server:
-        # Both, because a shell makes programs in the background ignore Ctrl-C.
-        previous = {number: signal.signal(number, _interrupt) for number in (signal.SIGINT, signal.SIGTERM)}
-        try:
-            # Without a buffer: a program that starts the editor reads this line.
-            print(server.address, flush=True)
-            if not options.no_browser:
-                webbrowser.open(server.address)
-            server.serve_forever()
-        except KeyboardInterrupt:
-            pass
-        finally:
-            for number, handler in previous.items():
-                signal.signal(number, handler)
+        # Without a buffer: a program that starts the editor reads this line.
+        print(server.address, flush=True)
+        Thread(target=load_simulation, daemon=True).start()
+        if not options.no_browser:
+            webbrowser.open(server.address)
+        server.serve_forever()
 
 
 def _interrupt(_number: int, _frame: FrameType | None) -> NoReturn:

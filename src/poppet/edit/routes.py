@@ -10,7 +10,6 @@ from threading import Lock
 from typing import Any
 
 from poppet.core.errors import InputError
-from poppet.edit.build import build_payload
 from poppet.edit.palette import palette, sections, unit_table
 from poppet.edit.server import BYTES, Reply, Request, Route, Routes
 from poppet.edit.session import Session, State, error_list
@@ -57,6 +56,11 @@ def page_routes() -> Routes:
         ("GET", "/"): Route(lambda _: _file("index.html")),
         ("GET", "/www/{name}"): Route(lambda r: _file(r.names["name"])),
     }
+
+
+def load_simulation() -> None:
+    """Import the libraries for simulations, so that the first model needs less time."""
+    import poppet.edit.build  # noqa: F401
 
 
 def session_routes(session: Session) -> Routes:
@@ -140,6 +144,8 @@ def _model(session: Session) -> Callable[[Request], Reply]:
         with session.lock:
             session.history.check(int(query["revision"]) if query.get("revision", "").isdecimal() else -1)
             circuit = session.circuit()
+        from poppet.edit.build import build_payload  # slow to import
+
         return Reply(build_payload(circuit, query.get("key")), BYTES)
 
     def reply(request: Request) -> Reply:
