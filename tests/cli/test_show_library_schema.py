@@ -164,3 +164,16 @@ def test_schema_accepts_nested_and_bare_signals(validator):
     table = tomllib.loads(text)
     table["signals"] = {"valve.pilot_pressure": "2 bar g"}
     assert validator.is_valid(table)
+
+
+def test_schema_tells_parts_and_wires_of_a_drawing_apart(validator):
+    text = TEMPLATES["valve-fill"].read_text(encoding="utf-8")
+    for entry, is_valid in [
+        ("tank = { x = 1, y = 2.5, rotation = 90 }", True),
+        ('"valve.outlet" = { points = [[1, 2], [1, 4.5]] }', True),
+        ("tank = { points = [[1, 2]] }", False),
+        ('"valve.outlet" = { x = 1, y = 2 }', False),
+        ('"valve.outlet" = { points = [[1, 2, 3]] }', False),
+        ('"valve.outlet" = { points = [] }', False),
+    ]:
+        assert validator.is_valid(tomllib.loads(f"{text}\n[drawing]\n{entry}\n")) == is_valid, entry

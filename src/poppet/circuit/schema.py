@@ -204,7 +204,7 @@ def _models(kind: str) -> list[str]:
 
 
 def _drawing() -> Schema:
-    """Return the JSON schema of the positions of parts in the drawing of an editor."""
+    """Return the JSON schema of the positions of parts, and of the points of wires, in the drawing of an editor."""
     place = closed(
         {
             "x": {"type": "number"},
@@ -214,7 +214,15 @@ def _drawing() -> Schema:
         },
         ["x", "y"],
     )
-    return {"type": "object", "additionalProperties": place, "description": "positions of parts; no effect on a run"}
+    point = {"type": "array", "items": {"type": "number"}, "minItems": 2, "maxItems": 2}
+    wire = closed({"points": {"type": "array", "items": point, "minItems": 1}}, ["points"])
+    return {
+        "type": "object",
+        # The address of a port or input contains a dot, the name of a part does not.
+        "patternProperties": {r"\.": wire},
+        "additionalProperties": place,
+        "description": "positions of parts and points of wires; no effect on a run",
+    }
 
 
 def _gas_name() -> Schema:

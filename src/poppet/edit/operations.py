@@ -133,9 +133,13 @@ def paste(circuit: CircuitText, parts: Mapping[str, Any], drawing: Mapping[str, 
     text = circuit.text
     for name, table in copies.parts.items():
         text = add_table(TomlText(text), ("parts", name), table, ORDER)
-    for name, place in (drawing or {}).items():
-        if name in names:
-            text = set_place(CircuitText(text), names[name], **_place_of(name, place))
+    for address, entry in (drawing or {}).items():
+        name, dot, local = address.partition(".")
+        if name in names and local:
+            points = entry.get("points") if isinstance(entry, Mapping) else None
+            text = route(CircuitText(text), f"{names[name]}{dot}{local}", points if isinstance(points, list) else [])
+        elif name in names:
+            text = set_place(CircuitText(text), names[name], **_place_of(name, entry))
     return text
 
 
@@ -155,6 +159,18 @@ def set_place(
     # The usual orientation is not written.
     place = {key: value for key, value in place.items() if key in "xy" or value}
     return _set_table(circuit.text, ("drawing", part), place)
+
+
+def route(circuit: CircuitText, port: str, points: list[Any] | None = None) -> str:
+    """Set the points through which the wire of a port or input passes; None removes them."""
+    _check_input(circuit, port)
+    if points is None:
+        return remove(circuit.toml, [("drawing", port)])
+    is_valid = points and all(isinstance(point, list) and len(point) == 2 for point in points)
+    if not is_valid or not all(is_coordinate(value) for point in points for value in point):
+        raise InputError("edit.no_points", f"drawing.{port}", value=points)
+    whole = [[int(value) if float(value).is_integer() else value for value in point] for point in points]
+    return _set_table(circuit.text, ("drawing", port), {"points": whole})
 
 
 # --- Values ---
@@ -187,13 +203,13 @@ def link(circuit: CircuitText, input: str, output: str) -> str:
     _check_input(circuit, input)
     circuit.part(output.partition(".")[0])
     path = _source_field(circuit, input) or _stated_path(circuit, "connections", input) or ("connections", input)
-    return set_value(circuit.toml, path, output, ORDER)
+    return set_value(TomlText(_without_route(circuit, input, output)), path, output, ORDER)
 
 
 def unlink(circuit: CircuitText, input: str) -> str:
-    """Remove the connection of an input."""
+    """Remove the connection of an input, with the points of its wire."""
     _check_input(circuit, input)
-    paths = (_source_field(circuit, input), _stated_path(circuit, "connections", input))
+    paths = (_source_field(circuit, input), _stated_path(circuit, "connections", input), ("drawing", input))
     return remove(circuit.toml, [path for path in paths if path])
 
 
@@ -215,17 +231,18 @@ def connect(circuit: CircuitText, port: str, to: str) -> str:
             raise InputError("fields.not_an_option", port, value=local, meaning="port", suggestion=suggestion)
         raise InputError("edit.no_port", port=port, to=to)
     if _port_spec(circuit, to) is None:
-        return set_value(circuit.toml, _port_path(port), to, ORDER)
+        return set_value(TomlText(_without_route(circuit, port, to)), _port_path(port), to, ORDER)
     # Two ports: one of them is the end of a tube, and each names the other part.
     tube, other = (port, to) if _is_tube(circuit, port) else (to, port)
     if not _is_tube(circuit, tube) or _is_tube(circuit, other) or isinstance(spec, BodySpec):
         raise InputError("edit.two_ports", port=port, to=to)
-    text = set_value(circuit.toml, _port_path(tube), other, ORDER)
+    text = _without_route(CircuitText(_without_route(circuit, tube, other)), other, tube.partition(".")[0])
+    text = set_value(TomlText(text), _port_path(tube), other, ORDER)
     return set_value(TomlText(text), _port_path(other), tube.partition(".")[0], ORDER)
 
 
 def disconnect(circuit: CircuitText, port: str) -> str:
-    """Remove the connection of a port, at both ports if one of them is the end of a tube."""
+    """Remove the connection of a port and the points of its wire, at both ports if one is the end of a tube."""
     owner = port.partition(".")[0]
     circuit.part(owner)
     paths = [_port_path(port)]
@@ -237,6 +254,7 @@ def disconnect(circuit: CircuitText, port: str) -> str:
                 paths.append(("parts", name, *path))
             elif end == port and _is_tube(circuit, end) and _port_spec(circuit, value) is not None:
                 paths.append(_port_path(value))
+    paths += [("drawing", ".".join(map(str, path[1:]))) for path in paths]
     return remove(circuit.toml, [path for path in paths if is_stated(circuit.toml, path)])
 
 
@@ -246,6 +264,7 @@ OPERATIONS: dict[str, Callable[..., str]] = {
     "rename": rename,
     "paste": paste,
     "place": set_place,
+    "route": route,
     "set": set_field,
     "signal": set_signal,
     "link": link,
@@ -260,6 +279,7 @@ EXAMPLES: dict[str, str] = {
     "rename": '{"op": "rename", "part": "tank", "name": "vessel"}',
     "paste": '{"op": "paste", "parts": {"tank": {"kind": "chamber"}}}',
     "place": '{"op": "place", "part": "tank", "x": 12, "y": 4}',
+    "route": '{"op": "route", "port": "valve.supply", "points": [[12, 4], [12, 8]]}',
     "set": '{"op": "set", "address": "tank.volume", "value": "10 l"}',
     "signal": '{"op": "signal", "address": "valve.command", "table": null}',
     "link": '{"op": "link", "input": "valve.command", "output": "plc.clamp"}',
@@ -275,6 +295,7 @@ _TYPES: dict[str, tuple[type, ...]] = {
     "int | None": (int, float, type(None)),
     "bool | None": (bool, type(None)),
     "list[Any]": (list,),
+    "list[Any] | None": (list, type(None)),
     "Mapping[str, Any]": (Mapping,),
     "Mapping[str, Any] | None": (Mapping, type(None)),
     "Any": (object,),
@@ -441,6 +462,19 @@ def _set_table(text: str, path: Path, table: Mapping[str, Any]) -> str:
         if present.get(key) != value or type(present.get(key)) is not type(value):
             text = set_value(TomlText(text), (*path, key), value, ORDER)
     return text
+
+
+def _without_route(circuit: CircuitText, port: str, target: str) -> str:
+    """Return the text without the points of a wire, unless the wire has the same target."""
+    owner, _, local = port.partition(".")
+    present: Any = circuit.part(owner)
+    for name in local.split("."):
+        present = present.get(name) if isinstance(present, Mapping) else None
+    stated = _stated_path(circuit, "connections", port)
+    source: Any = circuit.content if stated else None
+    for key in stated or ():
+        source = source[key]
+    return circuit.text if target in (present, source) else remove(circuit.toml, [("drawing", port)])
 
 
 def _port_path(port: str) -> Path:

@@ -121,23 +121,25 @@ def renamed(text: TomlText, content: Mapping[str, Any], old: str, new: str) -> s
 
 
 def without_references(text: TomlText, content: Mapping[str, Any], removed: Collection[str]) -> str:
-    """Return a text without ports, signals, connections and stop conditions that refer to some parts.
+    """Return a text without ports, signals, connections, wires and stop conditions that refer to some parts.
 
     Conditions of sequences remain, because they are written by the user.
     """
     paths: set[Path] = {("drawing", name) for name in removed}
     for path, key in text.names():
-        if path[0] in ("signals", "connections") and len(path) == 2 and key.name.partition(".")[0] in removed:
+        is_of_part = len(path) == 2 and path[0] in ("signals", "connections", "drawing")
+        if is_of_part and key.name.partition(".")[0] in removed:
             paths.add(path)
     for entry in text.entries():
         if entry.path[0] == "connections" and set(_owners(_text(text, entry.value))) & {*removed}:
-            paths.add(entry.path)
+            paths |= {entry.path, ("drawing", ".".join(map(str, entry.path[1:])))}
     parts = content.get("parts", {})
     for name, table in parts.items() if isinstance(parts, Mapping) else ():
         if name not in removed:
             for reference in references(table, parts):
                 if not reference.is_text and reference.owners & {*removed}:
-                    paths.add(("parts", name, *reference.path))
+                    address = ".".join(map(str, (name, *reference.path)))
+                    paths |= {("parts", name, *reference.path), ("drawing", address)}
     conditions = next((entry.value for entry in text.entries() if entry.path == ("run", "stop_when")), None)
     if conditions is not None:
         items = conditions.items if conditions.items is not None else (conditions,)
@@ -154,8 +156,8 @@ def _is_name(path: Path) -> bool:
 
 
 def _is_address(path: Path) -> bool:
-    is_input = len(path) == 2 and path[0] in ("signals", "connections")
-    return is_input or (len(path) == 3 and path[:2] in (("ensemble", "parameters"), ("ensemble", "numbers")))
+    is_input_or_wire = len(path) == 2 and path[0] in ("signals", "connections", "drawing")
+    return is_input_or_wire or (len(path) == 3 and path[:2] in (("ensemble", "parameters"), ("ensemble", "numbers")))
 
 
 def _address_values(

@@ -564,7 +564,7 @@ def test_missing_gas_node_beside_an_invalid_controller_is_reported():
 
 
 def test_positions_in_a_drawing_change_nothing():
-    drawn = CONTRACT + "\n[drawing]\ntank = { x = 12, y = 4, rotation = 90 }\n"
+    drawn = CONTRACT + '\n[drawing]\ntank = { x = 12, y = 4, rotation = 90 }\n"tank.x" = { points = [[1, 2.5]] }\n'
     plain, placed = loads(CONTRACT), loads(drawn)
     assert (placed.numbers(), placed.run) == (plain.numbers(), plain.run)
     with pytest.raises(InputError) as caught:

@@ -70,6 +70,7 @@ def random_operation(rng: random.Random, view: dict[str, Any], number: int) -> d
         {"op": "link", "input": f"{one}.command", "output": f"{other}.pressure"},
         {"op": "unlink", "input": f"{one}.command"},
         {"op": "place", "part": one, "x": rng.random(), "y": number, "rotation": rng.choice([0, 90, 180, 270])},
+        {"op": "route", "port": rng.choice(ports), "points": rng.choice([None, [[1, number]]])},
         {"op": "paste", "parts": {one: {"kind": "orifice", "from": other}}, "drawing": {one: {"x": 1, "y": 2}}},
     ]
     return rng.choice(operations)
@@ -137,7 +138,7 @@ def check(operation: dict[str, Any], before: Any, after: Any) -> None:
             assert Document.view(Document(text_of(after)))["connections"][target] == source
             assert new == old
     untouched = ("title", "components", "gas", "ensemble", "requirements")
-    if operation["op"] in ("place", "connect", "signal", "add", "disconnect"):
+    if operation["op"] in ("place", "route", "connect", "signal", "add", "disconnect"):
         assert all(before.get(name) == after.get(name) for name in untouched)
 
 

@@ -390,6 +390,74 @@ def test_positions_outside_the_drawing(place):
         edited(BENCH, {"op": "place", "part": "tank", **place})
 
 
+ROUTE = {"op": "route", "port": "valve.outlet", "points": [[12.0, 4], [12, 8.5]]}
+LINE = '"valve.outlet" = { points = [[12, 4], [12, 8.5]] }'
+
+
+def test_only_the_drawing_changes_if_a_wire_has_points():
+    after = edited(BENCH, ROUTE)
+    assert after == BENCH + f"\n[drawing]\n{LINE}\n"
+    assert change(ROUTE | {"points": [[1, 2]]}, text=after) == ([LINE], ['"valve.outlet" = { points = [[1, 2]] }'])
+    assert change(ROUTE | {"points": None}, text=after) == ([LINE], [])
+    placed = edited(after, {"op": "place", "part": "valve", "x": 1, "y": 2})
+    assert placed == after + "valve = { x = 1, y = 2 }\n"
+    loads(placed)
+
+
+@pytest.mark.parametrize("points", [[], [[1]], [[1, 2, 3]], [1, 2], [["1", 2]], [[1, float("nan")]], [[1e9, 0]]])
+def test_points_that_are_none(points):
+    with refused("edit.no_points", "drawing.valve.outlet"):
+        edited(BENCH, ROUTE | {"points": points})
+
+
+@pytest.mark.parametrize(
+    ("operation", "lines"),
+    [
+        ({"op": "rename", "part": "valve", "name": "v"}, [LINE.replace("valve", "v")]),
+        ({"op": "rename", "part": "tank", "name": "t"}, [LINE]),
+        ({"op": "remove", "parts": ["valve"]}, []),
+        ({"op": "remove", "parts": ["tank"]}, []),
+        ({"op": "disconnect", "port": "valve.outlet"}, []),
+        ({"op": "disconnect", "port": "valve.supply"}, [LINE]),
+        ({"op": "connect", "port": "valve.outlet", "to": "tank"}, [LINE]),
+        ({"op": "connect", "port": "valve.outlet", "to": "supply"}, []),
+    ],
+)
+def test_points_follow_their_wire(operation, lines):
+    after = edited(BENCH, ROUTE, operation)
+    assert [line for line in after.splitlines() if "points" in line] == lines
+
+
+def test_points_of_tubes_and_signals_follow_their_wire():
+    text = edited(
+        BENCH,
+        {"op": "add", "kind": "tube", "name": "hose"},
+        {"op": "connect", "port": "hose.from", "to": "valve.outlet"},
+    )
+    both = [{"op": "route", "port": port, "points": [[1, 2]]} for port in ("hose.from", "valve.outlet")]
+    assert edited(text, *both).count("points") == 2
+    assert edited(text, *both, {"op": "disconnect", "port": "valve.outlet"}).count("points") == 0
+    assert edited(text, *both, {"op": "connect", "port": "hose.from", "to": "tank"}).count("points") == 1
+    link = {"op": "link", "input": "valve.command", "output": "tank.pressure"}
+    linked = edited(BENCH, link, {"op": "route", "port": "valve.command", "points": [[1, 2]]})
+    assert edited(linked, link) == linked
+    for operation in (
+        link | {"output": "supply.pressure"},
+        {"op": "unlink", "input": "valve.command"},
+        {"op": "remove", "parts": ["tank"]},
+    ):
+        assert "points" not in edited(linked, operation)
+
+
+def test_copies_have_the_points_of_their_wires():
+    parts = {name: tomllib.loads(BENCH)["parts"][name] for name in ("valve", "tank")}
+    drawing = {"valve.outlet": {"points": [[3, 4]]}, "supply.x": {"points": [[5, 6]]}}
+    after = edited(BENCH, {"op": "paste", "parts": parts, "drawing": drawing})
+    assert tomllib.loads(after)["drawing"] == {"valve_2.outlet": {"points": [[3, 4]]}}
+    with refused("edit.no_points", "drawing.valve_2.outlet"):
+        edited(BENCH, {"op": "paste", "parts": parts, "drawing": {"valve.outlet": {"x": 1, "y": 2}}})
+
+
 def test_copies_are_connected_among_themselves():
     parts = {name: tomllib.loads(BENCH)["parts"][name] for name in ("valve", "tank")}
     after = edited(BENCH, {"op": "paste", "parts": parts, "drawing": {"tank": {"x": 1, "y": 2}}})

@@ -85,6 +85,8 @@ sum = { of = ["tank.pressure", "tank2.pressure"], metric = "tank.py:tank" }
 tank = "tank < 5 bar"
 [drawing]
 tank = { x = 1, y = 2 }
+"tank.command" = { points = [[1, 2]] }
+"tank2.command" = { points = [[1, 2]] }
 """
 RENAMED = [
     "[parts.tank]", 'supply = "tank"', "outlet = 'tank.cap'", 'from = "tank.outlet"', 'body = "tank"',
@@ -93,7 +95,7 @@ RENAMED = [
     "[signals.tank.temperature]", '"tank.command" = "tank.pressure"', 'tank.other = "tank2.pressure"',
     'stop_when = ["tank.pressure > 5 bar", "tank2.pressure < tank.pressure"]', 'curves = ["tank.pressure"]',
     '"tank.volume" = { distribution', 'of = "tank.pressure", metric = "overshoot", target = "tank.setpoint"',
-    'of = ["tank.pressure", "tank2.pressure"]', "tank = { x = 1, y = 2 }",
+    'of = ["tank.pressure", "tank2.pressure"]', "tank = { x = 1, y = 2 }", '"tank.command" = { points = [[1, 2]] }',
 ]  # fmt: skip
 
 
