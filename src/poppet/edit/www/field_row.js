@@ -148,7 +148,7 @@ export class FieldRow extends InputRow {
   present() { return textOf(this.stated); }
 
   operations(typed) {
-    const value = valueOf(this.field, typed, this.unit?.value ?? "");
+    const value = valueOf(this.field, typed, this.unit?.value ?? "", this.stated);
     if (value === undefined) return null;
     if (value !== null && isEqual(value, plainValue(this.stated))) return [];
     return [{ op: "set", address: this.address, value }];
@@ -215,7 +215,7 @@ export class FieldRow extends InputRow {
   }
 
   #updateUnit() {
-    const present = this.stated === undefined ? this.unit.value || this.field.units[0] : unitOf(this.field, this.stated);
+    const present = (this.stated === undefined && this.unit.value) || unitOf(this.field, this.stated);
     const names = [...new Set([...this.field.units, present])];
     if ([...this.unit.options].map(option => option.value).join("|") !== names.join("|")) {
       this.unit.replaceChildren(...names.map(value => make("option", { value }, value || text("form.no_unit"))));

@@ -49,7 +49,9 @@ class TextRow extends InputRow {
 /* Row of a field of the table `run`, `ambient` or `gas`. */
 class TableRow extends FieldRow {
   constructor(store, table, field) {
-    super(store, { owner: table, field, read: () => this.#read() });
+    // The ambient pressure is the reference of gauge pressures.
+    const units = table === "ambient" ? field.units.filter(unit => !store.units[unit]?.gauge) : field.units;
+    super(store, { owner: table, field: { ...field, units }, read: () => this.#read() });
     this.table = table;
   }
 

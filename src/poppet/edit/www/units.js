@@ -58,7 +58,8 @@ export function withUnit(number, unit) { return unit ? `${number} ${unit}` : Str
 export function shown(number, digits = 4) {
   const rounded = Number(number.toPrecision(digits));
   const [plain, power] = [String(rounded), rounded.toExponential()].map(text => text.replace("e+", "e"));
-  return Math.abs(rounded) >= 1e5 && power.length < plain.length ? power : plain;
+  const isFar = Math.abs(rounded) >= 1e5 || Math.abs(rounded) < 1e-4;
+  return isFar && power.length < plain.length ? power : plain;
 }
 
 function shortest(number, isSame) {
