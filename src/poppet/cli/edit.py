@@ -30,9 +30,14 @@ def _serve(options: argparse.Namespace) -> None:
     from poppet.edit.routes import load_simulation, page_routes, session_routes
     from poppet.edit.server import EditServer
     from poppet.edit.session import Session
+    from poppet.edit.tasks.manager import Tasks
+    from poppet.edit.tasks.routes import task_routes
 
     session = Session(Path(options.file or "."), TEMPLATES)
-    with EditServer(options.port, [page_routes(), session_routes(session)]) as server:
+    with (
+        Tasks() as tasks,
+        EditServer(options.port, [page_routes(), session_routes(session), task_routes(session, tasks)]) as server,
+    ):
         # Without a buffer: a program that starts the editor reads this line.
         print(server.address, flush=True)
         Thread(target=load_simulation, daemon=True).start()

@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from poppet.core.errors import ErrorCollector, InputError, NameSuggestion
 from poppet.core.plugins import import_object
 from poppet.core.tables import Field, read_fields
-from poppet.edit.tasks.order import TaskOrder, TaskResult
+
+if TYPE_CHECKING:
+    from poppet.edit.tasks.order import TaskOrder, TaskResult
 
 # Nothing heavy is imported here: the server reads these declarations.
 

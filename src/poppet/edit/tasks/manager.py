@@ -19,6 +19,7 @@ from typing import Any, BinaryIO
 
 from poppet.core.errors import InputError, NameSuggestion
 from poppet.core.files import write_whole
+from poppet.edit.session import error_list
 from poppet.edit.tasks.kinds import read_task
 
 MOST = 2
@@ -313,7 +314,7 @@ def _finish(task: Task, last: Mapping[str, Any]) -> None:
     printed = (task.folder / "errors.txt").read_text(encoding="utf-8", errors="replace").strip().splitlines()
     code = task.process.returncode if task.process is not None else None
     error = InputError("edit.task_ended", status=code, last=printed[-1][:300] if printed else "")
-    task.errors = ({"code": error.code, "address": None, "line": None, "message": str(error), "hint": error.hint},)
+    task.errors = tuple(error_list(error))
 
 
 def _copy(source: BinaryIO, target: Any, size: int) -> None:

@@ -10,11 +10,12 @@ from functools import cached_property
 from pathlib import Path
 from typing import Any
 
-from poppet.api import Circuit, loads
+from poppet.api import Circuit
 from poppet.core.errors import InputError
 from poppet.core.number_format import readable_unit
 from poppet.core.provenance import Number
 from poppet.core.units import convert, is_known, same_dimension
+from poppet.edit.circuit_reader import read_text
 from poppet.edit.document import Document
 
 _NUMBER = re.compile(r"\s*[-+]?[0-9.]+(?:[eE][-+]?[0-9]+)?\s*(?P<unit>.*?)\s*")
@@ -58,7 +59,7 @@ class TaskOrder:
     @cached_property
     def circuit(self) -> Circuit:
         """Circuit of the text; an invalid text raises all its errors."""
-        return loads(self.text, name=self.name, folder=self.folder)
+        return read_text(self.text, self.folder)
 
     def path(self, ending: str) -> Path:
         """Return the path of a result file, whose name is the name of the circuit file with an ending."""
@@ -150,4 +151,4 @@ def sets_value(order: TaskOrder, operations: Iterable[Mapping[str, Any]], addres
 
 def changed_circuit(order: TaskOrder, operations: Iterable[Mapping[str, Any]]) -> Circuit:
     """Return the circuit after operations on the text."""
-    return loads(Document(order.text).apply(operations).text, name=order.name, folder=order.folder)
+    return read_text(Document(order.text).apply(operations).text, order.folder)

@@ -17,6 +17,9 @@ from pathlib import Path
 from typing import Any, TextIO
 
 from poppet.core.errors import InputError, PoppetError
+from poppet.edit.build import DURATION
+from poppet.edit.document import Document
+from poppet.edit.session import error_list
 from poppet.edit.tasks.kinds import TASKS, read_task
 from poppet.edit.tasks.order import TaskOrder, TaskResult
 
@@ -30,12 +33,28 @@ def run_task(request: dict[str, Any], stream: TextIO) -> None:
     try:
         options = read_task(request["task"], request["options"])
         folders = {name: Path(request[name]) for name in ("folder", "output", "uploads")}
-        order = TaskOrder(request["text"], request["name"], options=options, report=progress.report, **folders)
+        text = with_duration(request["text"])
+        order = TaskOrder(text, request["name"], options=options, report=progress.report, **folders)
         write_message(stream, {"result": content_of(TASKS[request["task"]].run(order))})
     except PoppetError as error:
-        write_message(stream, {"errors": error_list(error)})
+        write_message(stream, {"errors": errors_of(error)})
     except MemoryError:
-        write_message(stream, {"errors": error_list(InputError("edit.no_memory"))})
+        write_message(stream, {"errors": errors_of(InputError("edit.no_memory"))})
+
+
+def with_duration(text: str) -> str:
+    """Return the text with the duration that the page simulates by default, if it has none.
+
+    Examples
+    --------
+    >>> print(with_duration(""), end="")
+    [run]
+    duration = 2.0
+    """
+    document = Document(text)
+    if document.error is not None or "duration" in document.view()["run"]:
+        return text
+    return document.apply([{"op": "set", "address": "run.duration", "value": DURATION}]).text
 
 
 class Progress:
@@ -64,19 +83,11 @@ def content_of(result: TaskResult) -> dict[str, Any]:
     }
 
 
-def error_list(error: PoppetError) -> list[dict[str, Any]]:
+def errors_of(error: PoppetError) -> list[dict[str, Any]]:
     """Return all problems of an error as values of JSON."""
-    problems = getattr(error, "problems", (error,))
-    return [
-        {
-            "code": getattr(problem, "code", ""),
-            "address": getattr(problem, "address", None),
-            "line": getattr(problem, "line", None),
-            "message": str(problem),
-            "hint": getattr(problem, "hint", ""),
-        }
-        for problem in problems
-    ]
+    if isinstance(error, InputError):
+        return error_list(error)
+    return [{"code": "", "address": "", "line": None, "message": str(error), "hint": ""}]
 
 
 def write_message(stream: TextIO, message: dict[str, Any]) -> None:
