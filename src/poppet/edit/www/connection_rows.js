@@ -1,6 +1,6 @@
 /* Rows of the ports and inputs of a part: what they are connected to, as texts. */
 
-import { fillChoices, make } from "./elements.js";
+import { make } from "./elements.js";
 import { InputRow } from "./field_row.js";
 import { text } from "./strings.js";
 import { inWords, plainValue } from "./field_values.js";
@@ -29,7 +29,7 @@ export class PortRow extends InputRow {
 
   update() {
     super.update();
-    fillChoices(this.choices, targetsOf(this.store, this.part, this.port));
+    this.offer(targetsOf(this.store, this.part, this.port), text("form.nothing"));
   }
 }
 
@@ -58,7 +58,7 @@ export class LinkRow extends InputRow {
 
   update() {
     super.update();
-    fillChoices(this.choices, outputsFor(this.store, this.part, this.source.doc));
+    this.offer(outputsFor(this.store, this.part, this.source.doc), text("form.nothing"));
   }
 }
 

@@ -25,9 +25,9 @@ export function show(element, content) {
   element.hidden = !content;
 }
 
-/* Fill a list of choices of an input. */
-export function fillChoices(datalist, choices) {
-  const present = [...datalist.options].map(option => option.value);
+/* Fill the options of a select element or of the list of an input; the content is unchanged if they are the same. */
+export function fillOptions(list, choices, nameOf = choice => choice) {
+  const present = [...list.children].map(option => option.value);
   if (present.length === choices.length && choices.every((choice, k) => choice === present[k])) return;
-  datalist.replaceChildren(...choices.map(value => make("option", { value })));
+  list.replaceChildren(...choices.map(value => make("option", { value }, list.tagName === "SELECT" ? nameOf(value) : null)));
 }

@@ -1,33 +1,38 @@
 /* Row of one field in the form: input, unit, slider, source, help and error. */
 
-import { fillChoices, make, newId, show } from "./elements.js";
+import { fillOptions, make, newId, show } from "./elements.js";
 import { positionOf, rangeOf, STEPS, textAt } from "./sliders.js";
 import { SourceEditor } from "./source_editor.js";
 import { text } from "./strings.js";
 import { converted, fromSi, siOf, withUnit } from "./units.js";
 import { ambientOf, defaultOf, inWords, isEqual, isSourced, limitsOf, plainValue, textOf, unitOf, valueOf } from "./field_values.js";
 
+const MOST_CHOICES = 40;  // of a selection; more choices are searched in the input
 const QUIET = 400;  // ms after the last key on a slider, then its value is written
 
-/* Input with a value that is applied by Enter or when the focus leaves it; Escape restores it. Subclasses define
+/* Input with a value that is applied by Enter or when the focus leaves it; Escape restores it. In a long text with
+   several lines, Ctrl+Enter applies it. Subclasses define
    `present()`, the value in the circuit as a text, and `operations(typed)`, or null if the typed text is not valid. */
 export class InputRow {
-  constructor(store, { address, label, help = "" }) {
-    Object.assign(this, { store, address, label });
+  constructor(store, { address, label, help = "", isLong = false }) {
+    Object.assign(this, { store, address, label, isLong });
     this.id = newId();
     this.shown = "";  // text of the value in the circuit
     this.refused = "";  // reason why the typed text was refused
     this.refusedText = null;
-    this.choices = make("datalist", { id: `${this.id}-list` });
-    this.input = make("input", {
-      type: "text", id: this.id, name: address, autocomplete: "off", spellcheck: false, list: this.choices.id,
+    this.list = make("datalist", { id: `${this.id}-list` });
+    this.choice = make("select", {
+      class: "choice", hidden: true, "aria-label": text("form.choices_of", { name: label }), onchange: () => this.#choose(),
+    });
+    this.input = make(isLong ? "textarea" : "input", {
+      ...(isLong ? { rows: 3 } : { type: "text", list: this.list.id }), id: this.id, name: address, autocomplete: "off", spellcheck: false,
       "aria-describedby": `${this.id}-help ${this.id}-bad`,
       onkeydown: event => this.#onKey(event), onchange: () => this.commit(), oninput: () => this.#onInput(),
     });
     this.name = make("label", { for: this.id }, label);
     this.help = make("p", { class: "help", id: `${this.id}-help` }, help);
     this.bad = make("p", { class: "bad", id: `${this.id}-bad`, hidden: true });
-    this.value = make("div", { class: "value" }, this.input, this.choices);
+    this.value = make("div", { class: "value" }, this.input, this.list, this.choice);
     this.head = make("div", { class: "head" }, this.name);
     this.element = make("div", { class: "field" }, this.head, this.value, this.bad, this.help);
   }
@@ -35,7 +40,7 @@ export class InputRow {
   get isDirty() { return this.input.value !== this.shown; }
 
   #onKey(event) {
-    if (event.key === "Enter") {
+    if (event.key === "Enter" && (!this.isLong || event.ctrlKey)) {
       event.preventDefault();
       this.refusedText = null;
       this.commit();
@@ -48,6 +53,20 @@ export class InputRow {
     if (!this.refused) return;
     this.refused = "";
     this.showErrors();
+  }
+
+  /* Offer choices: few ones in a selection beside the input, many ones in a list that the typed text filters. */
+  offer(choices, first = "") {
+    const isFew = choices.length <= MOST_CHOICES;
+    this.choice.hidden = !choices.length || !isFew;
+    fillOptions(this.list, isFew ? [] : choices);
+    fillOptions(this.choice, isFew ? ["", ...choices] : [], value => value || first);
+    if (isFew) this.choice.value = choices.includes(this.input.value) ? this.input.value : "";
+  }
+
+  #choose() {
+    this.input.value = this.choice.value;
+    this.commit();
   }
 
   restore() {
@@ -117,11 +136,9 @@ export class FieldRow extends InputRow {
     Object.assign(this, { field, read, isRequired });
     this.element.dataset.type = field.type;
     if (isRequired) this.name.append(make("span", { class: "required" }, ` ${text("form.required")}`));
-    this.input.placeholder = this.#placeholder();
     show(this.help, this.#help());
     this.#addOrigin();
     if (field.type === "number") this.#addUnit();
-    else fillChoices(this.choices, field.choices ?? []);
   }
 
   #timer = 0;
@@ -131,7 +148,7 @@ export class FieldRow extends InputRow {
   present() { return textOf(this.stated); }
 
   operations(typed) {
-    const value = valueOf(this.field, typed, this.unit?.value ?? "");
+    const value = valueOf(this.field, typed, this.unit?.value ?? "", this.stated);
     if (value === undefined) return null;
     if (value !== null && isEqual(value, plainValue(this.stated))) return [];
     return [{ op: "set", address: this.address, value }];
@@ -142,15 +159,25 @@ export class FieldRow extends InputRow {
     const { stated } = this;
     this.element.classList.toggle("is-stated", stated !== undefined);
     this.origin.update(stated);
-    if (this.field.type !== "number") return;
+    this.input.placeholder = this.placeholder();
+    if (this.field.type !== "number") {
+      this.offer(this.field.choices ?? [], defaultOf(this.field) ? text("form.default", { value: defaultOf(this.field) }) : text("form.nothing"));
+      return;
+    }
     this.#updateUnit();
     if (document.activeElement !== this.slider || !this.isDirty) this.#updateSlider();
   }
 
-  #placeholder() {
-    const { field } = this;
+  /* Value that is valid as long as none is stated. */
+  placeholder() {
+    const { address, field, store } = this;
     const preset = defaultOf(field);
-    return preset || (this.isRequired ? text("form.needed") : text("form.optional"));
+    const si = store.header?.numbers?.[address]?.value;
+    if (preset || si === undefined || field.type !== "number") {
+      return preset || (this.isRequired ? text("form.needed") : text("form.optional"));
+    }
+    const number = fromSi(si, field.unit, field.units[0], store.units, ambientOf(store.state.view, store.units));
+    return text("form.effective", { value: withUnit(number, field.units[0]) });
   }
 
   #help() {
@@ -188,7 +215,7 @@ export class FieldRow extends InputRow {
   }
 
   #updateUnit() {
-    const present = this.stated === undefined ? this.unit.value || this.field.units[0] : unitOf(this.field, this.stated);
+    const present = (this.stated === undefined && this.unit.value) || unitOf(this.field, this.stated);
     const names = [...new Set([...this.field.units, present])];
     if ([...this.unit.options].map(option => option.value).join("|") !== names.join("|")) {
       this.unit.replaceChildren(...names.map(value => make("option", { value }, value || text("form.no_unit"))));

@@ -18,13 +18,15 @@ export function textOf(value) {
   return typeof plain === "object" ? JSON.stringify(plain) : String(plain);
 }
 
-/* Return a typed text as a value for the file; undefined if it is not valid. `unit` is added to a number. */
-export function valueOf(field, typed, unit = "") {
+/* Return a typed text as a value for the file; undefined if it is not valid. `unit` is added to a number, except if the
+   present value is a number without a unit. */
+export function valueOf(field, typed, unit = "", present = undefined) {
   const word = typed.trim();
   if (!word) return null;
   if (field.type === "number") {
     if (!PLAIN_NUMBER.test(word) || !Number.isFinite(Number(word))) return word;
-    return unit && unit !== field.unit ? withUnit(word, unit) : Number(word);
+    const isBare = typeof plainValue(present) === "number" && unit === field.unit;
+    return unit && !isBare ? withUnit(word, unit) : Number(word);
   }
   if (field.type === "switch") return { true: true, false: false }[word] ?? word;
   if (field.form === "list of str") return word.split(",").map(name => name.trim()).filter(Boolean);
@@ -44,7 +46,7 @@ export function isEqual(first, second) { return JSON.stringify(first ?? null) ==
 /* Return the unit in a value of the file; a number without a unit has the unit of the field. */
 export function unitOf(field, value) {
   const plain = plainValue(value);
-  if (plain === undefined || plain === null) return field.units[0];
+  if (plain === undefined || plain === null) return parts(field.default)?.unit || field.units[0];
   return parts(plain)?.unit || (field.unit === "1" ? "" : field.unit);
 }
 

@@ -8,6 +8,7 @@ import { SizeChoice, sizeGroups } from "./sizes.js";
 import { text } from "./strings.js";
 import { inWords } from "./field_values.js";
 
+const FURTHER = 4;  // rank of fields that have a default
 const LISTED = 30;  // connections that a gas node shows
 
 /* Panel that follows the selection of the store. */
@@ -102,18 +103,20 @@ export class Form {
     const inputs = new Map(entry.ports.filter(port => port.type === "input").map(port => [port.name, port]));
     const shown = entry.fields.filter(field => !hidden.has(field.name) && !isLink(field, inputs));
     const unknown = Object.keys(fields).filter(name => !entry.fields.some(field => field.name === name) && !inputs.has(name));
-    const main = sorted(shown.filter(field => !field.group), fields, groups.filter(group => !group.name));
+    const ranks = ranked(shown.filter(field => !field.group), fields, groups.filter(group => !group.name), inputs);
+    const [main, further] = [ranks.filter(([rank]) => rank < FURTHER), ranks.filter(([rank]) => rank === FURTHER)];
     const sections = [
       ...groups.filter(group => !group.name).map(group => this.#size(part, group)),
-      ...main.flatMap(field => this.#field(part, field, inputs)),
-      ...unknown.flatMap(name => this.#field(part, unknownField(name), inputs)),
+      ...main.map(([, field]) => this.#field(part, field, inputs)),
+      ...unknown.map(name => this.#field(part, unknownField(name), inputs)),
       this.#ports(part, entry),
       this.#inputs(part, entry, shown),
+      further.length ? this.#details(entry.kind, "further", text("form.further"), further.map(([, field]) => this.#field(part, field, inputs))) : null,
     ];
     for (const group of entry.groups) {
-      const own = sorted(shown.filter(field => field.group === group.name), fields, []);
+      const own = ranked(shown.filter(field => field.group === group.name), fields, [], inputs);
       const size = groups.filter(({ name }) => name === group.name).map(choice => this.#size(part, choice));
-      if (own.length) sections.push(this.#group(entry.kind, group, [...size, ...own.flatMap(field => this.#field(part, field, inputs))]));
+      if (own.length) sections.push(this.#group(entry.kind, group, [...size, ...own.map(([, field]) => this.#field(part, field, inputs))]));
     }
     return sections.filter(Boolean);
   }
@@ -130,10 +133,10 @@ export class Form {
     const isRequired = field.required && !group?.optional;
     const Row = field.type === "model" ? ModelRow : FieldRow;
     const row = this.#add(new Row(this.store, { owner: part, field, read, isRequired, part }), field.name);
-    if (!inputs.has(field.name)) return [row.element];
+    if (!inputs.has(field.name)) return row.element;
     const driver = this.#add(new LinkRow(this.store, part, inputs.get(field.name), { isNamed: false }), `driver ${field.name}`);
     row.element.append(driver.element);
-    return [row.element];
+    return row.element;
   }
 
   #add(row, key) {
@@ -228,15 +231,17 @@ class RenameRow extends InputRow {
   }
 }
 
-/* Return fields in the order of the form: those of the size first, then required and stated ones. */
-function sorted(fields, stated, groups) {
+/* Return pairs of rank and field in the order of the form: those of the size, required and stated ones,
+   the model and the inputs, others. */
+function ranked(fields, stated, groups, inputs) {
   const sizes = new Set(groups.flatMap(group => group.names));
   const rank = field => {
     if (sizes.has(field.name)) return 0;
     if (sizes.size && field.name === "critical_ratio") return 1;
-    return field.required || field.name in stated ? 2 : field.type === "model" ? 3 : 4;
+    if (field.required || field.name in stated) return 2;
+    return field.type === "model" || inputs.has(field.name) ? 3 : FURTHER;
   };
-  return fields.map((field, k) => [rank(field), k, field]).sort(([a, i], [b, k]) => a - b || i - k).map(([, , field]) => field);
+  return fields.map(field => [rank(field), field]).sort(([first], [second]) => first - second);
 }
 
 /* A field that is only the address of an output is a connection. */

@@ -13,8 +13,9 @@ export class ModelRow extends FieldRow {
     this.part = details.part;
     this.sets = make("p", { class: "sets", hidden: true });
     this.value.after(this.sets);
-    this.input.placeholder = text("form.model_search");
   }
+
+  placeholder() { return text("form.model_search"); }
 
   /* Setting a model removes the starting values that it replaces. */
   operations(typed) {

@@ -96,12 +96,15 @@ export const CATALOGUE = {
   },
 
   form: {
+    choices_of: "Choices of {name}",
     connect: "connect to ...",
     connect_optional: "not connected",
     connected: "Connected",
     default: "default {value}",
     driven_by: "driven by",
     driver_of: "Output that drives {name}",
+    effective: "{value} (from data)",
+    further: "Further fields",
     group_optional: "(optional)",
     inputs: "Inputs",
     itself: "{name} cannot be connected to itself.",
@@ -117,6 +120,7 @@ export const CATALOGUE = {
     none: "Select a part to see its properties.",
     not_connected: "no output",
     not_valid: "The text is not valid. Lists are written [1, 2], tables {\"name\": 1}.",
+    nothing: "none",
     optional: "optional",
     ports: "Ports",
     required: "required",
@@ -244,7 +248,15 @@ export const CATALOGUE = {
     "rad/s^2": "Angular acceleration",
   },
 
-  run: {},
+  run: {
+    ambient: "Ambient",
+    gas: "Gas",
+    run: "Run",
+    stop: "stop when",
+    stop_example: "tank.pressure > 5 bar",
+    stop_help: "Conditions that end the run, one per line. Ctrl+Enter applies them.",
+    title: "Title",
+  },
 
   save: {
     cancel: "Cancel",
@@ -270,7 +282,12 @@ export const CATALOGUE = {
 
   tasks: {},
 
-  text: {},
+  text: {
+    help: "The text is applied when you pause, and by Ctrl+Enter.",
+    line: "Line {line}:",
+    name: "Text of the circuit file",
+    refused: "Your text is not applied. Ctrl+Enter applies it.",
+  },
 
   toolbar: {
     copied: "The text is in the clipboard.",

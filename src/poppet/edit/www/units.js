@@ -54,10 +54,12 @@ export function converted(value, unit, to, units, ambient = 100000) {
 /* Return a number with its unit. */
 export function withUnit(number, unit) { return unit ? `${number} ${unit}` : String(number); }
 
-/* Return a number as a text with a number of significant digits, without an exponent if it is short. */
+/* Return a number as a text with a number of significant digits, with an exponent if that is shorter. */
 export function shown(number, digits = 4) {
-  const text = String(Number(number.toPrecision(digits)));
-  return text.replace("e+", "e");
+  const rounded = Number(number.toPrecision(digits));
+  const [plain, power] = [String(rounded), rounded.toExponential()].map(text => text.replace("e+", "e"));
+  const isFar = Math.abs(rounded) >= 1e5 || Math.abs(rounded) < 1e-4;
+  return isFar && power.length < plain.length ? power : plain;
 }
 
 function shortest(number, isSame) {
