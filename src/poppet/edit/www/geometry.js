@@ -3,7 +3,7 @@
    A symbol is first mirrored (left and right exchanged), then rotated clockwise, then moved to the place of its part. */
 
 export const MARGIN = 2;  // free space around a new part
-const LETTER = 0.68, LINE = 1.7;  // width of a letter and height of a line of a label
+const LETTER = 0.68, LINE = 1.6, VALUE = 7;  // width of a letter, height of a line, and letters of a value
 const SIDES = ["top", "right", "bottom", "left"];
 
 /* Point of a symbol after mirroring and rotation, relative to the place of the part. */
@@ -56,18 +56,20 @@ export function endsOf(name, entry, place) {
   }));
 }
 
-/* Place of the name of a part beside its box, away from its ports: text anchor, base line and box. */
-export function labelOf(name, box, ends, lines = 1) {
-  const width = LETTER * name.length, height = LINE * lines;
+/* Place of the name of a part beside its box, away from its ports, and of a value beyond it: text anchor, base lines, and
+   the box of both. */
+export function labelOf(name, box, ends) {
+  const width = LETTER * Math.max(name.length, VALUE), height = 2 * LINE;
   const at = side => ends.filter(end => end.side === side).map(end => end.x);
-  const middle = box.x + box.width / 2, below = box.y + box.height, above = box.y - height;
-  const label = (anchor, x, top) => {
+  const label = (anchor, x, top, isAbove = false) => {
     const left = anchor === "middle" ? x - width / 2 : anchor === "end" ? x - width : x;
-    return { anchor, x, y: top + 0.75 * LINE, box: { x: left, y: top, width, height } };
+    const lines = [top + 0.75 * LINE, top + 1.75 * LINE];
+    const [y, valueY] = isAbove ? lines.reverse() : lines;
+    return { anchor, x, y, valueY, box: { x: left, y: top, width, height } };
   };
+  const middle = box.x + box.width / 2, below = box.y + box.height, centre = box.y + (box.height - height) / 2;
   if (!at("bottom").length) return label("middle", middle, below);
-  if (!at("top").length) return label("middle", middle, above);
-  const centre = box.y + box.height / 2 - height / 2;
+  if (!at("top").length) return label("middle", middle, box.y - height, true);
   if (!at("right").length && box.width < 8) return label("start", box.x + box.width + 0.4, centre);
   if (!at("left").length && box.width < 8) return label("end", box.x - 0.4, centre);
   const [first, last] = [Math.min(...at("bottom")), Math.max(...at("bottom"))];

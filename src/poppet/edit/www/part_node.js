@@ -26,8 +26,8 @@ export class PartNode {
   draw(entry, place, svg) {
     const key = JSON.stringify([entry.box, entry.ports, place]);
     if (svg !== this.svg) {
-      this.symbol.replaceChildren(...strokesOf(svg));
       this.svg = svg;
+      this.reset();
     }
     if (key === this.key) return false;
     [this.key, this.entry, this.place] = [key, entry, place];
@@ -42,10 +42,16 @@ export class PartNode {
     return true;
   }
 
+  /* Draw the symbol as in the palette. */
+  reset() {
+    this.strokes = strokesOf(this.svg);
+    this.symbol.replaceChildren(...this.strokes);
+  }
+
   #drawLabel() {
     const place = labelOf(this.name, this.box, this.ends);
     this.label.textContent = this.name;
-    for (const [line, y] of [[this.label, place.y], [this.value, place.y + (place.box.y < this.box.y ? -1.6 : 1.6)]]) {
+    for (const [line, y] of [[this.label, place.y], [this.value, place.valueY]]) {
       line.setAttribute("x", place.x);
       line.setAttribute("y", y);
       line.setAttribute("text-anchor", place.anchor);

@@ -28,8 +28,9 @@ export class Playback {
   get duration() { return this.store.run?.duration ?? 0; }
 
   move() {
+    const time = Number(this.slider.value);
     this.stop();
-    this.store.setCursor(Number(this.slider.value));
+    this.store.setCursor(time);
   }
 
   toggle() {

@@ -59,6 +59,7 @@ export const CATALOGUE = {
     inserted_tube: "The tube {name} is inserted between the two ports.",
     joined: "connected to {target}",
     label: "Drawing of the circuit, {count} parts. Tab goes from part to part. Enter selects a part, then Tab goes to its ports.",
+    legend: "Colours of absolute pressures",
     no_bodies: "Two bodies are not connected to each other. Add an actuator or a joint.",
     no_body: "A rod is connected to a body, such as a mass, joint or guide.",
     no_body_here: "This part has no free connection for a body.",
