@@ -139,7 +139,7 @@ class Tracer:
         self.parts, self.connections, self.shown = expand_compounds(parts, connections)
         self.declared = part_connections(parts)
         self.p = ca.SX.sym("p", len(parameters))
-        self.number = {name: self.p[k] for k, name in enumerate(parameters)}
+        self.number: dict[str, Any] = dict(zip(parameters, self.p.elements(), strict=True))
         self.surroundings = Surroundings(*(self.number[name] for name in SURROUNDINGS))
         self.states = self._elements("states")
         self.symbols = {f"{name}.{s.name}": ca.SX.sym(f"{name}.{s.name}") for name, s in self.states}
@@ -162,7 +162,9 @@ class Tracer:
         self.remembered = self._elements("memory")
         self.z = ca.SX.sym("z", len(self.timers) + len(self.remembered))
         self.memory_names = [f"{name}.{element.name}" for name, element in [*self.timers, *self.remembered]]
-        self.memory = {name: self.z[k] for k, name in enumerate(self.memory_names)}
+        self.memory: dict[str, Any] = dict(zip(self.memory_names, self.z.elements(), strict=True))
+        tables = {"numbers": self.number, "states": self.symbols, "inputs": {**self.input, **self.joined}}
+        self._owned = {kind: _by_owner(table) for kind, table in {**tables, "memory": self.memory}.items()}
 
     def _elements(self, kind: str) -> list[tuple[str, Any]]:
         return [(name, element) for name, part in self.parts.items() for element in getattr(part, kind)()]
@@ -173,20 +175,18 @@ class Tracer:
         If the keyword `at_start` is True, states and discrete states are omitted, because initial values cannot depend
         on them.
         """
-        prefix = f"{name}."
 
-        def select(values: Mapping[str, Any]) -> dict[str, Any]:
-            return {key[len(prefix) :]: value for key, value in values.items() if key.startswith(prefix)}
+        def select(kind: str) -> dict[str, Any]:
+            return dict(self._owned[kind].get(name, {}))
 
-        inputs = select({**self.input, **self.joined})
-        states, memory = ({}, {}) if at_start else (select(self.symbols), select(self.memory))
+        states, memory = ({}, {}) if at_start else (select("states"), select("memory"))
         body_name, motion = self.body_of(name), None
         if body_name is not None:
             body, body_scope = self.parts[body_name], self.scope(body_name, at_start=at_start)
             assert isinstance(body, Body)
             motion = body.motion(replace(body_scope, states=body.start(body_scope)) if at_start else body_scope)
         time = 0.0 if self.has_relative_time else self.t
-        numbers = select(self.number)
+        numbers, inputs = select("numbers"), select("inputs")
         return Scope(numbers, states, inputs, self.surroundings, memory, time, motion, self.has_relative_time)
 
     def _ports(self, name: str) -> dict[str, str]:
@@ -554,15 +554,29 @@ class Tracer:
 
         For a compound part, only the outputs that it declares are included.
         """
-        address_of = {shown: address for address, shown in self.shown.items()}
+        address_of, owned = {shown: address for address, shown in self.shown.items()}, _by_owner(all_outputs)
         result: dict[str, tuple[Any, str]] = {}
         for name, part in self.circuit_parts.items():
             if name in self.parts:
-                result |= {address: value for address, value in all_outputs.items() if address.startswith(f"{name}.")}
+                result |= {f"{name}.{local}": value for local, value in owned.get(name, {}).items()}
             else:
                 shown = [f"{name}.{local}" for local in part.outside()]  # type: ignore[attr-defined]
                 result |= {address: all_outputs[address_of[address]] for address in shown}
         return result
+
+
+def _by_owner(values: Mapping[str, Any]) -> dict[str, dict[str, Any]]:
+    """Return values by the name of their part, and by the rest of their address.
+
+    Those of a member of a compound part also belong to the compound part.
+    """
+    owned: dict[str, dict[str, Any]] = {}
+    for address, value in values.items():
+        end = address.find(".")
+        while end >= 0:
+            owned.setdefault(address[:end], {})[address[end + 1 :]] = value
+            end = address.find(".", end + 1)
+    return owned
 
 
 def _absolute(address: str, part: str) -> str:

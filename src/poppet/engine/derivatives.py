@@ -31,16 +31,16 @@ class Edge(NamedTuple):
 
         The expression is zero if the condition is false, even if `value` is infinite.
         """
-        return self.value if self.condition is None else _apply_operation("OP_IF_ELSE_ZERO", self.condition, self.value)
+        return self.value if self.condition is None else apply_operation("OP_IF_ELSE_ZERO", self.condition, self.value)
 
     def multiply(self, factor: Edge) -> Edge:
         """Return the product of this derivative and the derivative `factor` (chain rule)."""
         if self.condition is None:
-            return Edge(_apply_operation("OP_MUL", self.value, factor.value), factor.condition)
-        return Edge(_apply_operation("OP_MUL", self.value, factor.expression()), self.condition)
+            return Edge(apply_operation("OP_MUL", self.value, factor.value), factor.condition)
+        return Edge(apply_operation("OP_MUL", self.value, factor.expression()), self.condition)
 
 
-def _apply_operation(operation: str, first: Any, second: Any) -> casadi.SX:
+def apply_operation(operation: str, first: Any, second: Any) -> casadi.SX:
     """Return the symbolic result of a CasADi operation on two scalars.
 
     `operation` is the name of the operation. This function is twenty times faster than the operators of CasADi.
@@ -73,7 +73,7 @@ class DerivativeGraph:
         If there is an edge between them already, the derivatives are added.
         """
         existing = self.out[source].get(target)
-        total = edge if existing is None else Edge(_apply_operation("OP_ADD", existing.expression(), edge.expression()))
+        total = edge if existing is None else Edge(apply_operation("OP_ADD", existing.expression(), edge.expression()))
         self.out[source][target] = self.into[target][source] = total
 
     def eliminate(self, vertex: int) -> tuple[dict[int, Edge], dict[int, Edge]]:
@@ -136,7 +136,7 @@ def _edges_to_arguments(operation: int, arguments: list[Any]) -> list[Edge]:
     if operation in (ca.OP_FMIN, ca.OP_FMAX):
         low, high = arguments if operation == ca.OP_FMIN else reversed(arguments)
         # Equal arguments: the first is the maximum, the second the minimum.
-        first = _apply_operation("OP_LT" if operation == ca.OP_FMIN else "OP_LE", low, high)
+        first = apply_operation("OP_LT" if operation == ca.OP_FMIN else "OP_LE", low, high)
         return [Edge(first), Edge(ca.SX.unary(ca.OP_NOT, first))]
     return [Edge(partial) for partial in _partial_derivatives(operation, len(arguments)).call(arguments)]
 

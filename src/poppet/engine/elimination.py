@@ -12,7 +12,10 @@ finite; the step is then rejected and repeated with a smaller length.
 
 from __future__ import annotations
 
+from heapq import heapify, heappop, heappush
 from typing import Any, NamedTuple
+
+from poppet.engine.derivatives import apply_operation
 
 
 class Elimination(NamedTuple):
@@ -38,9 +41,18 @@ def eliminate(pattern: set[tuple[int, int]], size: int) -> Elimination:
     order: list[int] = []
     rows: dict[int, tuple[int, ...]] = {}
     columns: dict[int, tuple[int, ...]] = {}
-    while remaining:
-        # Markowitz's estimate of the fill; the first state has priority.
-        pivot = min(remaining, key=lambda k: (len(in_row[k]) * len(in_column[k]), k))
+
+    def cost(state: int) -> tuple[int, int]:
+        return len(in_row[state]) * len(in_column[state]), state
+
+    heap = [cost(k) for k in range(size)]
+    heapify(heap)
+    while heap:
+        # Markowitz's estimate of the fill; the first state has priority. An entry with an old estimate is obsolete.
+        entry = heappop(heap)
+        pivot = entry[1]
+        if pivot not in remaining or entry != cost(pivot):
+            continue
         remaining.discard(pivot)
         lower_rows, right_columns = in_column[pivot], in_row[pivot]
         order.append(pivot)
@@ -51,6 +63,8 @@ def eliminate(pattern: set[tuple[int, int]], size: int) -> Elimination:
         for column in right_columns:
             in_column[column].discard(pivot)
             in_column[column].update(lower_rows - {column})
+        for neighbour in lower_rows | right_columns:
+            heappush(heap, cost(neighbour))
     return Elimination(tuple(order), rows, columns)
 
 
@@ -61,32 +75,39 @@ def solver_functions(sparsity: Any) -> tuple[Any, Any]:
     """
     import casadi as ca
 
-    size = sparsity.size1()
+    def minus(first: Any, second: Any) -> Any:
+        return apply_operation("OP_SUB", first, second)
+
+    def times(first: Any, second: Any) -> Any:
+        return apply_operation("OP_MUL", first, second)
+
+    size, zero, one = sparsity.size1(), ca.SX(0), ca.SX(1)
     nonzeros = list(zip(*sparsity.get_triplet(), strict=True))
     plan = eliminate({(int(r), int(c)) for r, c in nonzeros}, size)
     jacobian, shift = ca.SX.sym("j", len(nonzeros)), ca.SX.sym("s")
     # The shift is on the whole diagonal, including zeros of J.
     entries: dict[tuple[int, int], Any] = {(k, k): shift for k in range(size)}
-    for k, (row, column) in enumerate(nonzeros):
-        entries[row, column] = entries.get((row, column), 0) - jacobian[k]
+    for place, element in zip(nonzeros, jacobian.elements(), strict=True):
+        entries[place] = minus(entries.get(place, zero), element)
     # Multipliers below the diagonal, inverse pivots on it: one division per step, none in the six solutions.
     for pivot in plan.order:
-        inverse = entries[pivot, pivot] = 1 / entries[pivot, pivot]
+        inverse = entries[pivot, pivot] = apply_operation("OP_DIV", one, entries[pivot, pivot])
         for row in plan.rows[pivot]:
-            multiplier = entries[row, pivot] = entries[row, pivot] * inverse
+            multiplier = entries[row, pivot] = times(entries[row, pivot], inverse)
             for column in plan.columns[pivot]:
-                entries[row, column] = entries.get((row, column), 0) - multiplier * entries[pivot, column]
+                product = times(multiplier, entries[pivot, column])
+                entries[row, column] = minus(entries.get((row, column), zero), product)
     keys = sorted(entries)
-    lu = ca.SX.sym("lu", len(keys))
-    right = ca.SX.sym("b", size)
-    factors, values = {key: lu[k] for k, key in enumerate(keys)}, [right[k] for k in range(size)]
+    lu, right = ca.SX.sym("lu", len(keys)), ca.SX.sym("b", size)
+    factors: dict[tuple[int, int], Any] = dict(zip(keys, lu.elements(), strict=True))
+    values: list[Any] = right.elements()
     for pivot in plan.order:
         for row in plan.rows[pivot]:
-            values[row] = values[row] - factors[row, pivot] * values[pivot]
+            values[row] = minus(values[row], times(factors[row, pivot], values[pivot]))
     for pivot in reversed(plan.order):
         total = values[pivot]
         for column in plan.columns[pivot]:
-            total = total - factors[pivot, column] * values[column]
-        values[pivot] = total * factors[pivot, pivot]
+            total = minus(total, times(factors[pivot, column], values[column]))
+        values[pivot] = times(total, factors[pivot, pivot])
     factor = ca.Function("factor", [jacobian, shift], [ca.vertcat(*(entries[key] for key in keys))])
     return factor, ca.Function("solve", [lu, right], [ca.vertcat(*values)])
