@@ -32,7 +32,7 @@ export class Drawing {
     this.#layers();
     this.viewport = new Viewport(svg, () => this.bounds());
     this.viewport.addEventListener("change", () => this.#zoomed());
-    this.wires = new Wires(this.wireLayer, store);
+    this.wires = new Wires(this.wireLayer, store, () => this.pins());
     this.offers = new Offers(this);
     this.connecting = new Connecting(this);
     this.animation = new Animation(this);
@@ -184,7 +184,7 @@ export class Drawing {
     for (const [name, place] of places) this.moving.set(name, place);
     this.draw(new Set(places.keys()));
     const operations = [...places].map(([name, place]) => placing(name, place));
-    await this.store.apply([...this.pins(new Set(places.keys())), ...operations], options);
+    await this.store.apply([...this.pins(new Set(places.keys())), ...operations, ...this.wires.moved()], options);
     for (const [name, place] of places) {
       if (this.moving.get(name) === place) this.moving.delete(name);
     }

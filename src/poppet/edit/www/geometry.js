@@ -51,7 +51,7 @@ export function endsOf(name, entry, place) {
     return {
       address: port.name ? `${name}.${port.name}` : name, part: name, port: port.name, type: port.type,
       x: place.x + x, y: place.y + y, side: turnedSide(place, where.side), lead: where.lead,
-      required: port.required, doc: port.doc,
+      required: port.required, doc: port.doc, source: port.source,
     };
   }));
 }

@@ -56,7 +56,6 @@ export class Pointer {
     }
     if (this.gesture) return;
     const target = this.target(event);
-    if (target?.wire && !connecting.isActive && event.button === 0) return;  // wires.js
     svg.setPointerCapture(event.pointerId);
     this.gesture = event.button ? this.#panning() : this.#begun(event, target);
     Object.assign(this.gesture, { id: event.pointerId, x: event.clientX, y: event.clientY, last: event, isMoved: false });
@@ -67,6 +66,7 @@ export class Pointer {
     if (connecting.isActive) return this.#finishing();
     if (target?.end) return this.#wiring(target.end);
     if (target?.part) return this.#dragging(target.part, event);
+    if (target?.wire) return this.#segment(target.wire, event);
     return event.pointerType === "touch" ? this.#panning() : this.#banding(event);
   }
 
@@ -169,6 +169,12 @@ export class Pointer {
       },
       cancel: () => connecting.cancel(),
     };
+  }
+
+  /* Press at a wire: a click selects it, a drag moves its segment. */
+  #segment(wire, event) {
+    const { viewport, wires } = this.drawing;
+    return wires.gesture(wire, viewport.point(event), now => viewport.point(now));
   }
 
   /* Press while a connection is in progress. */

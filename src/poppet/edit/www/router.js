@@ -8,7 +8,7 @@ const BEND = 5; // cost of a bend, in units of length
 const CROSSING = 4; // cost of a crossing with another net
 const BESIDE_WIRE = 1; // additional cost of a unit of length beside another wire
 const BESIDE_BOX = 0.6; // additional cost of a unit of length beside a box
-const LABEL = 2; // additional cost of a unit of length across a label
+const LABEL = 4; // additional cost of a unit of length across a label
 const STUB = 8; // cost of a place in front of a port of another net
 const CONFLICT = 60; // cost of a place of another net, which is then routed anew
 const MAX_REMOVALS = 3; // largest number of times that a net makes way for others
@@ -44,7 +44,9 @@ export function route(scene, former = null) {
     net.paths = kept.get(net.id)?.paths.map((points) => grid.nodesOf(points)) ?? null;
     if (net.paths) grid.occupy(net);
   }
-  const queue = nets.filter((net) => !net.paths).sort((a, b) => span(a) - span(b) || (a.id < b.id ? -1 : 1));
+  const hasPoints = (net) => net.ends.some((end) => end.waypoints?.length);
+  const queue = nets.filter((net) => !net.paths);
+  queue.sort((a, b) => hasPoints(b) - hasPoints(a) || span(a) - span(b) || (a.id < b.id ? -1 : 1));
   const routed = new Set();
   while (queue.length) {
     const net = queue.shift();
@@ -133,11 +135,9 @@ function wayOf(grid, net, end, isFixed) {
   for (const stop of [...stops, null]) {
     const goals = stop === null ? targets : new Map([[stop, -1]]);
     const leg = grid.search(starts, goals, net.index, isFixed);
-    if (!leg && stop === null && way.length) return wayOf(grid, net, { ...end, waypoints: [] }, isFixed);
-    if (!leg) {
-      if (stop === null) return null;
-      continue; // a waypoint that cannot be reached
-    }
+    if (!leg && !isFixed) return null;
+    if (!leg && stop !== null) continue; // a waypoint that cannot be reached
+    if (!leg) return way.length ? wayOf(grid, net, { ...end, waypoints: [] }, isFixed) : null;
     way = [...way, ...leg.slice(way.length ? 1 : 0)];
     const node = way[way.length - 1];
     const straight = way.length > 1 ? grid.direction(way[way.length - 2], node) : -1;
