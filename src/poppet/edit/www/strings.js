@@ -316,6 +316,15 @@ export const CATALOGUE = {
     zoom_in: "Zoom in",
     zoom_out: "Zoom out",
   },
+
+  wires: {
+    body: "Mechanical connection from {port} to {target}",
+    pipe: "Pipe from {port} to {target}",
+    reset: "The wire of {port} has no fixed points now.",
+    signal: "Signal from {target} to {port}",
+    straight: "Connection from {port} to {target}, for which there is no free way",
+    tube: "Tube end {port} at {target}",
+  },
 };
 
 let language = {};
