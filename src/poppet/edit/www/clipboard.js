@@ -56,7 +56,10 @@ export class Clipboard {
     return JSON.stringify({
       kind: KIND,
       parts: Object.fromEntries(selected.map(name => [name, tableOf(view.parts[name])])),
-      drawing: Object.fromEntries(selected.map(name => [name, placeOf(drawing.place(name))])),
+      drawing: {
+        ...entries(view.drawing, ([key]) => key.includes(".") && isOwn(key)),
+        ...Object.fromEntries(selected.map(name => [name, placeOf(drawing.place(name))])),
+      },
       connections: entries(view.connections, ([input, output]) => isOwn(input) && isOwn(output)),
       signals: entries(view.signals, ([input]) => isOwn(input)),
     }, null, 1);
@@ -83,6 +86,7 @@ export class Clipboard {
     const state = await store.apply(operations);
     if (!state) return;
     store.select(state.created);
+    drawing.reveal(state.created);
     store.announce(text("drawing.pasted", { names: state.created.join(", ") }));
   }
 
@@ -105,7 +109,8 @@ export class Clipboard {
     let shift = 0;
     const isFree = () => boxes.every(box => !taken.some(other => overlaps({ ...box, x: box.x + shift, y: box.y + shift }, other, 1)));
     while (!isFree() && shift < 1000) shift += 2;
-    return Object.fromEntries(Object.entries(places).map(([name, place]) => [name, { ...place, x: place.x + shift, y: place.y + shift }]));
+    const moved = place => (place.points ? { points: place.points.map(([x, y]) => [x + shift, y + shift]) } : { ...place, x: place.x + shift, y: place.y + shift });
+    return Object.fromEntries(Object.entries(places).map(([name, place]) => [name, moved(place)]));
   }
 }
 

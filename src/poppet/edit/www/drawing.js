@@ -39,6 +39,7 @@ export class Drawing {
     this.clipboard = new Clipboard(this);
     this.pointer = new Pointer(this);
     this.keys = new Keys(this);
+    store.addEventListener("open", () => this.#opened());
     store.addEventListener("state", () => this.update());
     store.addEventListener("selection", () => this.#mark());
     for (const name of ["run", "cursor"]) store.addEventListener(name, () => this.animation.later());
@@ -60,7 +61,14 @@ export class Drawing {
 
   /* Place of a part, including a running drag. */
   place(name) {
-    return this.moving.get(name) ?? this.view.drawing[name] ?? this.settled.get(name) ?? this.store.state?.places?.[name] ?? { x: 0, y: 0 };
+    const stated = this.isPlaced(name) ? this.view.drawing[name] : this.settled.get(name) ?? this.store.state?.places?.[name];
+    return this.moving.get(name) ?? cleanPlace(stated ?? { x: 0, y: 0 });
+  }
+
+  /* True if the file contains the position of a part. */
+  isPlaced(name) {
+    const place = this.view.drawing[name];
+    return typeof place?.x === "number" && typeof place?.y === "number";
   }
 
   /* Ends of all parts at which wires begin or end. */
@@ -86,7 +94,7 @@ export class Drawing {
 
   /* Show the present circuit. */
   update() {
-    const { parts } = this.view, before = this.items.size, known = [...this.items.keys()].some(name => name in parts);
+    const { parts } = this.view, isEmpty = this.items.size === 0;
     for (const [name, item] of this.items) {
       if (!(name in parts)) { item.remove(); this.items.delete(name); this.settled.delete(name); }
     }
@@ -100,21 +108,23 @@ export class Drawing {
     this.#order();
     this.#mark();
     this.animation.changed();
-    const isOther = !known && this.items.size > 1, isNew = isOther || this.file !== this.#file();
-    this.file = this.#file();
-    if (isNew && (this.items.size !== 1 || before === 0)) this.viewport.fit();
+    if (this.isOpened || (isEmpty && this.items.size > 1)) this.viewport.fit();
+    this.isOpened = false;
+  }
+
+  /* Another circuit is open. */
+  #opened() {
+    for (const item of this.items.values()) item.remove();
+    for (const memory of [this.items, this.moving, this.settled]) memory.clear();
+    this.isOpened = true;
   }
 
   /* Place a new part that the file does not place: where the layout has it, unless another part is there. */
   #settle(name) {
-    if (this.view.drawing[name]) return;
+    if (this.isPlaced(name)) return;
     const entry = this.entry(name), place = this.store.state.places?.[name] ?? { x: 0, y: 0 }, box = boxOf(entry, place);
     const others = [...this.items.values()].filter(item => item.box).map(item => item.box);
     this.settled.set(name, others.some(other => overlaps(box, other)) ? freePlace(entry, place, others) : place);
-  }
-
-  #file() {
-    return `${this.store.state?.folder}/${this.store.state?.name}`;
   }
 
   /* Draw the parts `moved`, or all, at their places, and the wires. */
@@ -155,7 +165,7 @@ export class Drawing {
     return errors.filter(error => error.address).map(error => {
       const inside = error.address.replace(/^(parts|connections|signals|drawing)\./, "").replaceAll('"', "");
       const [owner] = split(inside);
-      return { address: error.address, owner, port: inside, words: [error.message, error.hint].filter(Boolean).join(" ") };
+      return { address: error.address, code: error.code, owner, port: inside, words: [error.message, error.hint].filter(Boolean).join(" ") };
     }).filter(error => this.items.has(error.owner));
   }
 
@@ -175,7 +185,7 @@ export class Drawing {
 
   /* Operations that write the places of all parts that the file does not place, except some. */
   pins(without = new Set()) {
-    return Object.keys(this.view.parts).filter(name => !this.view.drawing[name] && !without.has(name))
+    return Object.keys(this.view.parts).filter(name => !this.isPlaced(name) && !without.has(name))
       .map(name => placing(name, this.place(name)));
   }
 
@@ -200,7 +210,15 @@ export class Drawing {
     const [name] = state?.created ?? [];
     if (!name) return;
     this.store.announce(text("drawing.added", { name }));
-    this.viewport.reveal(around([this.items.get(name).box, this.items.get(name).labelBox]));
+    this.reveal([name]);
+  }
+
+  /* Make parts and their ports visible. */
+  reveal(names) {
+    const boxes = names.filter(name => this.items.has(name)).flatMap(name => [this.items.get(name).box, this.items.get(name).labelBox]);
+    if (!boxes.length) return;
+    const { x, y, width, height } = around(boxes);
+    this.viewport.reveal({ x: x - 1.5, y: y - 1.5, width: width + 3, height: height + 3 });
   }
 
   /* Place at the right of the part that is selected or coming, otherwise in the left half of the visible area. */
@@ -257,6 +275,7 @@ export class Drawing {
     const middle = key => Math.round((Math.min(...places.map(place => place[key])) + Math.max(...places.map(place => place[key]))) / 2);
     const centre = { x: middle("x"), y: middle("y") };
     this.put(new Map(names.map((name, k) => [name, turn(places[k], centre)])));
+    this.reveal(names);
   }
 
   /* Remove the selected parts, or the selected wire. */
@@ -280,7 +299,8 @@ export class Drawing {
   move(dx, dy) {
     const names = this.selected;
     const moved = names.map(name => { const place = this.place(name); return [name, { ...place, x: place.x + dx, y: place.y + dy }]; });
-    return this.put(new Map(moved), { continues: true });
+    this.put(new Map(moved), { continues: true });
+    this.reveal(names);
   }
 
   /* Names of the selected parts of the circuit. */
@@ -330,6 +350,11 @@ export class Drawing {
     this.svg.classList.toggle("is-far", this.viewport.zoom < 0.5);
     this.svg.style.setProperty("--pixel", `${0.1 / this.viewport.zoom}`);
   }
+}
+
+/* Place with valid rotation and mirror. */
+function cleanPlace({ x, y, rotation, mirror }) {
+  return { x, y, rotation: [90, 180, 270].includes(rotation) ? rotation : 0, mirror: mirror === true };
 }
 
 /* Operation that stores the place of a part. */

@@ -6,6 +6,7 @@ import { text } from "./strings.js";
 
 const REACH = 1.2;  // radius of the area of a port, in grid units
 const DOT = 0.34;
+const OPEN = new Set(["fields.missing_port", "wiring.alone", "wiring.drives_nothing"]);  // errors of drawings in progress
 
 export class PartNode {
   /* The group of the part is appended to `parent`. */
@@ -67,13 +68,13 @@ export class PartNode {
       if (!this.ports.has(key)) this.ports.set(key, portNode(end, this.item));
       const port = this.ports.get(key);
       port.end = end;
-      port.node.setAttribute("transform", `translate(${end.x} ${end.y})`);
+      for (const group of [port.node, port.beside]) group.setAttribute("transform", `translate(${end.x} ${end.y})`);
       port.reach.setAttribute("r", reachOf(end, this.ends));
       drawLead(port.lead, end);
       port.vent.setAttribute("transform", `rotate(${{ bottom: 0, left: 90, top: 180, right: 270 }[end.side]})`);
     });
     for (const [key, port] of this.ports) {
-      if (!kept.has(key)) { port.node.remove(); this.ports.delete(key); }
+      if (!kept.has(key)) { port.node.remove(); port.beside.remove(); this.ports.delete(key); }
     }
   }
 
@@ -117,20 +118,21 @@ export class PartNode {
 }
 
 function portNode(end, parent) {
-  const node = svgElement("g", { class: `end ${end.type}` }, parent);
+  // The centre of a port is that of its area, which the line to the symbol and the vent are no part of.
+  const beside = svgElement("g", { class: "beside" }, parent), node = svgElement("g", { class: `end ${end.type}` }, parent);
   if (end.port) {
     for (const [name, value] of [["data-port", end.address], ["role", "button"], ["tabindex", -1]]) node.setAttribute(name, value);
   } else {
     node.setAttribute("data-node", end.address);
   }
   const reach = svgElement("circle", { class: "reach" }, node);
-  const lead = svgElement("path", { class: "lead" }, node);
-  const vent = svgElement("path", { class: "vent", d: "M0 0V1.2M-0.8 1.2H0.8L0 2.4Z" }, node);
+  const lead = svgElement("path", { class: "lead" }, beside);
+  const vent = svgElement("path", { class: "vent", d: "M0 0V1.2M-0.8 1.2H0.8L0 2.4Z" }, beside);
   const isSignal = end.type === "input" || end.type === "output";
   if (isSignal) svgElement("path", { class: "dot", d: `M0 -${DOT * 1.3}L${DOT * 1.3} 0L0 ${DOT * 1.3}L-${DOT * 1.3} 0Z` }, node);
   else if (end.type === "body") svgElement("rect", { class: "dot", x: -DOT, y: -DOT, width: 2 * DOT, height: 2 * DOT }, node);
   else svgElement("circle", { class: "dot", r: DOT }, node);
-  return { node, reach, lead, vent, end };
+  return { node, beside, reach, lead, vent, end };
 }
 
 /* Areas of the ports of a part do not overlap. */
@@ -145,14 +147,14 @@ function drawLead(path, { side, lead }) {
   path.setAttribute("d", lead ? `M0 0L${dx * lead} ${dy * lead}` : "");
 }
 
-function markPort({ node, end }, view, error, isSelected) {
+function markPort({ node, beside, end }, view, error, isSelected) {
   const target = end.type === "input" ? view.connections[end.address] ?? (end.address in view.signals ? "~" : undefined)
     : end.port ? view.parts[end.part]?.ports[end.port] : undefined;
   const isJoined = target !== undefined, isVented = target === "ambient";
   node.classList.toggle("is-joined", isJoined && !isVented);
-  node.classList.toggle("is-vented", isVented);
+  for (const group of [node, beside]) group.classList.toggle("is-vented", isVented);
   node.classList.toggle("is-required", end.required && !isJoined);
-  node.classList.toggle("is-wrong", error !== undefined);
+  node.classList.toggle("is-wrong", error !== undefined && !OPEN.has(error.code));
   if (error) node.setAttribute("data-address", error.address);
   else node.removeAttribute("data-address");
   if (!end.port) { setTitle(node, text("drawing.node_title", { name: end.part })); return; }
