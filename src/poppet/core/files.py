@@ -7,8 +7,9 @@ import os
 import stat
 import uuid
 import zlib
-from collections.abc import Callable, Mapping
-from contextlib import suppress
+from collections.abc import Callable, Iterator, Mapping
+from contextlib import contextmanager, suppress
+from contextvars import ContextVar
 from pathlib import Path
 from typing import IO, Any, BinaryIO, TypeVar
 
@@ -28,12 +29,33 @@ def check_characters(path: str | Path) -> None:
         raise InputError("files.control_character", path=name)
 
 
+_FOLDERS: ContextVar[tuple[Path, ...]] = ContextVar("folders", default=())
+
+
+@contextmanager
+def confined_to(*folders: Path) -> Iterator[None]:
+    """Limit the files that a `with` block reads and writes to folders; without folders, remove the limit.
+
+    `check_path` rejects all other paths, also those of links that lead out of the folders. The limit does not apply to
+    threads that the block starts.
+    """
+    token = _FOLDERS.set(tuple(Path(os.path.realpath(folder)) for folder in folders))
+    try:
+        yield
+    finally:
+        _FOLDERS.reset(token)
+
+
 def check_path(path: str | Path) -> None:
     """Raise an error if a path contains a control character, or leads to a folder, pipe, socket or device.
 
-    A missing file is valid. Reading a pipe or a device could wait without end, and writing would replace it.
+    A missing file is valid. Reading a pipe or a device could wait without end, and writing would replace it. A path
+    outside the folders of `confined_to` is also an error.
     """
     check_characters(path)
+    folders = _FOLDERS.get()
+    if folders and not any(Path(os.path.realpath(path)).is_relative_to(folder) for folder in folders):
+        raise InputError("files.outside", path=str(path), folder=str(folders[0]))
     try:
         mode = os.stat(path).st_mode
     except OSError:  # opening the file gives the usual error

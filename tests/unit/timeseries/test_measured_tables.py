@@ -291,6 +291,23 @@ def test_mat_7_3(tmp_path: Path) -> None:
     assert_bench(table, ("t", "test.p"), ("", ""))
 
 
+def test_mat_7_3_reads_no_other_files(tmp_path: Path) -> None:
+    h5py = pytest.importorskip("h5py")
+    secret = tmp_path / "secret.h5"
+    with h5py.File(secret, "w") as content:
+        content["p"] = np.array([PRESSURE])
+    file = mat_7_3(tmp_path / "bench.mat", h5py)
+    size = 8 * len(PRESSURE)
+    with h5py.File(file, "r+") as content:
+        content["linked"] = h5py.ExternalLink(str(secret), "/p")
+        content["soft"] = h5py.SoftLink("/linked")
+        content.create_dataset("raw", (len(PRESSURE),), "f8", external=[(str(secret), 0, size)])
+        layout = h5py.VirtualLayout((1, len(PRESSURE)), "f8")
+        layout[:] = h5py.VirtualSource(str(secret), "p", (1, len(PRESSURE)))
+        content.create_virtual_dataset("virtual", layout)
+    assert_bench(read_table(file), ("t", "test.p"), ("", ""))
+
+
 def test_tdms(tmp_path: Path) -> None:
     nptdms = pytest.importorskip("nptdms")
     wave = {"wf_increment": 0.1, "unit_string": "bar"}  # no wf_start_offset, as many writers leave it

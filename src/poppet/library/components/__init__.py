@@ -13,6 +13,7 @@ from types import MappingProxyType
 from typing import Any
 
 from poppet.core.errors import ErrorCollector, InputError, NameSuggestion
+from poppet.core.files import confined_to
 from poppet.core.plugins import Registry
 from poppet.core.tables import Field, read_fields
 from poppet.core.toml_file import TomlFile
@@ -339,7 +340,8 @@ def _by_name(path: Path) -> Mapping[str, tuple[CatalogueComponent, ...]]:
 
 @cache
 def _components(path: Path) -> tuple[CatalogueComponent, ...]:
-    return read_component_file(path)
+    with confined_to():  # the limit of a circuit file does not apply to the library
+        return read_component_file(path)
 
 
 def components() -> tuple[CatalogueComponent, ...]:

@@ -133,7 +133,7 @@ def read_mat(path: Path) -> Table:
         with needed("h5py", "A MAT file of version 7.3", "measured"):
             import h5py
         with h5py.File(path, "r") as file:
-            content = {name: _hdf5_item(item) for name, item in file.items() if not name.startswith("#")}
+            content = {name: item for name, item in _hdf5_content(file, h5py.HardLink).items() if name[0] != "#"}
     meta = stored_metadata(content.pop(METADATA, ""))
     columns = dict(_vectors(content))
     if any(values.size > 1 for values in columns.values()):
@@ -142,10 +142,19 @@ def read_mat(path: Path) -> Table:
     return table_of(columns, {}, meta=meta)
 
 
-def _hdf5_item(item: Any) -> dict[str, Any] | NDArray[Any] | None:
-    if hasattr(item, "items"):
-        return {name: _hdf5_item(inner) for name, inner in item.items()}
-    if item.dtype.kind not in "iufb" or item.attrs.get("MATLAB_class", b"") in (b"char", b"cell"):
+def _hdf5_content(group: Any, hard_link: type) -> dict[str, Any]:
+    """Return the content of a group, without links to other files and without data in other files."""
+    content: dict[str, Any] = {}
+    for name in group:
+        if isinstance(group.get(name, getlink=True), hard_link):
+            item = group[name]
+            content[name] = _hdf5_content(item, hard_link) if hasattr(item, "items") else _hdf5_values(item)
+    return content
+
+
+def _hdf5_values(item: Any) -> NDArray[Any] | None:
+    is_text = item.dtype.kind not in "iufb" or item.attrs.get("MATLAB_class", b"") in (b"char", b"cell")
+    if is_text or item.external or item.is_virtual:
         return None
     return np.squeeze(np.asarray(item).T)  # MATLAB stores axes in reverse order
 
