@@ -74,6 +74,11 @@ class Document:
     def _circuit(self) -> CircuitText:
         return CircuitText(self.text.removeprefix(MARK))
 
+    @property
+    def content(self) -> Mapping[str, Any]:
+        """Tables of the text, which must be valid TOML."""
+        return self._circuit.content
+
     def view(self) -> dict[str, Any]:
         """Return the content for the page, as values of JSON.
 

@@ -7,7 +7,8 @@ from __future__ import annotations
 
 import dataclasses
 import math
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
+from types import MappingProxyType
 from typing import Any
 
 from poppet import library
@@ -15,7 +16,7 @@ from poppet.circuit.options import Ambient, GasChoice, Run
 from poppet.core.units import exact_scale
 from poppet.edit.port_places import PortPlace, arrange
 from poppet.edit.svg_symbols import svg_text
-from poppet.library.components import components
+from poppet.library.components import CatalogueComponent, components
 from poppet.parts import KINDS
 from poppet.parts.components import MODEL, numbers_of
 from poppet.parts.compound import Compound
@@ -207,7 +208,7 @@ def unit_table() -> dict[str, Entry]:
     """
     names = {*COMMON_UNITS, *(name for (unit, _), names in UNITS.items() for name in (unit, *names))}
     for kind in KINDS.values():
-        blank = _blank(kind)
+        blank = blank_part(kind)
         names |= {field["unit"] for field in _fields(kind) if field["type"] == "number"}
         names |= {unit for _, unit in _inputs(blank)}
     names |= {field["unit"] for table in sections().values() for field in table if field["type"] == "number"}
@@ -239,7 +240,7 @@ def symbol_of(part: Part, *, is_driven: bool = False) -> Entry:
 
 
 def _entry(name: str, kind: type[Part], group: str) -> Entry:
-    blank = _blank(kind)
+    blank = blank_part(kind)
     symbols = [_shown(kind.symbol)]
     if _symbol_for(blank, True) != _symbol_for(blank, False):
         symbols.append(_symbol_for(blank, True))
@@ -267,20 +268,24 @@ def _drawn(kind: type[Part], symbols: Sequence[Symbol], ports: list[Entry]) -> E
     return {"box": list(box), "ports": ports}
 
 
-def _blank(kind: Any) -> Any:
-    """Return a part without values: options have their defaults, numbers are None.
+def blank_part(kind: Any, table: Mapping[str, Any] = MappingProxyType({})) -> Any:
+    """Return a part without numbers: options, ports and references are those of a table, or have their defaults.
 
-    It is not a valid part, but has the ports and inputs of the default options.
+    It is not a valid part, but has the ports and inputs of its options.
     """
     part = object.__new__(kind)
-    for _, attribute, spec in declared(kind):
+    for name, attribute, spec in declared(kind):
+        value = table.get(name)
+        inner = value if isinstance(value, Mapping) else MappingProxyType({})
         default = None
         if isinstance(spec, OptionSpec):
-            default = spec.choices[0]
-        elif isinstance(spec, GroupSpec) and not spec.optional:
-            default = _blank(spec.group)
+            default = value if isinstance(value, str) and value in spec.choices else spec.choices[0]
+        elif isinstance(spec, PortSpec | BodySpec | ReferenceSpec):
+            default = value
+        elif isinstance(spec, GroupSpec) and (not spec.optional or name in table):
+            default = blank_part(spec.group, inner)
         elif isinstance(spec, MemberSpec):
-            default = _blank(spec.part)
+            default = blank_part(spec.part, inner)
         object.__setattr__(part, attribute, default)
     return part
 
@@ -394,33 +399,33 @@ def _field(name: str, spec: Spec, owner: Any) -> Entry:
                 "doc": spec.doc,
                 "required": False,
                 "form": spec.form,
-                "choices": _choices(name, getattr(owner, "kind", "")),
-                **({"components": _components(owner)} if name == MODEL else {}),
+                **(component_choices(owner, components()) if name == MODEL else {"choices": _choices(name)}),
             }
     raise TypeError(spec)
 
 
-def _components(kind: Any) -> list[Entry]:
-    """Return the components of a kind of part: their names, numbers, options and source."""
-    return [
-        {
-            "names": list(component.names),
-            "sets": {field: number.display() for field, number in numbers_of(component, kind).items()},
-            "options": {option: list(words) for option, words in component.options.items()},
-            "source": component.locator,
-        }
-        for component in components()
-        if kind.kind in component.kinds
-    ]
+def component_choices(kind: type[Part], items: Iterable[CatalogueComponent]) -> Entry:
+    """Return the values of the field `model` for components: names, numbers, options and sources."""
+    items = [component for component in items if kind.kind in component.kinds]
+    return {
+        "choices": sorted({name for component in items for name in component.names}),
+        "components": [
+            {
+                "names": list(component.names),
+                "sets": {field: number.display() for field, number in numbers_of(component, kind).items()},
+                "options": {option: list(words) for option, words in component.options.items()},
+                "source": component.locator,
+            }
+            for component in items
+        ],
+    }
 
 
-def _choices(name: str, kind: str) -> list[str]:
-    """Return the names that a reference of a kind of part can contain; further names come from component files."""
+def _choices(name: str) -> list[str]:
+    """Return the names that a reference can contain."""
     match name:
         case "data":
             return [choice for choice in library.sets() if choice != "gases"]
         case "characteristic":
             return list(library.characteristics())
-        case "model":
-            return sorted({alias for item in components() if kind in item.kinds for alias in item.names})
     return []

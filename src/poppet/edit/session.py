@@ -5,20 +5,24 @@ from __future__ import annotations
 import os
 import stat
 import tomllib
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from contextlib import suppress
 from pathlib import Path
 from threading import RLock
 from typing import IO, Any
 
 from poppet.circuit.circuit import BaseCircuit
+from poppet.circuit.component_files import read_circuit_components
 from poppet.circuit.file import loads
 from poppet.core.errors import InputError, NameSuggestion
-from poppet.core.files import check_characters, open_input, write_whole
+from poppet.core.files import check_characters, confined_to, open_input, write_whole
 from poppet.edit.document import LARGEST, MARK, Document, History
 from poppet.edit.operations import free_name
-from poppet.edit.palette import palette
+from poppet.edit.palette import component_choices
+from poppet.edit.part_symbols import palette_entries, symbols_of
 from poppet.edit.places import places_of
+from poppet.library.components import CatalogueComponent
+from poppet.parts import KINDS
 
 SUFFIX = ".toml"
 
@@ -106,28 +110,37 @@ class Session:
         """Return the content of the present text, and its circuit or its errors."""
         if self._content_of is None or self._content_of[0] != self.history.revision:
             circuit: BaseCircuit | InputError
-            try:
-                # Without a name: the errors of this text have no file.
-                circuit = loads(self.document.text.removeprefix(MARK), name="", folder=self.folder)
-            except InputError as error:
-                circuit = error
-            self._content_of = self.history.revision, self._shown(circuit), circuit
+            with confined_to(self.folder):
+                try:
+                    # Without a name: the errors of this text have no file.
+                    circuit = loads(self.document.text.removeprefix(MARK), name="", folder=self.folder)
+                except InputError as error:
+                    circuit = error
+                self._content_of = self.history.revision, self._shown(circuit), circuit
         return self._content_of[1:]
 
     def _shown(self, circuit: BaseCircuit | InputError) -> State:
         view = self.document.view()
-        places = {} if "error" in view else places_of(view, _sizes(view))
-        errors = error_list(circuit) if isinstance(circuit, InputError) else []
-        if "error" in view and errors:
-            errors[0]["line"] = view["error"]["line"]
-        return {
+        state: State = {
             "text": self.document.text,
             "view": view,
-            "places": places,
+            "places": {},
             "symbols": {},
-            "errors": errors,
+            "models": {},
             "notes": [],
         }
+        state["errors"] = error_list(circuit) if isinstance(circuit, InputError) else []
+        if "error" in view:
+            state["errors"][0]["line"] = view["error"]["line"]
+            return state
+        content = self.document.content
+        components: tuple[CatalogueComponent, ...] = ()
+        with suppress(InputError):  # which `errors` contains
+            components = read_circuit_components(content.get("components", ()), self.folder)
+        state["symbols"] = symbols_of(content, components)
+        state["models"] = _models(components)
+        state["places"] = places_of(view, _sizes(view, state["symbols"]))
+        return state
 
     # --- Changes ---
 
@@ -243,15 +256,8 @@ class Session:
         self.history = History(text, self.history.revision + 1)
         self.name, self._disk, self._first = name, data, text
 
-    def _path(self, name: str) -> Path:
-        """Return the path of a file of the folder; a link must not lead out of the folder."""
-        path = self.folder / name
-        if not Path(os.path.realpath(path)).is_relative_to(self.folder):
-            raise InputError("edit.outside", path=name, folder=str(self.folder))
-        return path
-
     def _read(self, name: str) -> bytes:
-        with open_input(self._path(name)) as stream:
+        with confined_to(self.folder), open_input(self.folder / name) as stream:
             data = stream.read(LARGEST + 1)
         if len(data) > LARGEST:
             raise InputError("toml.too_large", path=name, most=LARGEST // 2**20)
@@ -266,7 +272,7 @@ class Session:
 
     def _write(self, name: str, data: bytes, known: bytes | None, *, is_new: bool, overwrite: bool) -> None:
         """Write a file completely or not at all, unless another program has changed it."""
-        path = self._path(name)
+        path = self.folder / name
 
         def check() -> None:
             if overwrite or self._present(name) in (known, data):
@@ -283,7 +289,8 @@ class Session:
             check()  # again, directly before the new file replaces the old one
 
         check()
-        write_whole(path, fill)
+        with confined_to(self.folder):
+            write_whole(path, fill)
 
 
 def file_name(name: str) -> str:
@@ -354,14 +361,18 @@ def _template(name: str, path: Path) -> dict[str, str]:
     return {"name": name, "title": str(tomllib.loads(text).get("title", name)), "summary": lines[0] if lines else ""}
 
 
-BOXES = {entry["kind"]: entry["box"] for entry in palette()}
+def _models(components: Sequence[CatalogueComponent]) -> dict[str, Any]:
+    """Return the own components of a circuit by kind of part, as the palette has those of the library."""
+    kinds = dict.fromkeys(kind for component in components for kind in component.kinds)
+    return {kind: component_choices(KINDS[kind], components) for kind in kinds}
 
 
-def _sizes(view: Mapping[str, Any]) -> dict[str, tuple[float, float]]:
+def _sizes(view: Mapping[str, Any], symbols: Mapping[str, Any]) -> dict[str, tuple[float, float]]:
+    """Return the sizes of the symbols, with room for names, vents and wires."""
     sizes = {}
     for name, part in view["parts"].items():
-        if part["kind"] in BOXES:
-            *_, width, height = BOXES[part["kind"]]
-            # With room for names, vents and wires.
+        entry = symbols.get(name) or palette_entries().get(part["kind"])
+        if entry is not None:
+            *_, width, height = entry["box"]
             sizes[name] = (width + 2.0, height + 4.0)
     return sizes
