@@ -54,6 +54,8 @@ if TYPE_CHECKING:
 _SECTIONS = ("ambient", "gas", "run")
 RUNS = 4
 """Number of run options for which the arrays of a run are cached."""
+MODELS: LruCache[Model] = LruCache(8)
+"""Symbolic models by structure."""
 
 
 class Origin(NamedTuple):
@@ -449,7 +451,8 @@ class BaseCircuit(HtmlMixin):
         """Symbolic model of the circuit, for which no machine code is compiled."""
         from poppet.circuit.trace import trace
 
-        return trace(self.parts, tuple(self.parameters), self.connections)
+        # A circuit that is edited is read again and again, mostly with the same structure.
+        return MODELS.get(self.structure, lambda: trace(self.parts, tuple(self.parameters), self.connections))
 
     @property
     def model(self) -> Model:
