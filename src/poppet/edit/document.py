@@ -54,12 +54,13 @@ class Document:
         operations : iterable of mapping
             Operations in the order in which they are performed, see `poppet.edit.operations`.
         """
-        mark = MARK if self.text.startswith(MARK) else ""
-        text = self.text.removeprefix(mark)
-        CircuitText(text).content  # noqa: B018 - raises if the text is not valid
+        circuit = self._circuit
+        circuit.content  # noqa: B018 - raises if the text is not valid
         for operation in operations:
-            text = apply_operation(text, operation)
-        return Document(mark + text)
+            circuit = apply_operation(circuit, operation)
+        document = Document((MARK if self.text.startswith(MARK) else "") + circuit.text)
+        document.__dict__["_circuit"] = circuit  # which contains the parsed text
+        return document
 
     @cached_property
     def error(self) -> InputError | None:
@@ -84,7 +85,12 @@ class Document:
 
         The result contains the title, the parts with fields as typed, ports and line, the connections, the signals,
         the drawing, the run options, the ambient and the gas. Of an invalid text, the result contains only its error.
+        The result must not be changed.
         """
+        return self._view
+
+    @cached_property
+    def _view(self) -> dict[str, Any]:
         if self.error is not None:
             line, column = _location(self.text, self.error)
             return {"error": {"line": line, "column": column, "message": str(self.error), "code": self.error.code}}

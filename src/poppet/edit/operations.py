@@ -302,7 +302,7 @@ _TYPES: dict[str, tuple[type, ...]] = {
 }
 
 
-def apply_operation(text: str, operation: Any) -> str:
+def apply_operation(circuit: CircuitText, operation: Any) -> CircuitText:
     """Return the text after one operation."""
     name = operation.get("op") if isinstance(operation, Mapping) else operation
     if not isinstance(operation, Mapping) or not isinstance(name, str) or name not in OPERATIONS:
@@ -324,10 +324,10 @@ def apply_operation(text: str, operation: Any) -> str:
         names = [parameter.name for parameter in parameters]
         if key not in names:
             raise InputError("fields.unknown", str(key), table="operation", suggestion=NameSuggestion(str(key), names))
-    changed = OPERATIONS[name](CircuitText(text), **fields)
+    changed = CircuitText(OPERATIONS[name](circuit, **fields))
     try:
-        changed.encode("utf-8")
-        TomlFile(changed, "").tables  # noqa: B018 - raises if the text is not valid
+        changed.text.encode("utf-8")
+        changed.content  # noqa: B018 - raises if the text is not valid
     except (InputError, UnicodeEncodeError):
         raise InputError("edit.not_valid", operation=name) from None
     return changed

@@ -58,6 +58,7 @@ class Session:
         self._first = EMPTY  # text without a file
         self._disk: bytes | None = None  # content of the file when it was read or saved
         self._content_of: tuple[int, State, BaseCircuit | InputError] | None = None
+        self._places_of: tuple[Any, State] | None = None
         if not is_folder:
             self._open_file(path.name, is_new=True)
 
@@ -109,15 +110,27 @@ class Session:
     def _content(self) -> tuple[State, BaseCircuit | InputError]:
         """Return the content of the present text, and its circuit or its errors."""
         if self._content_of is None or self._content_of[0] != self.history.revision:
-            circuit: BaseCircuit | InputError
             with confined_to(self.folder):
-                try:
-                    # Without a name: the errors of this text have no file.
-                    circuit = loads(self.document.text.removeprefix(MARK), name="", folder=self.folder)
-                except InputError as error:
-                    circuit = error
+                circuit = self._unmoved() or self._read_circuit()
                 self._content_of = self.history.revision, self._shown(circuit), circuit
         return self._content_of[1:]
+
+    def _read_circuit(self) -> BaseCircuit | InputError:
+        try:
+            # Without a name: the errors of this text have no file.
+            return loads(self.document.text.removeprefix(MARK), name="", folder=self.folder)
+        except InputError as error:
+            return error
+
+    def _unmoved(self) -> BaseCircuit | None:
+        """Return the circuit that was read last, if only the drawing has changed since."""
+        if self._content_of is None or self.document.error is not None:
+            return None
+        former = self._content_of[2]
+        if isinstance(former, InputError):  # whose lines may have changed
+            return None
+        tables = [{**content, "drawing": None} for content in (former.origin.tables, self.document.content)]
+        return former if tables[0] == tables[1] else None
 
     def _shown(self, circuit: BaseCircuit | InputError) -> State:
         view = self.document.view()
@@ -139,8 +152,16 @@ class Session:
             components = read_circuit_components(content.get("components", ()), self.folder)
         state["symbols"] = symbols_of(content, components)
         state["models"] = _models(components)
-        state["places"] = places_of(view, _sizes(view, state["symbols"]))
+        state["places"] = self._places(view, _sizes(view, state["symbols"]))
         return state
+
+    def _places(self, view: State, sizes: Mapping[str, tuple[float, float]]) -> State:
+        """Return the places of the parts, which depend on their wiring, but not on their values."""
+        wiring = {name: (part["kind"], part["ports"]) for name, part in view["parts"].items()}
+        key = (wiring, view["connections"], view["drawing"], sizes)
+        if self._places_of is None or self._places_of[0] != key:
+            self._places_of = key, places_of(view, sizes)
+        return self._places_of[1]
 
     # --- Changes ---
 
