@@ -180,30 +180,33 @@ def set_field(circuit: CircuitText, address: str, value: Any) -> str:
     """Set a field of a part, or of a table such as `run`; None removes it."""
     path = _path_of(circuit, address)
     if value is None:
-        return remove(circuit.toml, [path])
+        return _without_empty_groups(remove(circuit.toml, [path]), path[:-1])
     check_value(address, value)
     return set_value(circuit.toml, path, value, ORDER)
 
 
 def set_signal(circuit: CircuitText, address: str, table: Any = None) -> str:
-    """Set the signal of an input, a table or a constant; None removes it."""
+    """Set the signal of an input, a table or a constant, in place of a connection; None removes it."""
     _check_input(circuit, address)
     stated = _stated_path(circuit, "signals", address)
     if table is None:
         return remove(circuit.toml, [stated] if stated else [])
     check_value(f"signals.{address}", table)
+    connection = _stated_path(circuit, "connections", address)
+    text = remove(circuit.toml, [connection, ("drawing", address)]) if connection else circuit.text
     path = stated or ("signals", address)
     if isinstance(table, Mapping):
-        return _set_table(circuit.text, path, table)
-    return set_value(circuit.toml, path, table, ORDER)
+        return _set_table(text, path, table)
+    return set_value(TomlText(text), path, table, ORDER)
 
 
 def link(circuit: CircuitText, input: str, output: str) -> str:
-    """Connect an input of a part to an output of another one."""
+    """Connect an input of a part to an output of another one, in place of a signal."""
     _check_input(circuit, input)
     circuit.part(output.partition(".")[0])
     path = _source_field(circuit, input) or _stated_path(circuit, "connections", input) or ("connections", input)
-    return set_value(TomlText(_without_route(circuit, input, output)), path, output, ORDER)
+    text, signal = _without_route(circuit, input, output), _stated_path(circuit, "signals", input)
+    return set_value(TomlText(remove(TomlText(text), [signal] if signal else [])), path, output, ORDER)
 
 
 def unlink(circuit: CircuitText, input: str) -> str:
@@ -231,30 +234,44 @@ def connect(circuit: CircuitText, port: str, to: str) -> str:
             raise InputError("fields.not_an_option", port, value=local, meaning="port", suggestion=suggestion)
         raise InputError("edit.no_port", port=port, to=to)
     if _port_spec(circuit, to) is None:
-        return set_value(TomlText(_without_route(circuit, port, to)), _port_path(port), to, ORDER)
-    # Two ports: one of them is the end of a tube, and each names the other part.
-    tube, other = (port, to) if _is_tube(circuit, port) else (to, port)
-    if not _is_tube(circuit, tube) or _is_tube(circuit, other) or isinstance(spec, BodySpec):
-        raise InputError("edit.two_ports", port=port, to=to)
-    text = _without_route(CircuitText(_without_route(circuit, tube, other)), other, tube.partition(".")[0])
-    text = set_value(TomlText(text), _port_path(tube), other, ORDER)
-    return set_value(TomlText(text), _port_path(other), tube.partition(".")[0], ORDER)
+        targets = {port: to}
+    else:  # one of two ports is the end of a tube, and each names the other part
+        tube, other = (port, to) if _is_tube(circuit, port) else (to, port)
+        if not _is_tube(circuit, tube) or _is_tube(circuit, other) or isinstance(spec, BodySpec):
+            raise InputError("edit.two_ports", port=port, to=to)
+        targets = {tube: other, other: tube.partition(".")[0]}
+    former = {end for port in targets for end in _wire_ends(circuit, port)} - {*targets}
+    text = _without_ends(circuit, former)
+    for end, target in targets.items():
+        text = set_value(TomlText(_without_route(CircuitText(text), end, target)), _port_path(end), target, ORDER)
+    return text
 
 
 def disconnect(circuit: CircuitText, port: str) -> str:
     """Remove the connection of a port and the points of its wire, at both ports if one is the end of a tube."""
-    owner = port.partition(".")[0]
-    circuit.part(owner)
-    paths = [_port_path(port)]
+    circuit.part(port.partition(".")[0])
+    return _without_ends(circuit, _wire_ends(circuit, port))
+
+
+def _wire_ends(circuit: CircuitText, port: str) -> list[str]:
+    """Return the ports at the ends of a wire: the port itself, and the other one if one of them is that of a tube."""
+    ends = [port]
     for name, table in circuit.parts.items():
         kind = part_kind(table)
         for path, _, value in wired_fields(kind, table) if kind else ():
             end = ".".join(map(str, (name, *path)))
-            if _is_tube(circuit, end) and value == port:
-                paths.append(("parts", name, *path))
-            elif end == port and _is_tube(circuit, end) and _port_spec(circuit, value) is not None:
-                paths.append(_port_path(value))
-    paths += [("drawing", ".".join(map(str, path[1:]))) for path in paths]
+            if not _is_tube(circuit, end) or not isinstance(value, str):
+                continue
+            if value == port:
+                ends.append(end)
+            elif end == port and _port_spec(circuit, value) is not None:
+                ends.append(value)
+    return ends
+
+
+def _without_ends(circuit: CircuitText, ends: Collection[str]) -> str:
+    """Return a text without the connections of ports and without the points of their wires."""
+    paths = [path for end in ends for path in (_port_path(end), ("drawing", end))]
     return remove(circuit.toml, [path for path in paths if is_stated(circuit.toml, path)])
 
 
@@ -412,6 +429,19 @@ def _existing(table: Any, start: Path, rest: Path, address: str, *, is_section: 
         path, rest = (*path, name), rest[name.count(".") + 1 :]
         table = keys.get(name)
     return path
+
+
+def _without_empty_groups(text: str, path: Path) -> str:
+    """Return a text without the group of fields at a path, and without those around it, if they are empty."""
+    smallest = 3 if path[0] == "parts" else 2  # a part remains, and so does a table of the top level
+    while len(path) >= smallest:
+        table: Any = CircuitText(text).content
+        for name in path:
+            table = table.get(name) if isinstance(table, Mapping) else None
+        if table != {}:
+            break
+        text, path = remove(TomlText(text), [path]), path[:-1]
+    return text
 
 
 def _check_input(circuit: CircuitText, address: str) -> None:

@@ -288,6 +288,26 @@ def test_the_end_of_a_tube_and_a_port_name_each_other():
             assert "outlet" not in alone["valve"]
 
 
+@pytest.mark.parametrize(
+    ("port", "to", "lost"),
+    [
+        ("hose.from", "tank", "valve.outlet"),
+        ("valve.outlet", "tank", "hose.from"),
+        ("hose.from", "second.outlet", "valve.outlet"),
+        ("valve.outlet", "second_hose.to", "hose.from"),
+    ],
+)
+def test_a_new_connection_ends_the_former_one_at_both_ports(port, to, lost):
+    names = {"second": "directional_valve", "hose": "tube", "second_hose": "tube"}
+    operations = [{"op": "add", "kind": kind, "name": name} for name, kind in names.items()]
+    first = {"op": "connect", "port": "hose.from", "to": "valve.outlet"}
+    parts = tomllib.loads(edited(BENCH, *operations, first, {"op": "connect", "port": port, "to": to}))["parts"]
+    owner, _, name = lost.partition(".")
+    assert name not in parts[owner]
+    owner, _, name = port.partition(".")
+    assert parts[owner][name] in (to, to.partition(".")[0])
+
+
 def test_ports_that_cannot_be_connected():
     text = edited(BENCH, {"op": "add", "kind": "orifice"})
     with refused("edit.two_ports", port="valve.outlet", to="orifice.from"):
@@ -347,9 +367,35 @@ def test_all_forms_of_signals(signals):
     assert renamed["signals"] == {"v.command": pulse}
 
 
+@pytest.mark.parametrize(
+    "group",
+    [
+        '[parts.valve.cushion]  # group\nlength = "20 mm"\n',
+        'cushion = { length = "20 mm" }\n',
+        'cushion.length = "20 mm"\n',
+    ],
+)
+def test_the_last_field_of_a_group_takes_the_group_with_it(group):
+    text = BENCH.replace("[parts.tank]\n", f"{group}\n[parts.tank]\n")
+    parts = tomllib.loads(edited(text, {"op": "set", "address": "valve.cushion.length", "value": None}))["parts"]
+    assert parts == tomllib.loads(BENCH)["parts"]
+
+
+def test_the_last_field_of_a_part_or_section_leaves_it():
+    text = '[parts.hole]\nkind = "orifice"\n\n[run]\nduration = "1 s"\n'
+    after = edited(text, {"op": "set", "address": "hole.kind", "value": None})
+    assert tomllib.loads(edited(after, {"op": "set", "address": "run.duration", "value": None})) == {
+        "parts": {"hole": {}},
+        "run": {},
+    }
+
+
 def test_links():
     link = {"op": "link", "input": "valve.command", "output": "tank.pressure"}
-    assert change(link)[1] == ["[connections]", '"valve.command" = "tank.pressure"', ""]
+    signal = ['[signals."valve.command"]', 'kind = "steps"', 'times = ["0 s", "1 s"]', "values = [0, 1]"]
+    removed, added = change(link)
+    assert [line for line in removed if line and line[0] != "#"] == signal  # an input has one source
+    assert added == ["[connections]", '"valve.command" = "tank.pressure"']
     assert tomllib.loads(edited(BENCH, link))["connections"] == {"valve.command": "tank.pressure"}
     other = {"op": "link", "input": "valve.command", "output": "supply.pressure"}
     assert tomllib.loads(edited(BENCH, link, other))["connections"] == {"valve.command": "supply.pressure"}
@@ -360,6 +406,14 @@ def test_links():
     assert edited(nested, other).endswith('command = "supply.pressure"  # loop\n')
     with refused("names.unknown", "tonk"):
         edited(BENCH, {"op": "link", "input": "valve.command", "output": "tonk.pressure"})
+
+
+def test_a_signal_replaces_a_link():
+    link = {"op": "link", "input": "valve.command", "output": "tank.pressure"}
+    for table in ({"kind": "constant", "value": 1}, 1):
+        after = tomllib.loads(edited(BENCH, link, {"op": "signal", "address": "valve.command", "table": table}))
+        assert after["signals"] == {"valve.command": table}
+        assert not after.get("connections")
 
 
 def test_a_field_that_names_an_output_is_the_link():
@@ -437,7 +491,7 @@ def test_points_of_tubes_and_signals_follow_their_wire():
     both = [{"op": "route", "port": port, "points": [[1, 2]]} for port in ("hose.from", "valve.outlet")]
     assert edited(text, *both).count("points") == 2
     assert edited(text, *both, {"op": "disconnect", "port": "valve.outlet"}).count("points") == 0
-    assert edited(text, *both, {"op": "connect", "port": "hose.from", "to": "tank"}).count("points") == 1
+    assert edited(text, *both, {"op": "connect", "port": "hose.from", "to": "tank"}).count("points") == 0
     link = {"op": "link", "input": "valve.command", "output": "tank.pressure"}
     linked = edited(BENCH, link, {"op": "route", "port": "valve.command", "points": [[1, 2]]})
     assert edited(linked, link) == linked
