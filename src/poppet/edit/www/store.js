@@ -175,7 +175,7 @@ export class Store extends EventTarget {
 
   #change(path, body, details = {}) {
     const change = { path, body, ...details };
-    change.edit = details.isSave ? this.#edits : this.#newEdit().edit;
+    change.edit = this.#newEdit().edit;
     change.promise = new Promise(resolve => { change.done = resolve; });
     this.#queue.push(change);
     this.#send();
@@ -249,6 +249,7 @@ export class Store extends EventTarget {
     if (isOther) this.#emit("selection");
     if (isSave) {
       this.announce(text("problems.saved", { name: this.state.name }));
+      this.simulation.finish(edit);
       return this.state;
     }
     if (this.errors.length || !isValid || !Object.keys(view.parts).length) {

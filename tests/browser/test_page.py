@@ -1,0 +1,464 @@
+"""The page of the editor around the drawing: runs, curves, errors, files, conflicts and layout."""
+
+from __future__ import annotations
+
+import math
+import re
+
+import pytest
+
+import poppet
+
+VENT = """\
+title = "Vented tank"
+
+[parts.tank]
+kind = "chamber"
+volume = "10 l"
+initial_pressure = "5 bar g"
+
+[parts.bleed]
+kind = "orifice"
+from = "tank"
+to = "ambient"
+sonic_conductance = "2 dm^3/(s bar)"
+critical_ratio = 0.3
+
+[run]
+duration = "4 s"
+output_step = "10 ms"
+"""
+CONTRAST = 4.5
+"""Smallest contrast of text and background, WCAG 2 level AA."""
+
+
+def evaluate(editor, body, *values):
+    """Return the value of an asynchronous function of the page, which has the state as `store`."""
+    return editor.page.evaluate(f"async values => {{ const store = window.poppet.store; {body} }}", list(values))
+
+
+def apply(editor, *operations):
+    evaluate(editor, "await store.apply(values); await window.poppet.ready;", *operations)
+
+
+def setting(address, value):
+    return {"op": "set", "address": address, "value": value}
+
+
+@pytest.fixture
+def vent(start_editor):
+    return start_editor(VENT)
+
+
+# --- Runs ---
+
+
+def test_the_run_is_that_of_the_library(vent):
+    recording = vent.recording()
+    run = poppet.circuit.file.loads(VENT).simulate()
+    assert recording["time"] == pytest.approx(list(run.time))
+    pressure = next(series for series in run.series if series.name == "tank.pressure")
+    assert recording["tank.pressure"] == pytest.approx(list(pressure.values), rel=1e-6)
+
+
+def test_ready_is_replaced_by_each_edit(vent):
+    body = """
+      const before = window.poppet.ready;
+      store.apply(values);
+      const after = window.poppet.ready;
+      const isOther = before !== after;
+      await after;
+      return [isOther, store.recording()["tank.pressure"].at(-1)];
+    """
+    is_other, last = evaluate(vent, body, setting("bleed.sonic_conductance", "0.2 dm^3/(s bar)"))
+    changed = poppet.circuit.file.loads(VENT.replace("2 dm^3", "0.2 dm^3")).simulate()
+    expected = next(series for series in changed.series if series.name == "tank.pressure").values[-1]
+    assert is_other
+    assert last == pytest.approx(expected, rel=1e-6)
+
+
+def test_a_dragged_number_is_simulated_without_the_text(vent):
+    body = """
+      const text = store.text(), numbers = [];
+      for (const value of values) numbers.push(store.number("tank.volume", value));
+      await window.poppet.ready;
+      return [numbers, store.text() === text, store.recording()["tank.pressure"].at(-1), store.run.isShort];
+    """
+    volumes = [0.010 + 0.001 * k for k in range(11)]
+    is_known, is_same, last, is_short = evaluate(vent, body, *volumes)
+    changed = poppet.circuit.file.loads(VENT.replace("10 l", "20 l")).simulate()
+    expected = next(series for series in changed.series if series.name == "tank.pressure").values[-1]
+    assert is_known == [True] * len(volumes)
+    assert is_same
+    assert not is_short
+    assert last == pytest.approx(expected, rel=1e-6)
+
+
+def test_the_worker_has_one_run_at_most(vent):
+    """Values that arrive during a run are merged: the last one wins."""
+    body = """
+      let started = 0, sent = 0;
+      const post = Worker.prototype.postMessage;
+      Worker.prototype.postMessage = function (...message) { started++; sent = message[0].numbers[0][1]; post.apply(this, message); };
+      for (const value of values) store.number("tank.volume", value);
+      await window.poppet.ready;
+      Worker.prototype.postMessage = post;
+      return [started, sent];
+    """
+    started, sent = evaluate(vent, body, *[0.01 + 0.0001 * k for k in range(50)])
+    assert started == 2
+    assert sent == pytest.approx(0.0149)
+
+
+def test_a_long_run_is_short_while_a_number_is_dragged(start_editor):
+    editor = start_editor(VENT)
+    body = """
+      store.simulation.seconds = 2;  // as if the run took 2 s
+      store.number("tank.volume", 0.02);
+      await new Promise(resolve => store.addEventListener("run", resolve, { once: true }));
+      const first = [store.run.isShort, store.run.time.at(-1)];
+      await window.poppet.ready;
+      return [first, [store.run.isShort, store.run.time.at(-1)]];
+    """
+    (is_first_short, reached), (is_short, end) = evaluate(editor, body)
+    assert is_first_short
+    assert reached < 1.0
+    assert not is_short
+    assert end == pytest.approx(4.0)
+
+
+def test_a_moved_part_is_not_simulated_again(vent):
+    body = """
+      const { run } = store;
+      await store.apply([{ op: "place", part: "tank", x: 20, y: 30 }]);
+      await window.poppet.ready;
+      return store.run === run && !store.isStale;
+    """
+    assert evaluate(vent, body)
+
+
+def test_a_worker_that_fails_is_replaced(vent):
+    body = """
+      const post = Worker.prototype.postMessage;
+      Worker.prototype.postMessage = function () {
+        Worker.prototype.postMessage = post;
+        this.dispatchEvent(new ErrorEvent("error", { message: "out of memory", cancelable: true }));
+      };
+      store.number("tank.volume", 0.02);
+      await window.poppet.ready;
+      return [store.errors.length, store.isStale, store.recording()["tank.pressure"].at(-1)];
+    """
+    errors, is_stale, last = evaluate(vent, body)
+    changed = poppet.circuit.file.loads(VENT.replace("10 l", "20 l")).simulate()
+    expected = next(series for series in changed.series if series.name == "tank.pressure").values[-1]
+    assert (errors, is_stale) == (0, False)
+    assert last == pytest.approx(expected, rel=1e-6)
+
+
+def test_a_worker_that_always_fails_is_reported(vent):
+    body = """
+      const post = Worker.prototype.postMessage;
+      Worker.prototype.postMessage = function () {
+        this.dispatchEvent(new ErrorEvent("error", { message: "out of memory", cancelable: true }));
+      };
+      store.number("tank.volume", 0.02);
+      await window.poppet.ready;
+      Worker.prototype.postMessage = post;
+      const codes = store.errors.map(error => error.code);
+      await store.apply(values);
+      await window.poppet.ready;
+      return [codes, store.errors.length, store.isStale];
+    """
+    codes, errors, is_stale = evaluate(vent, body, setting("tank.volume", "30 l"))
+    assert codes == ["page.crashed"]
+    assert (errors, is_stale) == (0, False)
+
+
+# --- Errors ---
+
+
+def test_errors_are_listed_and_the_curves_stay_greyed(vent):
+    last = vent.recording()["tank.pressure"][-1]
+    apply(vent, {"op": "disconnect", "port": "bleed.to"})
+    problems = vent.page.locator("#problems")
+    item = problems.locator('[data-address="parts.bleed.to"]')
+    assert "parts.bleed.to" in item.text_content()
+    assert "is-stale" in vent.page.locator(".plots").get_attribute("class")
+    assert vent.recording()["tank.pressure"][-1] == last
+    evaluate(vent, "store.select([]);")
+    item.click()
+    assert evaluate(vent, "return [...store.selection];") == ["bleed"]
+    vent.press("Control+z")
+    assert problems.is_hidden()
+    assert "is-stale" not in vent.page.locator(".plots").get_attribute("class")
+
+
+def test_a_text_that_is_not_toml_keeps_the_drawing(vent):
+    evaluate(vent, "await store.replaceText(values[0]); await window.poppet.ready;", VENT.replace("volume =", "volume"))
+    assert evaluate(vent, "return [Object.keys(store.state.view.parts), store.isStale];") == [["tank", "bleed"], True]
+    assert vent.page.locator("#problems li").count() == 1
+    evaluate(vent, "await store.undo(); await window.poppet.ready;")
+    assert vent.text() == VENT
+    assert not evaluate(vent, "return store.isStale;")
+
+
+def test_a_refused_operation_is_announced(vent):
+    evaluate(vent, "await store.apply(values); await window.poppet.ready;", {"op": "rename", "part": "tank", "name": "bleed"})
+    vent.page.locator("#announce", has_text="bleed").wait_for()
+    assert vent.text() == VENT
+
+
+# --- Curves ---
+
+
+def test_curves_of_the_selected_part_come_first(vent):
+    plots = vent.page.locator("#curves .plot")
+    assert "tank.pressure" in plots.nth(0).text_content()
+    vent.select("bleed")
+    vent.page.locator("#curves .plot", has_text="bleed.mass_flow").first.wait_for()
+
+
+def test_curves_by_the_checklist(vent):
+    vent.page.locator(".choice summary").click()
+    box = vent.page.locator(".choice fieldset", has_text="tank").get_by_label("temperature", exact=True)
+    box.check()
+    plot = vent.page.locator("#curves .plot", has_text="tank.temperature")
+    plot.wait_for()
+    box.uncheck()
+    plot.wait_for(state="detached")
+
+
+def test_values_as_a_table_and_announced(vent):
+    vent.page.locator("#announce", has_text="tank.pressure ends at").wait_for()
+    vent.page.get_by_text("Table of values").click()
+    cells = vent.page.locator(".below table tbody tr").last.locator("td").all_text_contents()
+    last = poppet.circuit.file.loads(VENT).simulate().series
+    expected = next(series for series in last if series.name == "tank.pressure").values[-1] / 1e5
+    assert float(cells[0]) == 4.0
+    assert float(cells[1]) == pytest.approx(expected, rel=1e-3)
+
+
+def test_the_time_cursor_plays(vent):
+    vent.page.get_by_role("button", name="Play").click()
+    vent.page.wait_for_function("() => window.poppet.store.cursor > 0.1")
+    vent.page.get_by_role("button", name="Pause").click()
+    slider = vent.page.get_by_role("slider", name="time of the values in the drawing")
+    slider.press("End")
+    assert evaluate(vent, "return store.cursor;") == pytest.approx(4.0)
+
+
+def test_two_variants(vent):
+    vent.page.get_by_role("button", name="Keep as A").click()
+    apply(vent, setting("tank.volume", "20 l"))
+    vent.page.locator("#curves .key.is-kept", has_text="A: tank.pressure").wait_for()
+    vent.page.get_by_text("Differences from A").click()
+    assert vent.page.locator(".below li").first.text_content() == "tank.volume: A 10 l, now 20 l"
+    vent.page.get_by_role("button", name="Back to A").click()
+    vent.page.get_by_role("button", name="Forget A").click()
+    vent.wait()
+    assert vent.text() == VENT
+    vent.page.locator("#curves .key.is-kept").wait_for(state="detached")
+
+
+def test_measured_values_beside_the_curves(vent):
+    run = poppet.circuit.file.loads(VENT).simulate()
+    pressure = next(series for series in run.series if series.name == "tank.pressure").values
+    rows = "\n".join(f"{1e3 * t};{p / 1e5 - 1.01325 - 0.5}".replace(".", ",") for t, p in zip(run.time, pressure, strict=True))
+    content = f"t [ms];gauge [bar g]\n{rows}\n"
+    file = {"name": "run.csv", "mimeType": "text/csv", "buffer": content.encode()}
+    vent.page.locator('#curves input[type="file"]').set_input_files(file)
+    row = vent.page.locator(".measured p")
+    row.get_by_label("gauge measures").select_option("tank.pressure")
+    vent.page.locator("#curves .key.is-measured", has_text="gauge").wait_for()
+    # The gauge reads 0.5 bar too little.
+    vent.page.locator(".measured output", has_text=re.compile(r"RMS 0\.50+ bar")).wait_for()
+    row.get_by_label("Unit of gauge").select_option("bar")
+    vent.page.locator(".measured output", has_text=re.compile(r"RMS 1\.51\d* bar")).wait_for()
+    vent.page.get_by_role("button", name="Remove gauge").click()
+    row.wait_for(state="detached")
+
+
+def test_a_stop_condition_ends_the_run(start_editor):
+    editor = start_editor(VENT + '\n[stop_when]\n"tank.pressure" = { below = "3 bar g" }\n')
+    editor.page.locator("#curves .status", has_text="stop condition").wait_for()
+    assert editor.recording()["time"][-1] < 4.0
+
+
+# --- Files ---
+
+
+def test_save_and_title(vent):
+    apply(vent, setting("tank.volume", "20 l"))
+    assert vent.page.title().startswith("* plant.toml")
+    is_held = "() => !dispatchEvent(new Event('beforeunload', { cancelable: true }))"
+    assert vent.page.evaluate(is_held)
+    vent.save()
+    assert (vent.folder / "plant.toml").read_text() == vent.text() == VENT.replace("10 l", "20 l")
+    assert vent.page.title().startswith("plant.toml")
+    assert not vent.page.evaluate(is_held)
+
+
+def test_save_under_another_name(vent):
+    vent.page.locator("#file-menu summary").click()
+    vent.page.locator("#save-as").click()
+    vent.page.get_by_label("File name").fill("copy")
+    vent.page.get_by_role("button", name="Write").click()
+    vent.page.locator("#name", has_text="copy.toml").wait_for()
+    assert (vent.folder / "copy.toml").read_text() == VENT
+
+
+def test_a_template_of_the_start_page(editor):
+    start = editor.page.locator("#start")
+    start.wait_for()
+    start.locator("section").first.get_by_role("button").first.click()
+    editor.page.wait_for_function("() => Object.keys(window.poppet.store.state.view.parts).length > 0")
+    editor.wait()
+    assert start.is_hidden()
+    assert len(editor.recording()["time"]) > 1
+
+
+def test_another_file_asks_for_unsaved_changes(start_editor):
+    editor = start_editor(VENT, files={"other.toml": VENT.replace("Vented", "Other")})
+    apply(editor, setting("tank.volume", "20 l"))
+    for answer, title in (("Cancel", "Vented tank"), ("Open without them", "Other tank")):
+        editor.page.locator("#file-menu summary").click()
+        editor.page.locator("#open").click()
+        editor.page.locator("#start").get_by_role("button", name="other.toml").click()
+        editor.page.get_by_role("button", name=answer).click()
+        editor.page.wait_for_function("title => window.poppet.store.state.view.title === title", arg=title)
+    editor.wait()
+    assert editor.text() == VENT.replace("Vented", "Other")
+
+
+# --- Conflicts ---
+
+
+def test_two_pages_of_one_circuit(vent):
+    other = vent.page.context.new_page()
+    other.goto(vent.page.url)
+    other.wait_for_function("() => window.poppet?.store.state")
+    apply(vent, setting("tank.volume", "20 l"))
+    body = "async values => { await window.poppet.store.apply(values); await window.poppet.ready; return window.poppet.text(); }"
+    merged = other.evaluate(body, [setting("bleed.critical_ratio", 0.4)])
+    assert merged == VENT.replace("10 l", "20 l").replace("0.3", "0.4")
+    # An operation that does not apply any more changes nothing.
+    apply(vent, {"op": "remove", "parts": ["bleed"]})
+    text = vent.text()
+    assert text != merged
+    vent.page.wait_for_function("text => window.poppet.text() === text", arg=text)
+    assert other.evaluate(body, [setting("bleed.critical_ratio", 0.2)]) == vent.text()
+    other.close()
+
+
+def test_the_file_changes_on_disk(vent):
+    banner = vent.page.locator(".banner")
+    path = vent.folder / "plant.toml"
+    path.write_text(VENT.replace("10 l", "30 l"))
+    banner.wait_for()
+    vent.page.get_by_role("button", name="Use the text of the file").click()
+    vent.page.wait_for_function("() => window.poppet.text().includes('30 l')")
+    vent.wait()
+    path.write_text(VENT.replace("10 l", "40 l"))
+    vent.page.get_by_role("button", name="Keep mine").click()
+    apply(vent, setting("tank.volume", "50 l"))
+    vent.button("Save").click()
+    vent.page.get_by_role("button", name="Replace the file").click()
+    vent.page.locator("#announce", has_text="is saved").wait_for()
+    assert path.read_text() == VENT.replace("10 l", "50 l")
+
+
+def test_without_the_server_nothing_is_lost(vent):
+    apply(vent, setting("tank.volume", "20 l"))
+    vent.server.stop()
+    body = "const state = await store.apply(values); await window.poppet.ready; return [state, store.text()];"
+    state, text = evaluate(vent, body, setting("tank.volume", "30 l"))
+    assert (state, text) == (None, VENT.replace("10 l", "20 l"))
+    assert "does not answer" in vent.page.locator(".banner").text_content()
+    assert vent.page.get_by_role("button", name="Copy the text").is_visible()
+    # The browser reports each request that had no answer.
+    vent.problems[:] = [problem for problem in vent.problems if "ERR_CONNECTION_REFUSED" not in problem]
+
+
+# --- Keys and layout ---
+
+
+def test_keys_of_the_page(vent):
+    apply(vent, setting("tank.volume", "20 l"))
+    vent.page.locator("#drawing").focus()
+    vent.press("Control+z")
+    assert vent.text() == VENT
+    vent.press("Control+y")
+    assert vent.text() != VENT
+    vent.press("Control+z", "Control+Shift+Z", "?")
+    dialog = vent.page.get_by_role("dialog", name="Help")
+    dialog.wait_for()
+    vent.press("Escape")
+    dialog.wait_for(state="detached")
+    assert vent.text() != VENT
+    vent.press("/")
+    assert vent.page.evaluate("() => document.activeElement.closest('#palette') !== null")
+
+
+def test_tabs_of_a_narrow_page(start_editor):
+    editor = start_editor(VENT, width=360, height=740)
+    for tab, panel in (("Parts", "#palette"), ("Curves", "#curves"), ("Details", "#side"), ("Drawing", "#drawing")):
+        editor.page.get_by_role("tab", name=tab).click()
+        assert editor.page.locator(panel).is_visible()
+        assert editor.page.evaluate("() => document.documentElement.scrollWidth <= innerWidth"), tab
+    editor.page.get_by_role("tab", name="Parts").click()
+    editor.add("orifice")
+    assert editor.page.locator("#drawing").is_visible()
+
+
+def test_all_palette_buttons_are_visible(editor):
+    sizes = editor.page.eval_on_selector_all(
+        "[data-kind]", "all => all.map(e => e.getBoundingClientRect()).map(r => [r.left, r.top, r.right, r.bottom])"
+    )
+    assert len(sizes) >= 38
+    for left, top, right, bottom in sizes:
+        assert 0 <= left < right <= 1280
+        assert 0 <= top < bottom <= 900
+
+
+@pytest.mark.parametrize("scheme", ["light", "dark"])
+def test_contrast_of_the_colours(start_editor, scheme):
+    editor = start_editor(scheme=scheme)
+    body = """
+      const context = new OffscreenCanvas(1, 1).getContext("2d"), style = getComputedStyle(document.documentElement);
+      return values.map(name => {
+        context.fillStyle = style.getPropertyValue(name).trim();
+        context.fillRect(0, 0, 1, 1);
+        return Array.from(context.getImageData(0, 0, 1, 1).data.slice(0, 3));
+      });
+    """
+    texts = ["--ink", "--soft", "--accent", "--bad", *(f"--curve-{k + 1}" for k in range(8))]
+    pairs = [(name, "--paper") for name in texts]
+    pairs += [("--ink", "--wash"), ("--soft", "--wash"), ("--ink", "--bad-wash"), ("--ink", "--warn-wash")]
+    pairs += [("--on-accent", "--accent")]
+    names = sorted({name for pair in pairs for name in pair})
+    colours = dict(zip(names, evaluate(editor, body, *names), strict=True))
+    for pair in pairs:
+        light, dark = sorted((luminance(colours[name]) for name in pair), reverse=True)
+        least = 3.0 if "--curve" in pair[0] else CONTRAST
+        assert (light + 0.05) / (dark + 0.05) >= least, pair
+
+
+def luminance(colour):
+    """Return the relative luminance of WCAG 2."""
+    linear = [c / 12.92 if c <= 0.04045 else math.pow((c + 0.055) / 1.055, 2.4) for c in (v / 255 for v in colour)]
+    return 0.2126 * linear[0] + 0.7152 * linear[1] + 0.0722 * linear[2]
+
+
+def test_the_page_is_small(vent):
+    """The transfer of the page, its model included, is at most 600 kB."""
+    body = "return performance.getEntriesByType('resource').map(entry => [entry.name, entry.transferSize]);"
+    sizes = evaluate(vent, body)
+    document = vent.page.evaluate("() => performance.getEntriesByType('navigation')[0].transferSize")
+    assert document + sum(size for _, size in sizes) < 600_000, sizes
+
+
+def test_buttons_have_unique_names(vent):
+    """A program finds the buttons of the toolbar by a part of their names."""
+    vent.select("bleed")
+    for name in ("Save", "Undo", "Redo", "Delete", "Rotate"):
+        assert vent.page.get_by_role("button", name=name).count() == 1, name
