@@ -26,8 +26,17 @@ export class Choice extends EventTarget {
     const summary = this.details.appendChild(document.createElement("summary"));
     summary.textContent = text("curves.choice");
     this.list = this.details.appendChild(document.createElement("div"));
-    this.details.addEventListener("toggle", () => this.fill());
+    this.details.addEventListener("toggle", () => {
+      this.fill();
+      this.place(summary);
+    });
     store.addEventListener("open", () => { this.names = null; });
+  }
+
+  /* Place the list above its button, outside the panel of the curves, which would cut it off. */
+  place(button) {
+    const { right, top } = button.getBoundingClientRect();
+    Object.assign(this.list.style, { right: `${Math.max(4, innerWidth - right)}px`, bottom: `${innerHeight - top}px`, maxHeight: `${top - 8}px` });
   }
 
   /* Columns of a model. */
@@ -48,7 +57,9 @@ export class Choice extends EventTarget {
     for (const column of columns) {
       if (!groups.has(column.unit)) groups.set(column.unit, []);
       const group = groups.get(column.unit);
-      if (this.names || group.length < LINES) group.push({ ...column, isSelected: isSelected(column), isStep: isStaircase(run.series.get(column.name) ?? []) });
+      if (this.names || group.length < LINES) {
+        group.push({ ...column, isSelected: isSelected(column), isStep: isStaircase(run.series.get(column.name) ?? []) });
+      }
     }
     return [...groups].slice(0, this.names ? undefined : PLOTS);
   }

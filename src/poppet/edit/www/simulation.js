@@ -201,7 +201,7 @@ export class Simulation {
     const wanted = this.#wanted ?? this.#present;
     if (wanted && this.#crashes < 2 && !job?.isDropped) {
       // Load the model anew, with its code, since the server does not send the code of a known structure.
-      this.#wanted = { ...wanted, edit: this.#edit };
+      this.#wanted = wanted;
       this.#fetch();
       return;
     }

@@ -13,7 +13,7 @@ export const CATALOGUE = {
     keep: "Keep as A",
     kept: "The present curves are kept as A and are dashed from now on.",
     no_changes: "No field differs from A.",
-    row: "{address}: A {before}, now {after}",
+    row: "{address}: A {before}, now {now}",
   },
 
   curves: {
