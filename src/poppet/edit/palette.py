@@ -226,7 +226,8 @@ def symbol_of(part: Part, *, is_driven: bool = False) -> Entry:
 
     For example, the symbol of a spool valve depends on its function, and the ports of a sequence are its inputs and
     outputs. Ports that the palette has too are at the same height or at the same distance from the centre. If
-    `is_driven` is True, a signal or a connection drives an input.
+    `is_driven` is True, a signal or a connection drives an input. An input that a field or a condition of the part
+    connects to an output also has the key `source`, the address of the output.
 
     Examples
     --------
@@ -236,7 +237,12 @@ def symbol_of(part: Part, *, is_driven: bool = False) -> Entry:
     [('supply', 0), ('a', -1), ('b', 1)]
     """
     symbol = _shown(part.symbol_for(is_driven))
-    return _drawn(type(part), [symbol], _ports(type(part), part)) | {"svg": svg_text(symbol)}
+    entry = _drawn(type(part), [symbol], _ports(type(part), part)) | {"svg": svg_text(symbol)}
+    sources = _sources(part)
+    for port in entry["ports"]:
+        if port["type"] == "input" and port["name"] in sources:
+            port["source"] = sources[port["name"]]
+    return entry
 
 
 def _entry(name: str, kind: type[Part], group: str) -> Entry:
@@ -335,6 +341,14 @@ def _inputs(blank: Part) -> Iterable[tuple[str, str]]:
     except (AttributeError, KeyError, TypeError):
         # The inputs depend on values. The editor takes them from the part.
         return [(name, "") for name in blank.inlets] if isinstance(blank, Compound) else []
+
+
+def _sources(part: Part) -> dict[str, str]:
+    """Return the outputs that fields and conditions of a part name, by the name of the input."""
+    try:
+        return {name: connection.source for name, connection in part.connections().items()}
+    except (AttributeError, KeyError, TypeError):
+        return {}  # an incomplete part
 
 
 def _commands(part: Controller) -> tuple[str, ...]:

@@ -186,6 +186,8 @@ def test_ports_of_a_sequence_are_its_inputs_and_outputs():
     ports = {port["name"]: port["type"] for port in drawn["ports"]}
     assert {"a", "b"} == {name for name, port_type in ports.items() if port_type == "output"}
     assert ports["run"] == "input"
+    sources = {port["name"]: port["source"] for port in drawn["ports"] if "source" in port}
+    assert sources == {"slide_position": "slide.position"}
 
 
 def test_single_acting_cylinder_has_one_chamber():

@@ -9,7 +9,7 @@ const OUTWARD = { left: [-1, 0], right: [1, 0], top: [0, -1], bottom: [0, 1] };
 
 /* Wires of a circuit: {key, kind, target, root, end, points}. `key` is the address of the port or input at which a wire
    begins, `target` the address at which it ends, `root` the ends at that address, of which the wire takes one. Wires
-   with the same root end belong to one net.
+   with the same target belong to one net. Roots that are no ports, such as that of a measured pressure, have `isTap`.
 
    `ends` maps addresses to lists of ends, `boxes` are those of the parts. */
 export function wiresOf(view, ends, boxes) {
@@ -85,7 +85,7 @@ class Borders {
       ...down === null ? [] : [[x, down, "left"], [x + width, down, "right"]],
     ];
     for (const [left, top] of sides) this.taken.get(part).add(`${left},${top}`);
-    return sides.map(([left, top, side]) => ({ address, part, x: left, y: top, side }));
+    return sides.map(([left, top, side]) => ({ address, part, x: left, y: top, side, isTap: true }));
   }
 
   /* Free coordinate nearest to the middle of two opposite sides, or null. */

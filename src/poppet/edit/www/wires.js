@@ -78,7 +78,7 @@ export class Wires {
     for (const wire of this.wires.values()) {
       const id = netOf(wire), k = counts.get(id) ?? 0, { paths, junctions, straight } = this.former.wires.get(id);
       counts.set(id, k + 1);
-      Object.assign(wire, { path: paths[k], isStraight: straight.includes(k), junctions: k ? [] : junctions });
+      Object.assign(wire, { path: paths[k], isStraight: straight.includes(k), junctions: k + 1 < paths.length ? [] : junctions });
     }
     for (const [key, node] of this.nodes) {
       if (!this.wires.has(key)) this.#remove(key, node);
@@ -104,7 +104,8 @@ export class Wires {
     this.nodes.delete(key);
   }
 
-  #drawWire(node, { key, kind, target, path, isStraight, junctions }) {
+  #drawWire(node, wire) {
+    const { key, kind, target, path, isStraight, junctions } = wire, tap = this.#rootOf(wire)?.isTap && path[path.length - 1];
     const shape = `M${path.map(point => point.join(" ")).join("L")}`;
     if (shape !== node.shape) {
       for (const name of ["hit", "line", "inside"]) node[name].setAttribute("d", shape);
@@ -122,9 +123,10 @@ export class Wires {
       setTitle(node.item, label);
       node.label = label;
     }
-    while (node.dots.length > junctions.length) node.dots.pop().remove();
-    while (node.dots.length < junctions.length) node.dots.push(svgElement("circle", { class: "junction", r: JUNCTION }, node.item));
-    junctions.forEach(([x, y], k) => {
+    const dots = tap ? [...junctions, tap] : junctions;
+    while (node.dots.length > dots.length) node.dots.pop().remove();
+    while (node.dots.length < dots.length) node.dots.push(svgElement("circle", { class: "junction", r: JUNCTION }, node.item));
+    dots.forEach(([x, y], k) => {
       node.dots[k].setAttribute("cx", x);
       node.dots[k].setAttribute("cy", y);
     });
@@ -193,16 +195,17 @@ export class Wires {
         if (next === coordinate || isStraight) return;
         if (coordinate === from) choose();
         coordinate = next;
-        this.#draft(wire, movedSegment(path, points, k, coordinate, this.#isAtRoot(wire)), coordinate);
+        this.#draft(wire, movedSegment(path, points, k, coordinate, Boolean(this.#rootOf(wire))), coordinate);
       },
       end: () => this.#drop(wire),
       cancel: () => this.#cancel(wire),
     };
   }
 
-  #isAtRoot({ path, root }) {
+  /* End of the target at which a wire ends, or undefined if it ends at another wire. */
+  #rootOf({ path, root }) {
     const [x, y] = path[path.length - 1];
-    return root.some(end => end.x === x && end.y === y);
+    return root.find(end => end.x === x && end.y === y);
   }
 
   /* Show a wire with other points. */
@@ -278,7 +281,7 @@ export class Wires {
     }
     this.#choose(path, k);
     const coordinate = path[k][isVertical ? 0 : 1] + step * (isVertical ? dx : dy);
-    this.#draft(wire, movedSegment(path, points, k, coordinate, this.#isAtRoot(wire)), coordinate);
+    this.#draft(wire, movedSegment(path, points, k, coordinate, Boolean(this.#rootOf(wire))), coordinate);
     this.#drop(wire, { continues: true });
   }
 }
