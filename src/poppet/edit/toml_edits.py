@@ -48,6 +48,10 @@ def set_value(text: TomlText, path: Path, value: Any, order: Sequence[str] = ())
             table = next(table for table in reversed(text.tables) if sibling in table.entries)
             return _with_line(text, table, sibling, line)
         inner = next((table for table in text.tables if count and _is_under(table.path, container)), None)
+        if inner is not None and isinstance(value, Mapping) and len(rest) == 1:
+            last = [table for table in text.tables if _is_under(table.path, container)][-1]
+            lines = [f"{_dotted((key,))} = {value_text(item)}\n" for key, item in value.items()]
+            return _with_block(text, _block_end(text, last), f"[{_dotted(path)}]\n{''.join(lines)}")
         if inner is not None:
             return _with_block(text, _block_start(text, inner), f"[{_dotted(container)}]\n{_dotted(rest)} = {raw}\n")
     block = f"[{_dotted(path[:-1])}]\n{_dotted(path[-1:])} = {raw}\n"

@@ -568,3 +568,29 @@ def test_operations_that_are_not_possible(operation, code, address):
     with refused(code, address):
         before.apply([{"op": "add", "kind": "mass"}, operation])
     assert before.text == BENCH
+
+
+SEQUENCE = """\
+[parts.plc]
+kind = "sequence"
+
+[parts.plc.steps.rest]  # start
+next = { lift = "elapsed > 1 s" }
+
+[parts.plc.steps.lift]
+on = ["up"]
+
+# the valve
+[parts.valve]
+kind = "orifice"
+"""
+
+
+def test_a_table_gets_a_header_like_its_siblings():
+    text = edited(
+        SEQUENCE, {"op": "set", "address": "plc.steps.end", "value": {"on": ["up"], "next": {"rest": "elapsed > 2 s"}}}
+    )
+    added = '\n[parts.plc.steps.end]\non = ["up"]\nnext = { rest = "elapsed > 2 s" }\n'
+    assert text == SEQUENCE.replace("\n# the valve", added + "\n# the valve")
+    assert list(tomllib.loads(text)["parts"]["plc"]["steps"]) == ["rest", "lift", "end"]
+    assert edited(text, {"op": "set", "address": "plc.steps.end", "value": None}) == SEQUENCE

@@ -53,7 +53,9 @@ export class LinkRow extends InputRow {
 
   operations(typed) {
     const output = typed.trim();
-    return [output ? { op: "link", input: this.address, output } : { op: "unlink", input: this.address }];
+    if (!output) return [{ op: "unlink", input: this.address }];
+    const signal = this.address in this.store.state.view.signals ? [{ op: "signal", address: this.address, table: null }] : [];
+    return [...signal, { op: "link", input: this.address, output }];
   }
 
   update() {

@@ -85,8 +85,11 @@ export class InputRow {
     this.showErrors();
   }
 
+  /* True if the address of an error is that of the row, or an address within its value. */
+  concerns(address) { return address === this.address || (this.isTable && address.startsWith(`${this.address}.`)); }
+
   showErrors() {
-    const errors = this.store.errors.filter(error => bare(error.address) === this.address);
+    const errors = this.store.errors.filter(error => this.concerns(bare(error.address)));
     const message = this.refused || errors.map(({ message, hint }) => [message, hint].filter(Boolean).join(" ")).join(" ");
     show(this.bad, message);
     this.input.setAttribute("aria-invalid", message ? "true" : "false");
@@ -134,10 +137,11 @@ export class FieldRow extends InputRow {
   constructor(store, { owner, field, read, isRequired = false }) {
     super(store, { address: `${owner}.${field.name}`, label: inWords(field.name) });
     Object.assign(this, { field, read, isRequired });
+    this.isTable = field.type === "reference";
     this.element.dataset.type = field.type;
     if (isRequired) this.name.append(make("span", { class: "required" }, ` ${text("form.required")}`));
     show(this.help, this.#help());
-    this.#addOrigin();
+    this.#addOrigin(field);
     if (field.type === "number") this.#addUnit();
   }
 
@@ -192,8 +196,10 @@ export class FieldRow extends InputRow {
     ].filter(Boolean).join(" · ");
   }
 
-  #addOrigin() {
+  /* Only numbers have a source. */
+  #addOrigin({ type }) {
     this.origin = new SourceEditor(this.label, value => this.#write(value));
+    if (type !== "number") return;
     this.head.append(this.origin.button);
     this.value.after(this.origin.element);
   }

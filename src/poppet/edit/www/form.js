@@ -3,8 +3,11 @@
 import { LinkRow, PortRow, driverOf } from "./connection_rows.js";
 import { make, newId, show } from "./elements.js";
 import { FieldRow, InputRow, bare } from "./field_row.js";
+import { CurveTable } from "./curve_tables.js";
 import { ModelRow } from "./model_row.js";
+import { Signals } from "./signals.js";
 import { SizeChoice, sizeGroups } from "./sizes.js";
+import { StepsRow } from "./steps.js";
 import { text } from "./strings.js";
 import { inWords } from "./field_values.js";
 
@@ -131,13 +134,17 @@ export class Form {
     const read = () => this.store.state.view.parts[part]?.fields[field.name];
     const group = this.store.entry(part)?.groups.find(({ name }) => name === field.group);
     const isRequired = field.required && !group?.optional;
-    const Row = field.type === "model" ? ModelRow : FieldRow;
+    const Row = field.type === "model" ? ModelRow : field.name === "steps" && field.form === "mapping" ? StepsRow : FieldRow;
     const row = this.#add(new Row(this.store, { owner: part, field, read, isRequired, part }), field.name);
-    if (!inputs.has(field.name)) return row.element;
-    const driver = this.#add(new LinkRow(this.store, part, inputs.get(field.name), { isNamed: false }), `driver ${field.name}`);
-    row.element.append(driver.element);
+    if (field.type === "reference") row.element.append(this.#add(new CurveTable(this.store, row), `curve ${field.name}`).element);
+    const input = inputs.get(field.name);
+    if (!input) return row.element;
+    const driver = this.#add(new LinkRow(this.store, part, input, { isNamed: false }), `driver ${field.name}`);
+    row.element.append(driver.element, this.#signal(part, input, field));
     return row.element;
   }
+
+  #signal(part, input, field) { return this.#add(new Signals(this.store, part, input, field), `signal ${input.name}`).element; }
 
   #add(row, key) {
     row.key = key;
@@ -155,8 +162,12 @@ export class Form {
   #inputs(part, entry, shown) {
     const others = entry.ports.filter(port => port.type === "input" && !shown.some(field => field.name === port.name));
     if (!others.length) return null;
-    const rows = others.map(port => this.#add(new LinkRow(this.store, part, port), `input ${port.name}`));
-    return this.#details(entry.kind, "inputs", text("form.inputs"), rows.map(row => row.element));
+    const elements = others.map(port => {
+      const { element } = this.#add(new LinkRow(this.store, part, port), `input ${port.name}`);
+      element.append(this.#signal(part, port));
+      return element;
+    });
+    return this.#details(entry.kind, "inputs", text("form.inputs"), elements);
   }
 
   #group(kind, group, children) {
@@ -174,9 +185,9 @@ export class Form {
   /* --- Content that is not a row --- */
 
   #showErrors(part) {
-    const rows = new Set(this.rows.filter(row => row.input?.name).map(row => row.address));
+    const rows = this.rows.filter(row => row.input?.name);
     const isOwn = address => address === part || address.startsWith(`${part}.`);
-    const errors = this.store.errors.filter(({ address }) => isOwn(bare(address)) && !rows.has(bare(address)));
+    const errors = this.store.errors.filter(({ address }) => isOwn(bare(address)) && !rows.some(row => row.concerns(bare(address))));
     this.errors.hidden = !errors.length;
     this.errors.replaceChildren(...errors.map(({ address, message, hint }) =>
       make("li", { class: "bad", "data-address": address }, [message, hint].filter(Boolean).join(" "))));
