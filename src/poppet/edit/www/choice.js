@@ -4,7 +4,8 @@ import { isStaircase } from "./quantities.js";
 import { text } from "./strings.js";
 
 const LINES = 8;  // of a plot
-const PLOTS = 6;
+const PLOTS = 4;
+const USEFUL = 3;  // largest rank of the columns that a selected part shows by itself, if it has one
 
 /* Rank of a column among the usual ones; columns of a low rank are shown first. */
 function rankOf({ name, unit }) {
@@ -64,14 +65,16 @@ export class Choice extends EventTarget {
     return [...groups].slice(0, this.names ? undefined : PLOTS);
   }
 
-  /* Columns of the selected parts, then pressures and positions that vary, or what there is. */
+  /* Columns that vary: those of the selected parts, then pressures and positions, or what there is. */
   usual(run, isSelected) {
-    const visible = this.columns.filter(column => !column.inner || isSelected(column));
-    const ranked = visible.map(column => ({ column, rank: rankOf(column), first: isSelected(column) && varies(run, column) ? 0 : 1 }));
-    const best = Math.max(1, Math.min(...ranked.filter(({ column }) => varies(run, column)).map(({ rank }) => rank)));
-    const chosen = ranked.filter(({ column, rank, first }) => first === 0 || rank <= best && varies(run, column));
-    chosen.sort((a, b) => a.first - b.first || a.rank - b.rank);
-    return withoutTwins(chosen.map(({ column }) => column), run);
+    const columns = this.columns.filter(column => varies(run, column)).sort((a, b) => rankOf(a) - rankOf(b));
+    const best = (list, rank) => {
+      const useful = list.filter(column => rankOf(column) <= rank);
+      return useful.length ? useful : list.filter(column => rankOf(column) === rankOf(list[0]));
+    };
+    const selected = best(columns.filter(isSelected), USEFUL);
+    const others = best(columns.filter(column => !column.inner), 1);
+    return withoutTwins([...selected, ...others.filter(column => !isSelected(column))], run);
   }
 
   fill() {

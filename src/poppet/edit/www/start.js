@@ -63,7 +63,7 @@ export class StartPage {
       for (const [label, detail, source] of items) {
         const item = add("li", "", own);
         this.button(item, label, source);
-        if (detail) add("span", detail, item);
+        if (detail) add("span", detail.replaceAll("`", ""), item);
       }
     };
     list(text("start.templates"), templates.map(({ name, title, summary }) => [title || name, summary, { template: name }]), "");
