@@ -42,7 +42,10 @@ export class Curves {
         for (const plot of this.plots) plot.showClock();
       });
     });
-    new ResizeObserver(() => this.later()).observe(element);
+    new ResizeObserver(() => {
+      this.isResized = true;
+      this.later();
+    }).observe(element);
     matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => this.plots.forEach(plot => plot.redraw()));
     this.show();
   }
@@ -79,8 +82,7 @@ export class Curves {
     const lines = this.groups.map(([unit, columns]) => [unit, this.linesOf(columns, kept)]);
     const key = JSON.stringify(lines.map(([unit, own]) => [unit, own.map(({ label, role, isSelected, colour }) => [label, role, isSelected, colour])]));
     this.setPlots(lines, key);
-    this.grid.classList.remove("is-empty");
-    this.resize();
+    if (this.isResized) this.resize();
     lines.forEach(([, own], k) => {
       const pairs = own.map(line => line.data ?? [run.time, run.series.get(line.name) ?? []]);
       this.plots[k].setData(pairs, run.duration);
@@ -114,6 +116,7 @@ export class Curves {
       plot.setLines(own, size);
       return plot;
     });
+    this.isResized = true;
   }
 
   sizeFor(count) {
@@ -127,7 +130,9 @@ export class Curves {
     };
   }
 
+  /* Fit the plots into the panel; reading sizes makes the browser lay out the page, so that it is not done per run. */
   resize() {
+    this.isResized = false;
     const size = this.sizeFor(this.plots.length);
     this.grid.style.gridTemplateColumns = `repeat(auto-fill, ${size.width}px)`;
     for (const plot of this.plots) plot.resize(size);

@@ -134,11 +134,12 @@ export class Plot {
     if (!this.u || !this.values) return;
     const { cursor } = this.store;
     const left = this.u.valToPos(cursor, "x");
-    this.clock.hidden = !(left >= 0 && left <= this.u.over.clientWidth);
+    this.clock.hidden = !(left >= 0 && left <= this.u.bbox.width / devicePixelRatio + 1);
     this.clock.style.transform = `translateX(${left}px)`;
     this.lines.forEach((line, k) => {
       const [time, values] = this.values[k];
-      line.value.textContent = digits(valueAt(time, values, cursor, line.isStep), spanOf(this.u));
+      const shown = digits(valueAt(time, values, cursor, line.isStep), spanOf(this.u));
+      if (line.value.textContent !== shown) line.value.textContent = shown;
     });
   }
 
