@@ -49,7 +49,8 @@ export class Form {
     if (this.outline === hint) return;
     this.flush();
     Object.assign(this, { rows: [], outline: hint });
-    this.element.replaceChildren(make("p", { class: "hint" }, hint));
+    const steps = ["page.step_add", "page.step_connect", "page.step_numbers"].map(key => make("li", {}, text(key)));
+    this.element.replaceChildren(make("p", { class: "hint" }, hint), selection.size ? "" : make("ol", { class: "hint" }, ...steps));
   }
 
   /* Text that changes when the form needs other rows. */
