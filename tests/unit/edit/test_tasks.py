@@ -124,6 +124,13 @@ def test_a_curve_without_a_requirement(job):
     assert [y for y in curve["y"] if y is not None] == pytest.approx(exact[~late].tolist(), rel=1e-3)
 
 
+def test_a_curve_has_the_usual_units(job):
+    metric = {"of": "tank.pressure", "metric": "final"}
+    curve = studies.size_parameter(job(address="tank.volume", low="2 l", high="4 l", metric=metric)).data["curve"]
+    assert (curve["name"], curve["y_unit"]) == ("final of tank.pressure", "bar")
+    assert curve["y"][0] == pytest.approx(1.0 + 1e-9 * 1e6 * RATE * 2.0 / 2e-3 / 1e5, rel=1e-3)
+
+
 def test_no_value_meets_the_requirement(job):
     result = studies.size_parameter(job(address="tank.volume", metric=TIME_TO_3_BAR, requirement="< 0 s"))
     assert result.operations == ()

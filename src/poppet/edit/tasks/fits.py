@@ -12,6 +12,7 @@ import numpy as np
 from poppet.core.errors import ErrorCollector, InputError, NameSuggestion
 from poppet.core.provenance import Number
 from poppet.core.units import same_dimension
+from poppet.edit.document import Document
 from poppet.edit.tasks.order import TaskOrder, TaskResult, changed_circuit, sourced, value_operations
 from poppet.edit.tasks.runs import sentences
 from poppet.parts.rows import GainSchedule
@@ -42,9 +43,11 @@ def tune_controller(order: TaskOrder) -> TaskResult:
     order.path("-gains.toml").write_text(tuning.text(), encoding="utf-8")
     write_tuning(tuning, circuit, order.path("-tuning.html"))
     present = circuit.numbers()
+    stated = {name.partition(".")[0] for name in Document(order.text).view()["parts"][tuning.controller]["fields"]}
     operations = tuple(
         {"op": "set", "address": f"{tuning.controller}.{name}", "value": value}
         for name, value in _field_values(tuning.controller, tuning.fields(), present)
+        if value is not None or name in stated
     )
     changed_circuit(order, operations)  # the circuit must be valid with the tuned fields
     return TaskResult(f"{tuning.text()}\n{margin_table(tuning).text()}", sentences(tuning.notes), operations)

@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 
 from poppet.core.errors import InputError, NameSuggestion
+from poppet.core.number_format import USUAL
 from poppet.core.units import convert, quantity
 from poppet.edit.tasks.order import TaskOrder, TaskResult, sets_value, shown_unit, written_value
 from poppet.edit.tasks.runs import sentences
@@ -114,7 +115,10 @@ def _metric_fields(order: TaskOrder, fields: Mapping[str, Any]) -> dict[str, Any
     if kind not in METRIC_KINDS:
         near = NameSuggestion(str(kind), METRIC_KINDS)
         raise InputError("fields.not_an_option", "metric", value=kind, meaning="metric", suggestion=near)
-    chosen: dict[str, Any] = {"metrics": {RESULT: metric}}
+    si = METRIC_KINDS[kind].unit(dict(order.circuit.model.outputs).get(str(metric.get("of")), "1"))
+    # The zero of a temperature scale does not apply to differences.
+    unit = {} if si == "K" or kind == "overshoot" else {"unit": USUAL.get(si, si)}
+    chosen: dict[str, Any] = {"metrics": {RESULT: {**unit, **metric}}}
     # The requirements of the file refer to the metrics of the file.
     return chosen | ({"requirements": {}} if "requirements" not in fields else {})
 
@@ -157,6 +161,8 @@ def _curve(
     """
     address = order.options["address"]
     shown = shown_unit(float(np.median(x)), unit, order.circuit.numbers()[address])
+    metric = order.options.get("metric")
+    name = f"{metric['metric'].replace('_', ' ')} of {metric['of']}" if metric else name
     numbers = [value if math.isfinite(value) else None for value in np.asarray(y, dtype=float).tolist()]
     return {
         "curve": {
