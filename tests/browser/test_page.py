@@ -179,6 +179,25 @@ def test_a_worker_that_always_fails_is_reported(vent):
     assert (errors, is_stale) == (0, False)
 
 
+def test_a_worker_that_hangs_is_ended(vent):
+    body = """
+      const post = Worker.prototype.postMessage;
+      Worker.prototype.postMessage = () => {};
+      store.simulation.limit = 0.2;
+      store.number("tank.volume", 0.02);
+      await window.poppet.ready;
+      Worker.prototype.postMessage = post;
+      store.simulation.limit = 20;
+      const codes = store.errors.map(error => error.code);
+      await store.apply(values);
+      await window.poppet.ready;
+      return [codes, store.errors.length, store.recording()["tank.pressure"].at(-1)];
+    """
+    codes, errors, last = evaluate(vent, body, setting("tank.volume", "30 l"))
+    assert (codes, errors) == (["page.hangs"], 0)
+    assert last == pytest.approx(pressure_of(VENT.replace("10 l", "30 l"))[-1], rel=1e-6)
+
+
 # --- Errors ---
 
 
@@ -201,7 +220,10 @@ def test_errors_are_listed_and_the_curves_stay_greyed(vent):
 def test_a_text_that_is_not_toml_keeps_the_drawing(vent):
     evaluate(vent, "await store.replaceText(values[0]); await window.poppet.ready;", VENT.replace("volume =", "volume"))
     assert evaluate(vent, "return [Object.keys(store.state.view.parts), store.isStale];") == [["tank", "bleed"], True]
-    assert vent.page.locator("#problems li").count() == 1
+    vent.page.locator("#problems button").click()
+    area = vent.page.locator("#text textarea")
+    assert area.is_visible()
+    assert area.evaluate("area => area.value.slice(0, area.selectionStart).split('\\n').length") == 5
     evaluate(vent, "await store.undo(); await window.poppet.ready;")
     assert vent.text() == VENT
     assert not evaluate(vent, "return store.isStale;")
@@ -283,7 +305,7 @@ def test_measured_values_beside_the_curves(vent):
 
 def test_a_stop_condition_ends_the_run(start_editor):
     editor = start_editor(VENT + 'stop_when = "tank.pressure < 4 bar"\n')
-    editor.page.locator("#curves .status", has_text="stop condition").wait_for()
+    editor.page.locator("#curves .status", has_text="tank.pressure < 4 bar").wait_for()
     assert editor.recording()["time"][-1] < 4.0
 
 
@@ -380,6 +402,14 @@ def test_without_the_server_nothing_is_lost(vent):
     assert vent.page.get_by_role("button", name="Copy the text").is_visible()
     # The browser reports each request that had no answer.
     vent.problems[:] = [problem for problem in vent.problems if "ERR_CONNECTION_REFUSED" not in problem]
+
+
+def test_the_session_is_over(vent):
+    vent.page.context.clear_cookies()
+    assert evaluate(vent, "const state = await store.apply(values); await window.poppet.ready; return state;") is None
+    assert "session" in vent.page.locator(".banner").text_content()
+    assert vent.text() == VENT
+    vent.problems[:] = [problem for problem in vent.problems if "403" not in problem]
 
 
 # --- Keys and layout ---

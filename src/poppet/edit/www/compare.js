@@ -13,7 +13,7 @@ export class Compare extends EventTarget {
     this.details = parent.appendChild(document.createElement("details"));
     this.details.appendChild(document.createElement("summary")).textContent = text("compare.changes");
     this.list = this.details.appendChild(document.createElement("ul"));
-    store.addEventListener("run", () => this.show());
+    store.addEventListener("run", () => this.showButtons());
     store.addEventListener("state", () => this.show());
     store.addEventListener("open", () => this.set(null));
     this.show();
@@ -31,9 +31,14 @@ export class Compare extends EventTarget {
     this.dispatchEvent(new Event("change"));
   }
 
-  show() {
-    const { run, isStale, state } = this.store;
+  showButtons() {
+    const { run, isStale } = this.store;
     this.keep.disabled = !run || run.isShort || isStale;
+  }
+
+  show() {
+    const { state } = this.store;
+    this.showButtons();
     for (const element of [this.back, this.drop, this.details]) element.hidden = !this.kept;
     if (!this.kept || !state) return;
     this.back.disabled = state.text === this.kept.text;

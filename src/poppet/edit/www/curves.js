@@ -143,7 +143,7 @@ export class Curves {
     this.element.setAttribute("aria-busy", String(isBusy));
     let shown = text("curves.empty");
     if (run && isStale) shown = text("curves.stale");
-    else if (run) shown = statusOf(run);
+    else if (run) shown = statusOf(run, this.store.state.view.run.stop_when);
     if (this.status.textContent !== shown) this.status.textContent = shown;
     this.status.classList.toggle("is-bad", Boolean(run) && !isStale && !["done", "stopped"].includes(run.status));
   }
@@ -158,11 +158,12 @@ export class Curves {
   }
 }
 
-function statusOf({ status, time, seconds, duration, isShort, until }) {
+function statusOf({ status, time, seconds, duration, isShort, until }, conditions) {
   const last = digits(time.at(-1) ?? 0, duration);
   if (isShort) return text("curves.short", { until: digits(until, duration) });
   if (status === "done") return text("curves.status_done", { duration: last, milliseconds: 1000 * seconds < 10 ? digits(1000 * seconds) : Math.round(1000 * seconds) });
-  return text(status === "stopped" ? "curves.status_stopped" : "curves.status_other", { time: last, status });
+  if (status === "stopped") return text("curves.status_stopped", { time: last, conditions: [conditions ?? []].flat().join(", ") });
+  return text("curves.status_other", { time: last, status });
 }
 
 function isSame(a, b) { return a === b || Array.isArray(a) && Array.isArray(b) && a.length === b.length && a.every((value, k) => value === b[k]); }

@@ -8,11 +8,18 @@ export function listenToKeys(commands, drawing) {
       event.preventDefault();
       commands.save();
     } else if (isField(event.target)) {
-      if (event.key === "Escape") event.target.blur();
+      if (event.key === "Escape") leaveField(event.target);
     } else if (!event.target.closest("dialog") && (pageKey(event, commands) || isForDrawing(event) && drawing?.onKey(event))) {
       event.preventDefault();
     }
   });
+}
+
+/* Leave a field; the focus goes from the form to its part in the drawing. */
+function leaveField(field) {
+  const part = field.closest("#form") ? field.name.split(".")[0] : "";
+  field.blur();
+  if (part) document.querySelector(`#drawing [data-part="${CSS.escape(part)}"]`)?.focus();
 }
 
 /* Perform a key of the page; the result is false if the key is not one. */

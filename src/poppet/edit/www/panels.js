@@ -15,10 +15,21 @@ export class Panels {
     });
     this.panels("drawing");
     this.side("form");
+    for (const name of SIDE) {
+      const panel = document.getElementById(name);
+      panel.setAttribute("role", "tabpanel");
+      panel.setAttribute("aria-labelledby", `side-tabs-${name}`);
+    }
     store.addEventListener("selection", () => { if (store.selection.size === 1) this.side("form"); });
     store.addEventListener("state", () => {
       if (store.state.created?.length && matchMedia(NARROW).matches) this.panels("drawing");
     });
+  }
+
+  /* Show a tab of the right column, also on a narrow page. */
+  showSide(name) {
+    this.panels("side");
+    this.side(name);
   }
 }
 

@@ -2,10 +2,10 @@
 
 import { text } from "./strings.js";
 
-/* Each error has its address, line and hint; a click selects the part that causes it. */
+/* Each error has its address, line and hint; a click selects the part that causes it, or shows the line of the text. */
 export class Problems {
-  constructor(element, store) {
-    Object.assign(this, { element, store });
+  constructor(element, store, showLine) {
+    Object.assign(this, { element, store, showLine });
     this.title = document.createElement("h2");
     this.list = document.createElement("ul");
     element.append(this.title, this.list);
@@ -24,13 +24,11 @@ export class Problems {
   item(error) {
     const item = document.createElement("li");
     const part = partOf(error.address, this.store.state.view.parts);
-    const content = part ? document.createElement("button") : document.createElement("span");
+    const action = part ? () => this.store.select([part]) : error.line ? () => this.showLine(error.line) : null;
+    const content = document.createElement(action ? "button" : "span");
     content.textContent = [error.message, error.hint].filter(Boolean).join(" ");
     if (error.address) content.dataset.address = error.address;
-    if (part) {
-      content.type = "button";
-      content.onclick = () => this.store.select([part]);
-    }
+    if (action) Object.assign(content, { type: "button", onclick: action });
     item.append(content);
     return item;
   }

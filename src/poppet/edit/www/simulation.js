@@ -14,6 +14,7 @@ const QUIET = 250;  // ms after the last number, then the run is performed in fu
 export class Simulation {
   constructor(callbacks) {
     this.callbacks = callbacks;
+    this.limit = HANGS;
     this.forget();
   }
 
@@ -133,7 +134,7 @@ export class Simulation {
     job.until = isDrag && !payload && share < NEARLY_WHOLE ? Math.max(share, SHORTEST) * duration : null;
     const numbers = [...this.numbers].map(([address, { si }]) => [address, si]);
     job.includes = this.#edit;
-    this.#watch = setTimeout(() => this.#hang(), 1000 * HANGS);
+    this.#watch = setTimeout(() => this.#hang(), 1000 * this.limit);
     this.#tell();
     this.#open().postMessage({ payload, numbers, until: job.until }, payload ? [payload] : []);
   }
@@ -190,7 +191,7 @@ export class Simulation {
     this.#end();
     this.#next = null;
     this.numbers.clear();
-    this.#refuse([{ code: "page.hangs", address: "", line: null, message: text("problems.hangs", { seconds: HANGS }), hint: "" }]);
+    this.#refuse([{ code: "page.hangs", address: "", line: null, message: text("problems.hangs", { seconds: this.limit }), hint: "" }]);
     this.#tell();
   }
 

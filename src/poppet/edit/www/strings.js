@@ -36,7 +36,7 @@ export const CATALOGUE = {
     stale: "The curves are those of the last complete circuit.",
     status_done: "{duration} s simulated in {milliseconds} ms.",
     status_other: "The run ended at {time} s: {status}.",
-    status_stopped: "A stop condition ended the run at {time} s.",
+    status_stopped: "The stop condition ended the run at {time} s: {conditions}.",
     summary: "Simulated. {values}",
     summary_value: "{name} ends at {value} {unit}",
     table: "Table of values",
