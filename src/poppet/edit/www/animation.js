@@ -147,7 +147,8 @@ export class Animation {
     return mover;
   }
 
-  #context({ name }) {
+  #context(item) {
+    const { name } = item;
     const series = local => this.value(`${name}.${local}`);
     const share = (local, size) => {
       const value = series(local);
@@ -157,7 +158,7 @@ export class Animation {
       return high > low ? (value - low) / (high - low) : 0;
     };
     share.most = local => Math.max(1e-12, this.#most(`${name}.${local}`));
-    return { series, share };
+    return { series, share, item };
   }
 
   /* --- Flows --- */
@@ -176,15 +177,16 @@ export class Animation {
     }
   }
 
-  /* Arrow outside a port, in the direction of the flow; its size follows the square root of the flow. */
-  #arrow(address, { x, y, side }, strength) {
+  /* Arrow on the wire of a port, or outside a port without one, in the direction of the flow; its size follows the square
+     root of the flow. */
+  #arrow(address, end, strength) {
     if (!this.arrows.has(address)) this.arrows.set(address, svgElement("path", { class: "flow", d: "M0.9 0L-0.6 0.75L-0.3 0L-0.6 -0.75Z" }, this.drawing.arrowLayer));
-    const arrow = this.arrows.get(address), size = Math.sqrt(Math.abs(strength));
-    const isSeen = Math.abs(strength) > LEAST_FLOW;
+    const arrow = this.arrows.get(address), isSeen = Math.abs(strength) > LEAST_FLOW;
     arrow.style.display = isSeen ? "" : "none";
     if (!isSeen) return;
-    const [dx, dy] = OUTWARD[side], angle = Math.atan2(dy, dx) * 180 / Math.PI + (strength < 0 ? 180 : 0);
-    arrow.setAttribute("transform", `translate(${x + 1.1 * dx} ${y + 1.1 * dy}) rotate(${angle}) scale(${(0.45 + 0.65 * Math.min(1, size)).toFixed(3)})`);
+    const onWire = this.drawing.wires.arrow(address), { x, y, angle } = onWire?.length >= 2 ? onWire : besidePort(end);
+    const size = 0.5 + 0.7 * Math.sqrt(Math.min(1, Math.abs(strength)));
+    arrow.setAttribute("transform", `translate(${x} ${y}) rotate(${angle + (strength < 0 ? 180 : 0)}) scale(${size.toFixed(3)})`);
   }
 
   /* --- Pressures --- */
@@ -231,4 +233,10 @@ export class Animation {
     this.legend.title = text("drawing.legend");
     this.legend.setAttribute("aria-label", text("drawing.legend"));
   }
+}
+
+/* Anchor of an arrow outside a port, directed away from it. */
+function besidePort({ x, y, side }) {
+  const [dx, dy] = OUTWARD[side];
+  return { x: x + 1.1 * dx, y: y + 1.1 * dy, angle: Math.atan2(dy, dx) * 180 / Math.PI };
 }

@@ -73,6 +73,7 @@ export class Connecting {
   plan(target, point = null) {
     const { from } = this, { view } = this.drawing;
     if (target.end) return { end: target.end, ...this.#planOf(target.end) };
+    if (target.part === from.part) return { reason: "drawing.no_itself" };
     if (target.wire) return this.#planOf({ address: target.wire, type: "wire", port: split(target.wire)[1], ...point });
     const own = candidates(view, this.drawing.ends, from, target.part).map(end => ({ end, ...this.#planOf(end) }));
     const near = ({ end }) => Math.hypot(end.x - (point ?? from).x, end.y - (point ?? from).y);

@@ -20,14 +20,21 @@ export function mediumOf({ type }) {
   return GAS.has(type) ? "gas" : type === "body" ? "body" : "signal";
 }
 
+/* Output that an input is connected to, by the table of connections or by a field of its part; otherwise undefined. */
+export function sourceOf(view, end) {
+  const stated = view.parts[end.part]?.fields[end.port];
+  return view.connections[end.address] ?? end.source ?? (typeof stated === "string" && stated.includes(".") ? stated : undefined);
+}
+
 /* What a port, tube end, body or input is connected to, or undefined. */
 export function targetOf(view, end) {
-  if (end.type === "input") return view.connections[end.address];
+  if (end.type === "input") return sourceOf(view, end);
   return end.port ? view.parts[end.part]?.ports[end.port] : undefined;
 }
 
 /* Ends of `target` that the end `from` could be connected to; a part stands for one of its ends. */
 export function candidates(view, ends, from, part) {
+  if (part === from.part) return [];
   const own = ends.filter(end => end.part === part), medium = mediumOf(from);
   if (medium === "signal") return own.filter(end => end.type === (from.type === "output" ? "input" : "output"));
   const fitting = own.filter(end => mediumOf(end) === medium && end.address !== from.address);
@@ -52,9 +59,9 @@ export function connection(view, from, to, outputs = () => [], between = "") {
 }
 
 function ontoWire(view, from, wire) {
-  const [part, port] = split(wire.address);
-  const isLink = wire.address in view.connections;
-  const store = isLink ? view.connections[wire.address] : view.parts[part]?.ports[port];
+  const [part, port] = split(wire.address), source = sourceOf(view, { ...wire, part, port });
+  const isLink = source !== undefined && !(port in (view.parts[part]?.ports ?? {}));
+  const store = isLink ? source : view.parts[part]?.ports[port];
   if (store === undefined) return { reason: "drawing.no_wire" };
   if (isLink !== (mediumOf(from) === "signal")) return { reason: isLink ? "drawing.no_gas" : "drawing.no_signal" };
   if (isLink) {

@@ -33,6 +33,7 @@ export class Drawing {
     this.viewport = new Viewport(svg, () => this.bounds());
     this.viewport.addEventListener("change", () => this.#zoomed());
     this.wires = new Wires(this.wireLayer, store, () => this.pins());
+    this.wires.onRouted = () => this.animation?.later();
     this.offers = new Offers(this);
     this.connecting = new Connecting(this);
     this.animation = new Animation(this);
@@ -89,7 +90,9 @@ export class Drawing {
 
   /* Box of the whole drawing, or null. */
   bounds() {
-    return around([...this.items.values()].flatMap(item => [item.box, item.labelBox]));
+    const points = [...this.wires?.wires.values() ?? []].flatMap(wire => wire.path ?? []);
+    const boxes = [...this.items.values()].flatMap(item => [item.box, item.labelBox]);
+    return around([...boxes, ...points.map(([x, y]) => ({ x, y, width: 0, height: 0 }))]);
   }
 
   /* Show the present circuit. */
@@ -140,6 +143,7 @@ export class Drawing {
       ends, boxes: items.map(({ name, box }) => ({ name, ...box })), labels: items.map(item => item.labelBox), moved,
     });
     this.connecting.redraw();
+    this.animation.later();
   }
 
   #symbol(name, entry) {

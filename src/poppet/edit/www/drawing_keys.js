@@ -3,6 +3,8 @@
    Tab goes from part to part; Enter selects a part, and then Tab goes to its ports. Arrow keys move the selection; at a
    port they go to the next port in that direction. Enter at a port begins and ends a connection. */
 
+import { split, targetOf } from "./connections.js";
+
 const STEPS = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] };
 
 export class Keys {
@@ -40,6 +42,7 @@ export class Keys {
       m: () => drawing.mirror(),
       p: () => this.#firstPort(),
       c: () => this.#fromNode(),
+      w: () => this.#wire(),
       a: () => this.#vent(),
       "+": () => drawing.zoom(1.25),
       "=": () => drawing.zoom(1.25),
@@ -125,6 +128,18 @@ export class Keys {
     const { drawing, focused } = this, part = focused?.part ?? focused?.end?.part ?? drawing.selected[0];
     const port = [...drawing.items.get(part)?.ports.values() ?? []].find(({ end }) => end.port);
     port?.node.focus({ preventScroll: true });
+  }
+
+  /* Move the focus to the wire of the port that has it, or to the next wire of the part. */
+  #wire() {
+    const { drawing, focused } = this, part = focused?.part ?? drawing.selected[0];
+    const own = [...drawing.wireLayer.querySelectorAll("[data-wire]")].filter(wire => {
+      const [end] = drawing.endsAt(wire.dataset.wire);
+      return focused?.end ? wire.dataset.wire === focused.end.address : end?.part === part || split(targetOf(drawing.view, end))[0] === part;
+    });
+    const wire = own[(own.indexOf(document.activeElement.closest("[data-wire]")) + 1) % own.length];
+    wire?.focus({ preventScroll: true });
+    if (wire) drawing.wires.select(wire.dataset.wire);
   }
 
   /* Connect the port that has the focus, or a connection in progress, to the atmosphere. */

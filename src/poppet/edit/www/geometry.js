@@ -50,7 +50,7 @@ export function endsOf(name, entry, place) {
     const [x, y] = turned(place, where.x, where.y);
     return {
       address: port.name ? `${name}.${port.name}` : name, part: name, port: port.name, type: port.type,
-      x: place.x + x, y: place.y + y, side: turnedSide(place, where.side), lead: where.lead,
+      x: place.x + x, y: place.y + y, side: turnedSide(place, where.side), symbolSide: where.side, lead: where.lead,
       required: port.required, doc: port.doc, source: port.source,
     };
   }));

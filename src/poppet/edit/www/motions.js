@@ -4,7 +4,7 @@ import { svgElement } from "./symbols.js";
 
 /* Functions by kind that move the strokes of a symbol: (strokes, fields) -> (context) -> nothing. In the context,
    `series(local)` is the value of an output of the part now or undefined, `share(local, size)` its fraction of a size or
-   of the range of the run. */
+   of the range of the run, and `item` has the ports of the part. */
 export const MOTIONS = {
   check_valve: strokes => ({ share, series }) => {
     const flow = series("mass_flow_rate");
@@ -38,9 +38,12 @@ function shift(stroke, dx, dy) {
 function boxes(local, { isContinuous = false, rest = () => 0, step = 4 } = {}) {
   return (strokes, fields) => {
     const from = rest(fields), sign = from > 0 ? -1 : 1;
-    return ({ series, share }) => {
+    return ({ series, share, item }) => {
       const position = isContinuous ? 0.5 + 0.5 * series(local) / share.most(local) : series(local);
-      if (Number.isFinite(position)) for (const stroke of strokes) shift(stroke, step * sign * (position - from), 0);
+      if (!Number.isFinite(position)) return;
+      const distance = step * sign * (position - from);
+      for (const stroke of strokes) shift(stroke, distance, 0);
+      item.shiftLeads(distance);
     };
   };
 }

@@ -1,6 +1,6 @@
 /* Nets of a circuit: which ends of the drawing a wire joins, and the scene for the router. All functions are pure. */
 
-import { split } from "./connections.js";
+import { sourceOf, split } from "./connections.js";
 
 /* Kinds of wires by the type of the end at which they begin. */
 const KINDS = { port: "pipe", tube: "tube", body: "body", input: "signal" };
@@ -42,12 +42,6 @@ function* signals(view, ends, borders) {
     const root = exact.length ? exact : borders.of(source);
     if (root.length) yield { key, end, target: source, root };
   }
-}
-
-/* Output that an input is connected to, by the table of connections or by a field of its part; otherwise undefined. */
-export function sourceOf(view, end) {
-  const stated = view.parts[end.part]?.fields[end.port];
-  return view.connections[end.address] ?? end.source ?? (typeof stated === "string" && stated.includes(".") ? stated : undefined);
 }
 
 /* Valid points of an entry of the drawing. */

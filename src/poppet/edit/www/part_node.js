@@ -1,5 +1,6 @@
 /* Nodes of one part in the drawing: symbol, name, ports and marks of errors. */
 
+import { targetOf } from "./connections.js";
 import { boxOf, endsOf, labelOf } from "./geometry.js";
 import { setTitle, strokesOf, svgElement } from "./symbols.js";
 import { text } from "./strings.js";
@@ -43,10 +44,19 @@ export class PartNode {
     return true;
   }
 
+  /* The symbol has moved along its horizontal axis: lengthen the lines from ports at its ends. */
+  shiftLeads(distance) {
+    for (const { lead, end } of this.ports.values()) {
+      const sign = { left: 1, right: -1 }[end.symbolSide] ?? 0;
+      if (sign) drawLead(lead, { side: end.side, lead: end.lead + sign * distance });
+    }
+  }
+
   /* Draw the symbol as in the palette. */
   reset() {
     this.strokes = strokesOf(this.svg);
     this.symbol.replaceChildren(...this.strokes);
+    this.shiftLeads(0);
   }
 
   #drawLabel() {
@@ -148,8 +158,7 @@ function drawLead(path, { side, lead }) {
 }
 
 function markPort({ node, beside, end }, view, error, isSelected) {
-  const target = end.type === "input" ? view.connections[end.address] ?? (end.address in view.signals ? "~" : undefined)
-    : end.port ? view.parts[end.part]?.ports[end.port] : undefined;
+  const target = targetOf(view, end) ?? (end.address in view.signals ? "~" : undefined);
   const isJoined = target !== undefined, isVented = target === "ambient";
   node.classList.toggle("is-joined", isJoined && !isVented);
   for (const group of [node, beside]) group.classList.toggle("is-vented", isVented);

@@ -66,7 +66,7 @@ export const CATALOGUE = {
     no_gas: "Gas ports are connected to gas ports, chambers and reservoirs only.",
     no_gas_here: "This part has no free port for gas.",
     no_inputs: "An input is connected to an output. This is an input as well.",
-    no_itself: "An end is not connected to itself.",
+    no_itself: "A part is not connected to itself.",
     no_output: "An output is connected to an input.",
     no_outputs: "This part has no outputs for an input.",
     no_signal: "A signal is connected to an input.",
@@ -149,6 +149,7 @@ export const CATALOGUE = {
   },
 
   help: {
+    begin: "connect the selected gas node or body; connect the port to the atmosphere",
     close: "Close",
     connect: "Click a port, then another port or a part. Drag does the same. With keys: Enter at a port, Tab or arrow keys to the other one, Enter.",
     escape: "leave a field, a wire, the selection",
@@ -156,8 +157,9 @@ export const CATALOGUE = {
     move: "move the selection by 1 or by 4",
     name: "Help",
     numbers: "Select a part to see its numbers. Enter applies a number. A slider changes the curves while you drag.",
-    pan: "Drag the background with the right mouse button, or with two fingers. The wheel with Ctrl zooms.",
+    pan: "Drag the background with the right mouse button, or with a finger. The wheel and two fingers zoom.",
     play: "play the run in the drawing",
+    ports: "go to the first port, to a wire of the part",
     search: "search in the palette",
     select: "select all, copy, cut, paste",
     undo: "undo, redo",

@@ -85,6 +85,7 @@ export class Wires {
     }
     for (const wire of this.wires.values()) this.#drawWire(this.nodes.get(wire.key) ?? this.#node(wire.key), wire);
     this.#mark();
+    this.onRouted?.();
   }
 
   #node(key) {
