@@ -258,7 +258,7 @@ def _entry(name: str, kind: type[Part], group: str) -> Entry:
         "svg_driven": svg_text(symbols[1]) if len(symbols) == 2 else None,
         **_drawn(kind, symbols, _ports(kind, blank)),
         "fields": list(_fields(kind)),
-        "groups": [_group(field, spec) for field, _, spec in declared(kind, GroupSpec, MemberSpec)],
+        "groups": list(_groups(kind)),
         "sizes": list(kind.sizes),
     }
 
@@ -371,6 +371,17 @@ def _fields(kind: Any, prefix: str = "", group: str = "", skipped: Iterable[str]
             yield from _fields(spec.part, f"{address}.", address, spec.inherited)
         else:
             yield {"name": address, "group": group, **_field(name, spec, kind)}
+
+
+def _groups(kind: Any, prefix: str = "", skipped: Iterable[str] = ()) -> Iterable[Entry]:
+    """Yield the groups and members of a part, and those within them."""
+    for field, _, spec in declared(kind, GroupSpec, MemberSpec):
+        if field not in skipped:
+            is_member = isinstance(spec, MemberSpec)
+            yield _group(f"{prefix}{field}", spec)
+            yield from _groups(
+                spec.part if is_member else spec.group, f"{prefix}{field}.", spec.inherited if is_member else ()
+            )
 
 
 def _group(name: str, spec: GroupSpec | MemberSpec) -> Entry:

@@ -284,3 +284,8 @@ def test_components_show_their_numbers():
         for field in entry["fields"]:
             if field["type"] == "model":
                 assert {*field["choices"]} == {name for item in field["components"] for name in item["names"]}
+
+
+def test_each_field_is_in_a_group_of_its_kind():
+    for entry in ENTRIES.values():
+        assert {field["group"] for field in entry["fields"]} - {""} <= {group["name"] for group in entry["groups"]}

@@ -149,6 +149,8 @@ export class FieldRow extends InputRow {
 
   get stated() { return this.read(); }
 
+  get choices() { return this.field.choices ?? []; }
+
   present() { return textOf(this.stated); }
 
   operations(typed) {
@@ -165,7 +167,7 @@ export class FieldRow extends InputRow {
     this.origin.update(stated);
     this.input.placeholder = this.placeholder();
     if (this.field.type !== "number") {
-      this.offer(this.field.choices ?? [], defaultOf(this.field) ? text("form.default", { value: defaultOf(this.field) }) : text("form.nothing"));
+      this.offer(this.choices, defaultOf(this.field) ? text("form.default", { value: defaultOf(this.field) }) : text("form.nothing"));
       return;
     }
     this.#updateUnit();

@@ -21,6 +21,7 @@ export class Form {
     this.rows = [];
     this.closed = new Set();  // groups that the user closed, by kind and name
     for (const event of ["state", "selection"]) store.addEventListener(event, () => this.update());
+    store.addEventListener("run", () => { if (store.header !== this.header) this.#showModel(); });
     store.addEventListener("flush", () => this.flush());
     this.update();
   }
@@ -41,6 +42,12 @@ export class Form {
     for (const row of this.rows) row.update();
     this.#showErrors(part);
     this.#showConnections(part);
+  }
+
+  /* Show the numbers of another model, in the placeholders and in the curves of signals. */
+  #showModel() {
+    this.header = this.store.header;
+    for (const row of this.rows) row.update();
   }
 
   #clear() {
@@ -172,7 +179,8 @@ export class Form {
   }
 
   #group(kind, group, children) {
-    const title = [inWords(group.name), group.optional ? text("form.group_optional") : ""].filter(Boolean).join(" ");
+    const name = group.name.split(".").map(inWords).join(": ");
+    const title = [name, group.optional ? text("form.group_optional") : ""].filter(Boolean).join(" ");
     return this.#details(kind, group.name, title, [group.doc ? make("p", { class: "help" }, group.doc) : null, ...children]);
   }
 

@@ -35,7 +35,14 @@ export class ModelRow extends FieldRow {
     ];
   }
 
-  component(name) { return this.field.components?.find(({ names }) => names.includes(name)); }
+  /* Components of the library and of the circuit's own files. */
+  get own() { return this.store.state.models?.[this.store.state.view.parts[this.part]?.kind] ?? {}; }
+
+  get choices() { return [...this.field.choices, ...(this.own.choices ?? [])]; }
+
+  component(name) {
+    return [...this.field.components, ...(this.own.components ?? [])].find(({ names }) => names.includes(name));
+  }
 
   update() {
     super.update();

@@ -39,8 +39,11 @@ export class SourceEditor {
 
   #build() {
     const apply = () => this.#apply();
-    this.kind = make("select", { onchange: apply }, ...KINDS.map(value => make("option", { value }, text(`form.source_${value}`))));
-    this.texts = TEXTS.map(() => make("input", { type: "text", autocomplete: "off", onchange: apply }));
+    const { label } = this;
+    this.kind = make("select", { "aria-label": text("form.source_kind_of", { name: label }), onchange: apply }, ...KINDS.map(value => make("option", { value }, text(`form.source_${value}`))));
+    this.texts = TEXTS.map(name => make("input", {
+      type: "text", autocomplete: "off", "aria-label": text(`form.source_${name}_of`, { name: label }), onchange: apply,
+    }));
     this.element.append(
       make("label", {}, make("span", {}, text("form.source")), this.kind),
       ...TEXTS.map((name, k) => make("label", {}, make("span", {}, text(`form.source_${name}`)), this.texts[k])),
