@@ -109,6 +109,7 @@ class ScalarWorker:
 
     def __init__(self, batch: Batch, ends: RunEnds) -> None:
         problem, kernel = batch.problem, batch.problem.kernel
+        kernel.optimise()
         self.batch, self.ends, self._is_halted = batch, ends, False
         copy = replace(problem, p=problem.p.copy(), x0=problem.x0.copy(), coefficients=problem.coefficients.copy())
         self._call = Call(copy)

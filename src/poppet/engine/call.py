@@ -6,6 +6,7 @@ import contextlib
 from collections.abc import Callable
 from dataclasses import replace
 from itertools import accumulate, pairwise
+from time import perf_counter
 from typing import Any
 
 import numpy as np
@@ -13,9 +14,12 @@ import numpy as np
 from poppet.engine.compiled import integrator
 from poppet.engine.job import Job, address
 from poppet.engine.problem import Array, Outcome, Problem, RawRun
+from poppet.engine.tier import Tier
 
 _OUTCOMES = tuple(Outcome)
 NOTHING = np.zeros(0)
+INTERVAL = 0.1
+"""Time between two reports of progress [s]."""
 
 
 class Call:
@@ -67,7 +71,9 @@ class Call:
         The results overwrite the results of the last run. Output rows that the run does not reach are NaN.
         """
         self._reset()
-        outcome: Outcome = _OUTCOMES[integrator()(self._address)]
+        function, tier = integrator(), self.problem.kernel.tier
+        status = function(self._address) if tier is None else tier.timed(lambda: function(self._address))
+        outcome: Outcome = _OUTCOMES[status]
         self.table[:, self.counts[2] :] = np.nan
         return outcome
 
@@ -88,9 +94,14 @@ class Call:
 
         For several runs, use `repeat`. `progress` is called with the time reached [s].
         """
-        function = integrator()
-        # Without `progress`, no thread: its start takes longer than a short run.
-        status = function(self._address) if progress is None else self._run_in_thread(function, progress)
+        function, tier = integrator(), self.problem.kernel.tier
+        if tier is not None and not tier.is_optimised:
+            status = tier.timed(lambda: self._run_in_thread(function, progress, tier))
+        elif progress is not None:
+            status = self._run_in_thread(function, progress)
+        else:
+            # No thread: its start takes longer than a short run.
+            status = function(self._address)
         return self.result(_OUTCOMES[status])
 
     def result(self, outcome: Outcome) -> RawRun:
@@ -105,10 +116,10 @@ class Call:
             outcome, time, self.table[:, :rows], self.x, extremes, through, accepted, attempts - accepted, stop
         )
 
-    def _run_in_thread(self, integrate: Any, progress: Callable[[float], Any]) -> int:
+    def _run_in_thread(self, integrate: Any, progress: Callable[[float], Any] | None, tier: Tier | None = None) -> int:
         """Call the function `integrate` in another thread, and return its status.
 
-        Meanwhile the calling thread reports progress and handles Ctrl-C.
+        Meanwhile the calling thread reports progress, optimises the code of a long run, and handles Ctrl-C.
         """
         import threading
 
@@ -131,12 +142,19 @@ class Call:
 
         # Daemon: the interpreter can exit without waiting for the run.
         threading.Thread(target=work, daemon=True).start()
+        begin = perf_counter()
         try:
-            while not has_ended.wait(0.1):
+            while not has_ended.wait(INTERVAL):
+                if progress is not None:
+                    progress(float(self.watch[0]))
+                if tier is not None:
+                    tier.review(perf_counter() - begin)
+            if progress is not None:
                 progress(float(self.watch[0]))
-            progress(float(self.watch[0]))
         except KeyboardInterrupt:
             stop()
+            if progress is None:
+                raise
         except BaseException:
             stop()
             raise
@@ -155,6 +173,7 @@ class RepeatedCall:
     """
 
     def __init__(self, problem: Problem, script: Array) -> None:
+        problem.kernel.optimise()
         self.p, self.coefficients, self.script = problem.p.copy(), problem.coefficients.copy(), script
         copy = replace(problem, p=self.p, coefficients=self.coefficients, x0=problem.x0.copy())
         self._run, self._replay = Call(copy, script), Call(copy, script, replay=True)

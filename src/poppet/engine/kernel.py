@@ -10,19 +10,24 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from poppet.engine.compiled import CompiledFunctions, LaneFunctions, compile_functions
+from poppet.engine.compiled import CALLED, CompiledFunctions, LaneFunctions, compile_functions
 from poppet.engine.job import address
 from poppet.engine.lru_cache import LruCache
 from poppet.engine.model import Model
 from poppet.engine.printers.instructions import SIGNATURES, trace_functions
 from poppet.engine.printers.llvm_step import print_step
 from poppet.engine.rosenbrock import scratch_size
+from poppet.engine.tier import Tier
 
 Array = NDArray[np.float64]
 KERNELS: LruCache[Kernel] = LruCache(100)
 """Compiled models of this process by structure, and by the indices of selected outputs.
 
 A changed parameter needs no compilation. Code is freed with the last kernel that uses it."""
+LARGE = 20_000
+"""Number of instructions above which the code of a model is first compiled without optimisation."""
+SECONDS_PER_INSTRUCTION = 7e-5
+"""Usual time in which LLVM optimises one instruction [s]."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -38,13 +43,14 @@ class Kernel:
     # By width, from `poppet.engine.lane_kernel`: functions that all kernels of a model share, and all functions.
     shared_lanes: dict[int, LaneFunctions] = field(default_factory=dict)
     lanes: dict[int, LaneFunctions] = field(default_factory=dict)
+    tier: Tier | None = None  # of a large model
 
     @cached_property
     def job(self) -> dict[str, int]:
         """Arguments of the integrator that are equal for all runs, as fields of `Job`."""
         m, functions = self.model, self.functions.addresses
         # 0 for missing functions: `step` without states, `update` without discrete states.
-        fields = {name: functions.get(name, 0) for name in ("jacobian", "step", "dense", "outputs", "update")}
+        fields = {name: functions.get(name, 0) for name in CALLED}
         fields |= {"n_states": m.size, "n_controlled": len(m.states), "n_inputs": len(m.inputs) or 1}
         fields |= {"n_outputs": len(m.outputs), "n_numbers": len(m.parameters)}
         fields |= {"n_memory": len(m.memory), "n_timers": m.n_timers}
@@ -102,11 +108,17 @@ class Kernel:
             callables[name].owner = self.functions.owner  # a caller can outlive the kernel
         return callables
 
+    def optimise(self) -> None:
+        """Optimise the code of a large model now, because many runs follow."""
+        if self.tier is not None:
+            self.tier.optimise()
+
     def observing(self, outputs: Sequence[int]) -> Kernel:
         """Return a kernel that computes only the outputs with the given indices.
 
         All other machine code is shared. Fits use such kernels, because they need few outputs.
         """
+        self.optimise()
 
         def compile_outputs() -> Kernel:
             import casadi as ca
@@ -158,15 +170,23 @@ class Kernel:
 def compile_kernel(model: Model, *, fuses: bool = True) -> Kernel:
     """Compile a symbolic model to machine code.
 
-    This takes milliseconds for a small circuit. The time increases linearly with the size of the model.
+    This takes milliseconds for a small circuit. The time increases linearly with the size of the model. The code of a
+    large model does not fuse operations, and is first compiled without optimisation.
     """
     functions = trace_functions(model)
+    size = sum(function.n_instructions() for function in functions.values())
     rows, columns = functions["jacobian"].sparsity_out(1).get_triplet()
     step = print_step(model.size, len(model.states), len(model.inputs)) if model.size else ""
+    settings: dict[str, Any] = {"further_text": step, "fuses": fuses and size <= LARGE}
+    code = compile_functions(functions, **settings, optimises=size <= LARGE)
+    tier = None
+    if code.switches:
+        tier = Tier(code, lambda: compile_functions(trace_functions(model), **settings), size * SECONDS_PER_INSTRUCTION)
     return Kernel(
         model,
-        compile_functions(functions, further_text=step, fuses=fuses),
+        code,
         functions["jacobian"].nnz_out(1),
         functions["factor"].nnz_out(0),
         (np.array(rows, dtype=np.int64), np.array(columns, dtype=np.int64)),
+        tier=tier,
     )

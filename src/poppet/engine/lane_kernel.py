@@ -83,7 +83,8 @@ def lane_functions(kernel: Kernel, width: int) -> LaneFunctions:
             text += [print_choose(kind), print_judge(n_controlled, kind), print_settle(kind)]
             text.append(print_commit(model.size, kind))
             names = ("jacobian", "jacobian_held", "derived", "step", "dense", "choose", "judge", "settle", "commit")
-            shared[width] = LaneFunctions(*_compile(kind, text, names), n_derived)
+            code = _compile(kind, text, names)
+            shared[width] = LaneFunctions(code.addresses, code.owner, n_derived)
         rows = print_rows(outputs_function(model), model.size, kind)
         code = _compile(kind, [rows], ("rows", "rows_held"))
         addresses = {**shared[width].addresses, **code.addresses}

@@ -33,12 +33,9 @@ def object_code(source: str, compile_it: Callable[[str], bytes]) -> bytes:
     Otherwise, `compile_it` compiles the source, and the result is stored.
     """
     path = cache_folder() / f"{_key(source)}.o"
-    with contextlib.suppress(OSError):
-        entry = _read(path)
-        digest, code = entry[len(_MARK) : len(_MARK) + 32], entry[len(_MARK) + 32 :]
-        # A full disk can leave an incomplete entry.
-        if entry.startswith(_MARK) and hashlib.sha256(code).digest() == digest:
-            return code
+    stored = _stored(path)
+    if stored is not None:
+        return stored
     code = compile_it(source)
     # Without a usable folder, the next process compiles again.
     with contextlib.suppress(OSError):
@@ -58,6 +55,21 @@ def object_code(source: str, compile_it: Callable[[str], bytes]) -> bytes:
         for obsolete in files[:-MAX_ENTRIES]:
             obsolete.unlink(missing_ok=True)
     return code
+
+
+def stored_code(source: str) -> bytes | None:
+    """Return the object code of a source text if the cache on disk contains it, otherwise None."""
+    return _stored(cache_folder() / f"{_key(source)}.o")
+
+
+def _stored(path: Path) -> bytes | None:
+    with contextlib.suppress(OSError):
+        entry = _read(path)
+        digest, code = entry[len(_MARK) : len(_MARK) + 32], entry[len(_MARK) + 32 :]
+        # A full disk can leave an incomplete entry.
+        if entry.startswith(_MARK) and hashlib.sha256(code).digest() == digest:
+            return code
+    return None
 
 
 def cache_folder() -> Path:
