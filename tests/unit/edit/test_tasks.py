@@ -500,6 +500,28 @@ def test_a_process_writes_its_result_as_lines_of_json(tmp_path):
     assert len(last["result"]["data"]["curve"]["x"]) == studies.POINTS
 
 
+@pytest.mark.parametrize(
+    ("task", "table"),
+    [
+        ("report", '[signals."fill.opening"]\nkind = "file"\npath = "{}"\ncolumn = "value"\nunit = "1"\n'),
+        ("ensemble", '[ensemble]\nsampling = "file"\nfile = "{}"\nmetrics = {{ a = {{ of = "tank.pressure" }} }}\n'),
+        ("ensemble", '[ensemble]\nruns = 2\nparameters.from_fit = "{}"\n'),
+    ],
+)
+@pytest.mark.parametrize("path", ["/etc/passwd", "../secret.csv", "link.csv"])
+def test_files_outside_the_folder_are_not_read(tmp_path, task, table, path):
+    folder = tmp_path / "work"
+    for place in (folder, tmp_path / "task" / "output", tmp_path / "uploads"):
+        place.mkdir(parents=True)
+    (tmp_path / "secret.csv").write_text("time,value\n0,1\n1,2\n", encoding="utf-8")
+    (folder / "link.csv").symlink_to(tmp_path / "secret.csv")
+    folders = {"folder": str(folder), "output": str(tmp_path / "task" / "output"), "uploads": str(tmp_path / "uploads")}
+    stream = io.StringIO()
+    text = FILL + table.format(path)
+    process.run_task({"task": task, "options": {}, "text": text, "name": "plant", **folders}, stream)
+    assert "files.outside" in {error["code"] for error in json.loads(stream.getvalue().splitlines()[-1])["errors"]}
+
+
 def test_too_little_memory_is_a_message(tmp_path, monkeypatch):
     def exhaust(job):
         raise MemoryError

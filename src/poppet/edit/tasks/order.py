@@ -10,13 +10,12 @@ from functools import cached_property
 from pathlib import Path
 from typing import Any
 
-from poppet.api import Circuit
+from poppet.api import Circuit, loads
 from poppet.core.errors import InputError
 from poppet.core.number_format import readable_unit
 from poppet.core.provenance import Number
 from poppet.core.units import convert, is_known, same_dimension
-from poppet.edit.circuit_reader import read_text
-from poppet.edit.document import Document
+from poppet.edit.document import MARK, Document
 
 _NUMBER = re.compile(r"\s*[-+]?[0-9.]+(?:[eE][-+]?[0-9]+)?\s*(?P<unit>.*?)\s*")
 _CLOSE = 1e-4
@@ -59,7 +58,7 @@ class TaskOrder:
     @cached_property
     def circuit(self) -> Circuit:
         """Circuit of the text; an invalid text raises all its errors."""
-        return read_text(self.text, self.folder)
+        return circuit_of(self.text, self.folder)
 
     def path(self, ending: str) -> Path:
         """Return the path of a result file, whose name is the name of the circuit file with an ending."""
@@ -151,4 +150,10 @@ def sets_value(order: TaskOrder, operations: Iterable[Mapping[str, Any]], addres
 
 def changed_circuit(order: TaskOrder, operations: Iterable[Mapping[str, Any]]) -> Circuit:
     """Return the circuit after operations on the text."""
-    return read_text(Document(order.text).apply(operations).text, order.folder)
+    return circuit_of(Document(order.text).apply(operations).text, order.folder)
+
+
+def circuit_of(text: str, folder: Path) -> Circuit:
+    """Return the circuit of a text."""
+    # Without a name: the errors of this text have no file.
+    return loads(text.removeprefix(MARK), name="", folder=folder)

@@ -17,6 +17,7 @@ from pathlib import Path
 from typing import Any, TextIO
 
 from poppet.core.errors import InputError, PoppetError
+from poppet.core.files import confined_to
 from poppet.edit.build import DURATION
 from poppet.edit.document import Document
 from poppet.edit.session import error_list
@@ -35,7 +36,10 @@ def run_task(request: dict[str, Any], stream: TextIO) -> None:
         folders = {name: Path(request[name]) for name in ("folder", "output", "uploads")}
         text = with_duration(request["text"])
         order = TaskOrder(text, request["name"], options=options, report=progress.report, **folders)
-        write_message(stream, {"result": content_of(TASKS[request["task"]].run(order))})
+        # The folder of the task contains the output and temporary files.
+        with confined_to(order.folder, order.output.parent, order.uploads):
+            result = TASKS[request["task"]].run(order)
+        write_message(stream, {"result": content_of(result)})
     except PoppetError as error:
         write_message(stream, {"errors": errors_of(error)})
     except MemoryError:
