@@ -63,7 +63,7 @@ export class Plot {
       series: [{}, ...lines.map(line => ({
         stroke: () => colours().curves[line.colour % COLOURS], width: line.isSelected ? 2.4 : 1.4, spanGaps: true, points: { show: false },
         dash: { now: [], kept: DASH_KEPT, measured: DASH_MEASURED }[line.role],
-        ...line.isStep ? { paths: uPlot.paths.stepped({ align: 1 }) } : {},
+        paths: line.isStep ? uPlot.paths.stepped({ align: 1 }) : linePath,
       }))],
       hooks: { setSelect: [u => this.setZoom(u)] },
     };
@@ -154,6 +154,31 @@ export class Plot {
     this.u?.destroy();
     this.element.remove();
   }
+}
+
+/* Path of a curve through all its points, without those that are nearer than half a pixel to the one before.
+   The usual path of uPlot makes steps of one pixel of a curve with many points. */
+function linePath(u, series, first, last) {
+  const stroke = new Path2D(), [xs, ys] = [u.data[0], u.data[series]];
+  const line = (scale, from, to) => {
+    const { min, max } = u.scales[scale];
+    const slope = (to - from) / (max - min);
+    return [slope, from - slope * min];
+  };
+  const { left, top, width, height } = u.bbox;
+  const [ax, bx] = line("x", left, left + width), [ay, by] = line("y", top + height, top);
+  const least = 0.5 * devicePixelRatio;
+  let [px, py, isFirst] = [0, 0, true];
+  for (let k = first; k <= last; k++) {
+    const value = ys[k];
+    if (value === null || value === undefined) continue;
+    const x = ax * xs[k] + bx, y = ay * value + by;
+    if (!isFirst && k < last && x - px < least && Math.abs(y - py) < least) continue;
+    if (isFirst) stroke.moveTo(x, y);
+    else stroke.lineTo(x, y);
+    [px, py, isFirst] = [x, y, false];
+  }
+  return { stroke, fill: null, clip: null, band: null, gaps: null, flags: 1 };
 }
 
 function spanOf(u) { return (u.scales.y.max ?? 1) - (u.scales.y.min ?? 0); }
