@@ -8,8 +8,9 @@ import { digits, displayOf, prettyUnit } from "./quantities.js";
 import { htmlElement, svgElement } from "./symbols.js";
 import { text } from "./strings.js";
 
-const AMBIENT = 101325;  // Pa, where no series tells another pressure
+const AMBIENT = 1e5;  // Pa, where the model does not tell another pressure
 const LEAST_FLOW = 0.004;  // fraction of the largest flow below which there is no arrow
+const LEAST_SPAN = 0.5;  // of values, which therefore have at most three decimals
 const VALUES = ["pressure", "piston_position", "opening", "shaft.position", "position", "mass_flow_rate", "command"];
 const OUTWARD = { left: [-1, 0], right: [1, 0], top: [0, -1], bottom: [0, 1] };
 
@@ -69,8 +70,9 @@ export class Animation {
     const parts = Object.keys(view.parts);
     this.flows = new Map(parts.flatMap(name => [...portFlows(view, name, this.names)]));
     this.mostFlow = Math.max(1e-12, ...[...this.flows.values()].flat().map(([series]) => this.#most(series)));
+    this.ambient = drawing.store.header?.numbers?.["ambient.pressure"]?.value ?? AMBIENT;
     const pressures = this.names.filter(name => /(^|\.)pressure$/.test(name)).map(name => this.#range(name));
-    this.pressures = [Math.min(AMBIENT, ...pressures.map(([low]) => low)), Math.max(AMBIENT + 1e5, ...pressures.map(([, high]) => high))];
+    this.pressures = [Math.min(this.ambient, ...pressures.map(([low]) => low)), Math.max(this.ambient + 1e5, ...pressures.map(([, high]) => high))];
     this.values = new Map(parts.map(name => [name, VALUES.map(local => `${name}.${local}`).find(series => this.#isShown(series))]));
     this.#showLegend();
   }
@@ -128,7 +130,7 @@ export class Animation {
 
   #words(series, value) {
     const { unit, from } = displayOf(this.units.get(series) ?? "1", this.drawing.store.units), [low, high] = this.#range(series).map(from);
-    return `${digits(from(value), Math.max(Math.abs(low), Math.abs(high)))} ${prettyUnit(unit)}`.trim();
+    return `${digits(from(value), Math.max(LEAST_SPAN, Math.abs(low), Math.abs(high)))} ${prettyUnit(unit)}`.trim();
   }
 
   /* Name of the active step of a sequence. */
@@ -185,7 +187,7 @@ export class Animation {
     arrow.style.display = isSeen ? "" : "none";
     if (!isSeen) return;
     const onWire = this.drawing.wires.arrow(address), { x, y, angle } = onWire?.length >= 2 ? onWire : besidePort(end);
-    const size = 0.5 + 0.7 * Math.sqrt(Math.min(1, Math.abs(strength)));
+    const size = 0.4 + 0.5 * Math.sqrt(Math.min(1, Math.abs(strength)));
     arrow.setAttribute("transform", `translate(${x} ${y}) rotate(${angle + (strength < 0 ? 180 : 0)}) scale(${size.toFixed(3)})`);
   }
 
@@ -208,7 +210,7 @@ export class Animation {
 
   #pressureAt(target) {
     const series = pressureSeries(this.drawing.view, target, this.names);
-    return series === null ? AMBIENT : this.value(series);
+    return series === null ? this.ambient : this.value(series);
   }
 
   #share(pressure) {

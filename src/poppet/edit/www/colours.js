@@ -1,6 +1,6 @@
 /* Colours of pressures, from blue (low) by ochre to red (high): also distinct for colour-blind readers, on light and dark. */
 
-const LIGHT = [[38, 84, 148], [91, 108, 132], [158, 112, 18], [190, 62, 12]];
+const LIGHT = [[38, 84, 148], [100, 120, 145], [170, 120, 20], [150, 25, 10]];
 const DARK = [[120, 170, 240], [168, 180, 196], [226, 180, 70], [255, 128, 84]];
 
 /* CSS colour of a share from 0 to 1. */

@@ -134,8 +134,8 @@ export class Connecting {
   /* Insert a part between two ports, and offer a tube instead of a chamber. */
   async #insert(from, { insert: kind, operations, end, tube }) {
     const { drawing } = this, { store } = drawing, name = drawing.freeName(kind), entry = store.palette.get(kind);
-    const place = freePlace(entry, { x: (from.x + end.x) / 2, y: (from.y + end.y) / 2 }, drawing.taken());
-    const state = await drawing.insert([drawing.adding(kind, name, place, BETWEEN[kind]), ...renamed(operations, name)], [[entry, place]]);
+    const place = freePlace(entry, name, { x: (from.x + end.x) / 2, y: (from.y + end.y) / 2 }, drawing.taken());
+    const state = await drawing.insert([drawing.adding(kind, name, place, BETWEEN[kind]), ...renamed(operations, name)]);
     if (!state) return;
     store.announce(text(`drawing.inserted_${kind}`, { name }));
     const back = [text("drawing.take_back"), () => store.undo()];

@@ -127,7 +127,7 @@ export class Drawing {
     if (this.isPlaced(name)) return;
     const entry = this.entry(name), place = this.store.state.places?.[name] ?? { x: 0, y: 0 }, box = boxOf(entry, place);
     const others = [...this.items.values()].filter(item => item.box).map(item => item.box);
-    this.settled.set(name, others.some(other => overlaps(box, other)) ? freePlace(entry, place, others) : place);
+    this.settled.set(name, others.some(other => overlaps(box, other)) ? freePlace(entry, name, place, others) : place);
   }
 
   /* Draw the parts `moved`, or all, at their places, and the wires. */
@@ -209,10 +209,9 @@ export class Drawing {
   /* Add a part of a kind at the nearest free place to a point, by default beside the selected part. */
   async add(kind, point = null) {
     const entry = this.store.palette.get(kind);
-    const place = freePlace(entry, point ?? this.#wanted(entry), this.taken(), point ? null : this.viewport.wideArea);
-    const state = await this.insert([this.adding(kind, this.freeName(kind), place)], [[entry, place]], { select: "created" });
-    const [name] = state?.created ?? [];
-    if (!name) return;
+    const name = this.freeName(kind), area = point ? null : this.viewport.wideArea;
+    const place = freePlace(entry, name, point ?? this.#wanted(entry), this.taken(), area);
+    if (!await this.insert([this.adding(kind, name, place)], { select: "created" })) return;
     this.store.announce(text("drawing.added", { name }));
     this.reveal([name]);
   }
@@ -228,10 +227,11 @@ export class Drawing {
   /* Place at the right of the part that is selected or coming, otherwise in the left half of the visible area. */
   #wanted(entry) {
     const { x, y, width, height } = this.viewport.area, [name] = this.selected;
-    const [left, top, , tall] = entry.box;
-    const box = [...this.coming.values()].at(-1) ?? (this.selected.length === 1 ? this.items.get(name).box : null);
-    if (!box) return { x: x + width / 4, y: y + height / 2 };
-    return { x: box.x + box.width + GAP - left, y: box.y + box.height / 2 - top - tall / 2 };
+    const last = [...this.coming.values()].at(-1);
+    if (last) return { x: last.x + last.width + GAP - entry.box[0], y: last.row };
+    if (this.selected.length !== 1) return { x: x + width / 4, y: y + height / 2 };
+    const { box } = this.items.get(name);
+    return { x: box.x + box.width + GAP - entry.box[0], y: this.place(name).y };
   }
 
   /* Operation that adds a part with starting values, of which some can be other ones. */
@@ -245,12 +245,11 @@ export class Drawing {
   }
 
   /* Apply operations that add parts; their places are taken until the server has answered. */
-  async insert(operations, places, options = {}) {
-    const names = operations.filter(({ op }) => op === "add").map(({ name }) => name);
-    const boxes = places.map(([entry, place], k) => [names[k] ?? `${k}`, boxOf(entry, place)]);
-    for (const [name, box] of boxes) this.coming.set(name, box);
+  async insert(operations, options = {}) {
+    const added = operations.filter(({ op }) => op === "add");
+    for (const { name, kind, place } of added) this.coming.set(name, { ...boxOf(this.store.palette.get(kind), place), row: place.y });
     const state = await this.store.apply([...this.pins(), ...operations], options);
-    for (const [name] of boxes) this.coming.delete(name);
+    for (const { name } of added) this.coming.delete(name);
     return state;
   }
 

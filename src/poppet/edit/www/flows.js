@@ -18,6 +18,7 @@ export const FLOWS = {
   pressure_regulator: VALVE,
   proportional_valve: { ...VALVE, ...PILOT },
   quick_exhaust_valve: { inlet: ["inlet", "outlet"], exhaust: ["outlet", "exhaust"] },
+  reservoir: {},
   shuttle_valve: INLETS,
   spool_valve: { supply_a: ["supply", "a"], supply_b: ["supply", "b"], exhaust_a: ["a", "exhaust_a"], exhaust_b: ["b", "exhaust_b"] },
   suction_cup: { port: ["port", null] },

@@ -92,23 +92,27 @@ export function around(boxes) {
   };
 }
 
-/* Nearest place to `wanted` at which a part covers no box in `taken`; places in `area` come first. */
-export function freePlace(entry, wanted, taken, area = null, orientation = {}) {
-  const start = { x: Math.round(wanted.x), y: Math.round(wanted.y) };
+/* Nearest place to `wanted` at which a part with a name covers no box in `taken`; places in `area` come first. */
+export function freePlace(entry, name, wanted, taken, area = null) {
+  const start = { x: Math.round(wanted.x), y: Math.round(wanted.y) }, origin = { x: 0, y: 0 };
+  const box = boxOf(entry, origin), label = labelOf(name, box, endsOf(name, entry, origin)).box, whole = around([box, label]);
+  const at = (one, { x, y }) => ({ ...one, x: one.x + x, y: one.y + y });
   const isFree = place => {
-    const box = boxOf(entry, { ...orientation, ...place });
-    return !taken.some(other => overlaps(box, other, MARGIN));
-  };
-  const isSeen = place => {
-    const box = boxOf(entry, { ...orientation, ...place });
-    return box.x >= area.x && box.y >= area.y && box.x + box.width <= area.x + area.width
-      && box.y + box.height + LINE <= area.y + area.height;
+    const [own, words] = [at(box, place), at(label, place)];
+    return !taken.some(other => overlaps(own, other, MARGIN) || overlaps(words, other, MARGIN / 2));
   };
   if (area) {
-    const place = nearest(start, Math.ceil(Math.max(area.width, area.height)), at => isSeen(at) && isFree(at));
+    const isSeen = place => contains(area, at(whole, place));
+    const place = nearest(start, Math.ceil(Math.max(area.width, area.height)), one => isSeen(one) && isFree(one));
     if (place) return place;
   }
   return nearest(start, Infinity, isFree);
+}
+
+/* True if a box is inside another one. */
+export function contains(outer, box) {
+  return box.x >= outer.x && box.y >= outer.y && box.x + box.width <= outer.x + outer.width
+    && box.y + box.height <= outer.y + outer.height;
 }
 
 /* Nearest point of the grid with a property, in squares of increasing size around a start; null beyond a limit. */

@@ -1,5 +1,7 @@
 /* Visible part of the drawing: pan, zoom about a point, and conversion of positions. */
 
+import { contains } from "./geometry.js";
+
 export const MODULE = 10;  // pixels of a grid unit at zoom 1
 const WIDE = 0.6;  // least zoom at which new parts stay in the visible area
 const LEAST = 0.2, MOST = 5, EDGE = 4;  // limits of the zoom; grid units that stay visible of the drawing
@@ -66,15 +68,9 @@ export class Viewport extends EventTarget {
     this.#show(box.x + box.width / 2 - width / scale / 2, box.y + box.height / 2 - height / scale / 2, zoom);
   }
 
-  /* True if a box is visible. */
-  isVisible(box, area = this.area) {
-    return box.x >= area.x && box.y >= area.y && box.x + box.width <= area.x + area.width
-      && box.y + box.height <= area.y + area.height;
-  }
-
   /* Make a box visible: by moving the drawing if the user chose the view, otherwise by showing the whole drawing. */
   reveal(box) {
-    if (this.isVisible(box)) return;
+    if (contains(this.area, box)) return;
     const { x, y, width, height } = this.area;
     if (this.isUntouched || box.width > width || box.height > height) { this.fit(); return; }
     const shift = (low, size, from, length) => (low < from ? low - 1 - from : Math.max(0, low + size + 1 - from - length));
@@ -101,7 +97,7 @@ export class Viewport extends EventTarget {
   /* What was visible stays visible. */
   #resized() {
     const box = this.bounds(), before = this.shown;
-    const isCut = box && (!before || this.isVisible(box, before)) && !this.isVisible(box);
+    const isCut = box && (!before || contains(before, box)) && !contains(this.area, box);
     if (isCut || !before) this.fit(before ? this.zoom : 1);
     else this.#show(this.x, this.y, this.zoom);
   }
