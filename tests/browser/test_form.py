@@ -307,3 +307,35 @@ def test_the_form_fits_into_a_narrow_page(start_editor):
     assert editor.page.evaluate(
         "() => { const e = document.getElementById('form'); return e.scrollWidth <= e.clientWidth; }"
     )
+
+
+def test_several_parts_get_the_same_value(start_editor):
+    editor = start_editor((EXAMPLES / "two_cylinders.toml").read_text(), "two_cylinders.toml")
+    editor.select("cylinderA")
+    editor.page.keyboard.down("Shift")
+    editor.select("cylinderB")
+    editor.page.keyboard.up("Shift")
+    bore = editor.page.get_by_label("bore", exact=True)
+    assert (bore.input_value(), bore.get_attribute("placeholder")) == ("", "various")
+    bore.fill("50")
+    bore.press("Enter")
+    editor.wait()
+    assert [part(editor, name)["bore"] for name in ("cylinderA", "cylinderB")] == ["50 mm", "50 mm"]
+    editor.button("Undo").click()
+    editor.wait()
+    assert [part(editor, name)["bore"] for name in ("cylinderA", "cylinderB")] == ["32 mm", "40 mm"]
+
+
+def test_the_form_without_a_selection(editor, start_editor):
+    assert "Click parts in the palette" in editor.page.locator("#form").inner_text()
+    bench = start_editor(BENCH, "bench.toml")
+    bench.page.locator("#form").get_by_role("button", name="tank").click()
+    assert bench.field("tank.volume").input_value() == "10 l"
+
+
+def test_a_selected_wire_can_be_disconnected(bench):
+    bench.page.evaluate("() => document.querySelector('[data-wire=\"hole.to\"]').focus()")
+    bench.page.keyboard.press("Enter")
+    bench.page.locator("#form").get_by_role("button", name="Disconnect").click()
+    bench.wait()
+    assert bench.text() == BENCH.replace('to = "tank"\n', "")

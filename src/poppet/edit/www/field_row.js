@@ -136,6 +136,9 @@ export function bare(address) { return (address ?? "").replace(/^parts\./, ""); 
 export class FieldRow extends InputRow {
   constructor(store, { owner, field, read, isRequired = false }) {
     super(store, { address: `${owner}.${field.name}`, label: inWords(field.name) });
+    // Fields of several groups have the same last name.
+    this.fullName = field.name.split(".").map(inWords).join(": ");
+    if (this.fullName !== this.label) this.input.setAttribute("aria-label", this.fullName);
     Object.assign(this, { field, read, isRequired });
     this.isTable = field.type === "reference";
     this.element.dataset.type = field.type;
@@ -149,6 +152,9 @@ export class FieldRow extends InputRow {
 
   get stated() { return this.read(); }
 
+  /* Addresses that get the value. */
+  get addresses() { return [this.address]; }
+
   get choices() { return this.field.choices ?? []; }
 
   present() { return textOf(this.stated); }
@@ -157,7 +163,7 @@ export class FieldRow extends InputRow {
     const value = valueOf(this.field, typed, this.unit?.value ?? "", this.stated);
     if (value === undefined) return null;
     if (value !== null && isEqual(value, plainValue(this.stated))) return [];
-    return [{ op: "set", address: this.address, value }];
+    return this.#setting(value);
   }
 
   update() {
@@ -200,23 +206,25 @@ export class FieldRow extends InputRow {
 
   /* Only numbers have a source. */
   #addOrigin({ type }) {
-    this.origin = new SourceEditor(this.label, value => this.#write(value));
+    this.origin = new SourceEditor(this.fullName, value => this.#write(value));
     if (type !== "number") return;
     this.head.append(this.origin.button);
     this.value.after(this.origin.element);
   }
 
-  #write(value) { return this.store.apply([{ op: "set", address: this.address, value }]); }
+  #setting(value) { return this.addresses.map(address => ({ op: "set", address, value })); }
+
+  #write(value) { return this.store.apply(this.#setting(value)); }
 
   /* --- Unit --- */
 
   #addUnit() {
     this.unit = make("select", {
-      class: "unit", "aria-label": text("form.unit_of", { name: this.label }), onchange: () => this.#convert(),
+      class: "unit", "aria-label": text("form.unit_of", { name: this.fullName }), onchange: () => this.#convert(),
     });
     this.value.append(this.unit);
     this.slider = make("input", {
-      type: "range", class: "slider", "data-slider": this.address, min: 0, max: STEPS, step: 1, "aria-label": text("form.slider_of", { name: this.label }),
+      type: "range", class: "slider", "data-slider": this.address, min: 0, max: STEPS, step: 1, "aria-label": text("form.slider_of", { name: this.fullName }),
       oninput: () => this.#slide(), onchange: () => this.#finishSlide(), onblur: () => this.#finishSlide(true),
     });
     this.value.after(this.slider);
@@ -267,7 +275,7 @@ export class FieldRow extends InputRow {
     this.input.value = typed;
     this.slider.setAttribute("aria-valuetext", typed);
     const si = siOf(typed, field.unit, store.units, ambientOf(store.state.view, store.units));
-    this.isLive = si !== null && store.number(this.address, si);
+    this.isLive = si !== null && this.addresses.map(address => store.number(address, si)).every(Boolean);
     if (!this.isLive) store.apply(this.operations(typed), { continues: true });
     clearTimeout(this.#timer);
   }
@@ -283,7 +291,7 @@ export class FieldRow extends InputRow {
   options() { return this.isLive === false ? { continues: true } : {}; }
 
   restore() {
-    if (this.isLive) this.store.number(this.address, null);
+    if (this.isLive) for (const address of this.addresses) this.store.number(address, null);
     clearTimeout(this.#timer);
     super.restore();
     if (this.slider) this.#updateSlider();

@@ -6,6 +6,7 @@ import { FieldRow, InputRow, bare } from "./field_row.js";
 import { CurveTable } from "./curve_tables.js";
 import { ModelRow } from "./model_row.js";
 import { Signals } from "./signals.js";
+import { overviewOf } from "./overview.js";
 import { SizeChoice, sizeGroups } from "./sizes.js";
 import { StepsRow } from "./steps.js";
 import { text } from "./strings.js";
@@ -34,7 +35,7 @@ export class Form {
     const part = selection.size === 1 ? [...selection][0] : null;
     const view = part === null ? null : state?.view.parts[part];
     if (!view) {
-      this.#clear();
+      this.#showOverview();
       return;
     }
     const outline = this.#outline(part);
@@ -50,14 +51,15 @@ export class Form {
     for (const row of this.rows) row.update();
   }
 
-  #clear() {
-    const { selection } = this.store;
-    const hint = selection.size ? text("form.several", { count: selection.size, names: [...selection].join(", ") }) : text("form.none");
-    if (this.outline === hint) return;
-    this.flush();
-    Object.assign(this, { rows: [], outline: hint });
-    const steps = ["page.step_add", "page.step_connect", "page.step_numbers"].map(key => make("li", {}, text(key)));
-    this.element.replaceChildren(make("p", { class: "hint" }, hint), selection.size ? "" : make("ol", { class: "hint" }, ...steps));
+  #showOverview() {
+    const { outline, build } = overviewOf(this.store);
+    if (this.outline !== outline) {
+      this.flush();
+      const { elements, rows } = build();
+      Object.assign(this, { outline, rows, part: null });
+      this.element.replaceChildren(...elements);
+    }
+    for (const row of this.rows) row.update();
   }
 
   /* Text that changes when the form needs other rows. */
