@@ -16,6 +16,7 @@ const MAX_NODES = 300000; // largest number of nodes of the grid
 const BESIDE = 3; // lines beside each border of a box
 const MARGIN = 8; // lines outside of all boxes
 const HASTE = 1.25; // factor of the lower limit of the remaining cost: above 1, the search looks at fewer ways
+const HASTE_WHILE_MOVING = 1.6;
 
 const SIDES = { right: 0, bottom: 1, left: 2, top: 3 }; // directions
 
@@ -26,26 +27,29 @@ const SIDES = { right: 0, bottom: 1, left: 2, top: 3 }; // directions
  *   are the upper left corner. An end is `{x, y, side, name, also?: [{x, y, side}], waypoints?: [[x, y]]}`; `side` is
  *   "left", "right", "top" or "bottom", and `also` contains other places of the same end. The first end of a net is its
  *   root. A wire begins at its end, passes its waypoints in their order, and ends at the root or at another wire of the net.
- * @param former Result of an earlier call. Nets that did not change and do not touch a changed box keep their wires.
+ * @param former Result of an earlier call. Wires with the same ends that do not touch a changed box stay as they are; the
+ *   search for the others is faster, and finds ways that can be slightly longer.
  * @returns `{wires, routed}`. `wires` maps the id of each net to `{paths, junctions, straight}`: path k is the wire of end
  *   k + 1 as a list of points, `straight` contains the indices of paths for which there is no way (a straight line
  *   instead). `routed` contains the ids of the nets that are not as before.
  */
 export function route(scene, former = null) {
-  const nets = scene.nets.map((net, index) => ({ ...net, index: index + 1, key: JSON.stringify(net.ends), removals: 0 }));
-  const kept = former ? keptWires(scene, nets, former) : new Map();
-  const grid = new Grid(scene, kept);
+  const nets = scene.nets.map((net, index) => ({ ...net, index: index + 1, removals: 0 }));
+  const kept = new Map(nets.map((net) => [net.id, net.ends.slice(1).map(() => null)]));
+  if (former) keepPaths(scene, kept, former);
+  const grid = new Grid(scene, kept, former ? HASTE_WHILE_MOVING : HASTE);
   for (const net of nets) {
     for (const end of net.ends) {
       for (const place of places(end)) grid.reserve(place, net.index);
     }
   }
   for (const net of nets) {
-    net.paths = kept.get(net.id)?.paths.map((points) => grid.nodesOf(points)) ?? null;
-    if (net.paths) grid.occupy(net);
+    net.paths = kept.get(net.id).map((points) => points && grid.nodesOf(points));
+    grid.occupy(net);
   }
   const hasPoints = (net) => net.ends.some((end) => end.waypoints?.length);
-  const queue = nets.filter((net) => !net.paths);
+  const isComplete = (net) => net.paths.every(Boolean);
+  const queue = nets.filter((net) => !isComplete(net) || !former?.wires.has(net.id));
   queue.sort((a, b) => hasPoints(b) - hasPoints(a) || span(a) - span(b) || (a.id < b.id ? -1 : 1));
   const routed = new Set();
   while (queue.length) {
@@ -55,22 +59,43 @@ export function route(scene, former = null) {
   }
   const wires = new Map();
   for (const net of nets) {
-    wires.set(net.id, routed.has(net.id) ? wireOf(grid, net) : kept.get(net.id));
+    const before = former?.wires.get(net.id);
+    const paths = kept.get(net.id);
+    const isKept = !routed.has(net.id) && paths.length === before.paths.length;
+    wires.set(net.id, isKept && paths.every((path, k) => path === before.paths[k]) ? before : wireOf(grid, net));
   }
-  const boxes = new Map(scene.boxes.map((box) => [box.name, boxKey(box)]));
-  return { wires, routed: [...routed], boxes, keys: new Map(nets.map((net) => [net.id, net.key])) };
+  return { wires, routed: [...routed], scene };
 }
 
-/** Return the wires of a former result that stay: the net is unchanged, and no changed box touches them. */
-function keptWires(scene, nets, former) {
-  const changed = scene.boxes.filter((box) => former.boxes.get(box.name) !== boxKey(box));
-  const kept = new Map();
-  for (const net of nets) {
-    const wire = former.wires.get(net.id);
-    if (!wire || former.keys.get(net.id) !== net.key || wire.straight.length) continue;
-    if (!wire.paths.some((path) => changed.some((box) => touches(path, box)))) kept.set(net.id, wire);
+/** Add the paths of a former result that stay: their end and the root are unchanged, no changed box touches them, and they
+ * end at the root or at a path that stays. */
+function keepPaths(scene, kept, former) {
+  const boxes = new Map(former.scene.boxes.map((box) => [box.name, boxKey(box)]));
+  const changed = scene.boxes.filter((box) => boxes.get(box.name) !== boxKey(box));
+  const nets = new Map(former.scene.nets.map((net) => [net.id, net]));
+  for (const { id, ends } of scene.nets) {
+    const old = nets.get(id);
+    if (!old || JSON.stringify(old.ends[0]) !== JSON.stringify(ends[0])) continue;
+    const { paths, straight } = former.wires.get(id);
+    const known = new Map(old.ends.slice(1).map((end, k) => [end.name, { key: JSON.stringify(end), path: paths[k], k }]));
+    const free = new Map(); // index of the end to path
+    ends.slice(1).forEach((end, k) => {
+      const { key, path, k: former } = known.get(end.name) ?? {};
+      const isFree = key === JSON.stringify(end) && !straight.includes(former) && !changed.some((box) => touches(path, box));
+      if (isFree) free.set(k, path);
+    });
+    const isRoot = ([x, y]) => places(ends[0]).some((place) => place.x === x && place.y === y);
+    const meets = ([x, y]) => kept.get(id).some((path) => path && touches(path, { x, y, width: 0, height: 0 }));
+    for (let count = -1; count !== free.size; ) {
+      count = free.size;
+      for (const [k, path] of free) {
+        const last = path[path.length - 1];
+        if (!isRoot(last) && !meets(last)) continue;
+        kept.get(id)[k] = path;
+        free.delete(k);
+      }
+    }
   }
-  return kept;
 }
 
 function boxKey(box) {
@@ -99,13 +124,13 @@ function span(net) {
   return Math.max(...xs) - Math.min(...xs) + Math.max(...ys) - Math.min(...ys);
 }
 
-/** Route all ends of a net; nets that have to make way are added to the queue. */
+/** Route the ends of a net without a path; nets that have to make way are added to the queue. */
 function routeNet(grid, net, nets, queue) {
   const [root, ...others] = net.ends;
   const distance = (end) => Math.min(...places(root).map((place) => Math.abs(end.x - place.x) + Math.abs(end.y - place.y)));
-  const order = others.map((end, k) => k).sort((a, b) => distance(others[a]) - distance(others[b]) || a - b);
-  net.paths = others.map(() => null);
-  for (const k of order) {
+  const missing = [...others.keys()].filter((k) => !net.paths[k]);
+  missing.sort((a, b) => distance(others[a]) - distance(others[b]) || a - b);
+  for (const k of missing) {
     const isFixed = (index) => nets[index - 1].removals >= MAX_REMOVALS;
     let path = wayOf(grid, net, others[k], null);
     if (!path) {
@@ -113,9 +138,9 @@ function routeNet(grid, net, nets, queue) {
       for (const index of path ? grid.conflicts(path, net.index) : []) {
         const other = nets[index - 1];
         grid.release(other);
-        other.paths = null;
+        other.paths = other.paths.map(() => null);
         other.removals += 1;
-        queue.push(other);
+        if (!queue.includes(other)) queue.push(other);
       }
     }
     net.paths[k] = path;
@@ -175,7 +200,8 @@ function wireOf(grid, net) {
 
 /** Lines of the grid, what its nodes contain, and the search. */
 class Grid {
-  constructor(scene, kept) {
+  constructor(scene, kept, haste) {
+    this.haste = haste;
     this.lines(scene, kept);
     const count = this.width * this.ys.length;
     this.columnOf = new Int32Array(count);
@@ -227,9 +253,9 @@ class Grid {
         }
       }
     }
-    for (const wire of kept.values()) {
-      for (const path of wire.paths) {
-        for (const [x, y] of path) {
+    for (const paths of kept.values()) {
+      for (const path of paths) {
+        for (const [x, y] of path ?? []) {
           exact[0].push(x);
           exact[1].push(y);
         }
@@ -322,7 +348,11 @@ class Grid {
     }
     for (const place of places(net.ends[0])) {
       const side = SIDES[place.side] ?? -1;
-      goals.set(this.node(place.x, place.y), side < 0 ? -1 : (side + 2) % 4);
+      const node = this.node(place.x, place.y);
+      const front = node + this.steps[side];
+      // A place that is covered by another box would cause a search in the whole grid.
+      if (side >= 0 && this.blocked[front] && this.solid[front] !== net.index) continue;
+      goals.set(node, side < 0 ? -1 : (side + 2) % 4);
     }
     return goals;
   }
@@ -351,6 +381,7 @@ class Grid {
    */
   search(starts, goals, index, isFixed) {
     const { blocked, along, solid, price, stub, cost, stamp, from, heap, goal, columnOf, rowOf, xs, ys, steps } = this;
+    if (!goals.size) return null;
     const bounds = this.bounds(goals.keys());
     const search = ++this.searches;
     const isTaken = (net) => !isFixed || isFixed(net);
@@ -432,7 +463,7 @@ class Grid {
     const dx = x < left ? left - x : x > right ? x - right : 0;
     const dy = y < top ? top - y : y > bottom ? y - bottom : 0;
     const isBent = (dx > 0 && dy > 0) || (dx > 0 && direction % 2 === 1) || (dy > 0 && direction % 2 === 0);
-    return HASTE * (dx + dy + (isBent ? BEND : 0));
+    return this.haste * (dx + dy + (isBent ? BEND : 0));
   }
 
   way(state) {

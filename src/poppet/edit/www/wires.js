@@ -34,9 +34,9 @@ export class Wires {
     const before = this.wires;
     this.wires = new Map(wires.map(wire => [wire.key, wire]));
     const scene = sceneOf(view ?? { parts: {} }, ends, wires, boxes, labels);
-    const isSame = JSON.stringify(scene) === JSON.stringify(this.scene);
+    const words = JSON.stringify(scene), isSame = words === this.words;
     const isOther = ![...before.keys()].some(key => this.wires.has(key));
-    this.scene = scene;
+    [this.scene, this.words] = [scene, words];
     clearTimeout(this.timer);
     if (isSame) this.#draw();
     else this.#route(isOther ? null : this.former);
