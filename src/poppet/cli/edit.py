@@ -42,7 +42,8 @@ def _serve(options: argparse.Namespace) -> None:
         print(server.address, flush=True)
         Thread(target=load_simulation, daemon=True).start()
         if not options.no_browser:
-            webbrowser.open(server.address)
+            # In a thread, because a browser in the terminal needs the server before it returns.
+            Thread(target=webbrowser.open, args=(server.address,), daemon=True).start()
         server.serve_forever()
 
 

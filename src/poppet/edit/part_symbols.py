@@ -15,7 +15,7 @@ from poppet.edit.starting_values import starting_fields
 from poppet.library.components import CatalogueComponent
 from poppet.parts import Part
 from poppet.parts.components import MODEL
-from poppet.parts.fields import BodySpec, PortSpec, from_table, specs
+from poppet.parts.fields import BodySpec, OptionSpec, PortSpec, from_table, specs
 from poppet.parts.part import AMBIENT
 
 Entry = Mapping[str, Any]
@@ -68,12 +68,21 @@ def _owners(table: Any) -> set[str]:
 
 def _part(kind: type[Part], table: Mapping[str, Any], components: Iterable[CatalogueComponent]) -> Part:
     """Return a part with the fields of a table; missing ports and numbers are replaced."""
-    ports = {name: AMBIENT for name, spec in specs(kind).items() if isinstance(spec, PortSpec) and not spec.optional}
-    bodies = {name: "body" for name, spec in specs(kind).items() if isinstance(spec, BodySpec) and not spec.optional}
+    declared: Mapping[str, Any] = specs(kind)
+    ends = {
+        name: AMBIENT if isinstance(spec, PortSpec) else "body"
+        for name, spec in declared.items()
+        if isinstance(spec, PortSpec | BodySpec) and not spec.optional
+    }
+    values = {
+        name: value
+        for name, value in starting_fields(kind.kind).items()
+        if not isinstance(declared.get(name), OptionSpec)
+    }
     fields = {name: value for name, value in table.items() if name != "kind"}
     if isinstance(fields.get(MODEL), str):
         fields[MODEL] = own_component(fields[MODEL], components)
-    for complete in ({**ports, **bodies, **fields}, {**ports, **bodies, **starting_fields(kind.kind), **fields}):
+    for complete in ({**ends, **fields}, {**ends, **values, **fields}):
         try:
             return from_table(kind, complete)
         except InputError:

@@ -105,7 +105,10 @@ class EditServer(ThreadingHTTPServer):
     allow_reuse_address = False  # otherwise two servers could use the same port on some systems
 
     def __init__(self, port: int, tables: Iterable[Routes]) -> None:
-        super().__init__((HOST, port), _Handler)
+        try:
+            super().__init__((HOST, port), _Handler)
+        except (OSError, OverflowError) as error:
+            raise InputError("edit.port", port=port, why=getattr(error, "strerror", None) or str(error)) from None
         self.routes: dict[tuple[str, str], Route] = {key: route for table in tables for key, route in table.items()}
         self.token: str | None = secrets.token_urlsafe(24)
         self.secret = secrets.token_urlsafe(24)

@@ -15,7 +15,7 @@ from poppet.circuit.circuit import BaseCircuit
 from poppet.circuit.component_files import read_circuit_components
 from poppet.circuit.file import loads
 from poppet.core.errors import InputError, NameSuggestion
-from poppet.core.files import check_characters, confined_to, open_input, write_whole
+from poppet.core.files import by_suffix, check_characters, check_folder, confined_to, open_input, write_whole
 from poppet.edit.document import LARGEST, MARK, Document, History
 from poppet.edit.operations import free_name
 from poppet.edit.palette import component_choices
@@ -28,6 +28,9 @@ SUFFIX = ".toml"
 
 EMPTY = '[run]\nduration = "2 s"\noutput_step = "5 ms"\n'
 """Text of a circuit without parts."""
+
+UNREADABLE = b"\0"
+"""Content of a file that exists, but cannot be read; no text contains it."""
 
 State = dict[str, Any]
 
@@ -52,6 +55,9 @@ class Session:
         self.lock = RLock()
         self.templates = dict(templates or {})
         is_folder = path.is_dir()
+        if not is_folder:
+            check_folder(path, path.parent)
+            by_suffix(path, {SUFFIX: None})
         self.folder = Path(os.path.realpath(path if is_folder else path.parent))
         self.name: str | None = None
         self.history = History(EMPTY)
@@ -170,6 +176,8 @@ class Session:
         with self.lock:
             before = self._part_names()
             self.history.apply(revision, operations, continues=continues)
+            # A part with a new name is not new.
+            before += [operation["name"] for operation in operations if operation["op"] == "rename"]
             return self.state([name for name in self._part_names() if name not in before])
 
     def replace(self, revision: int, text: str) -> State:
@@ -262,14 +270,10 @@ class Session:
     def _open_file(self, name: str, *, is_new: bool = False) -> None:
         """Open a file of the folder; with `is_new`, a missing file is an empty circuit."""
         name = file_name(name)
-        try:
-            data = self._read(name)
-        except FileNotFoundError:
-            if not is_new:
-                suggestion = NameSuggestion(name, [path.name for path in self.folder.glob(f"*{SUFFIX}")])
-                raise InputError("names.unknown", name, meaning="a file of the folder", suggestion=suggestion) from None
+        if is_new and not (self.folder / name).exists():
             self._begin(name, None, EMPTY)
             return
+        data = self._read(name)
         self._begin(name, data, _decoded(data, name))
 
     def _begin(self, name: str | None, data: bytes | None, text: str) -> None:
@@ -278,18 +282,24 @@ class Session:
         self.name, self._disk, self._first = name, data, text
 
     def _read(self, name: str) -> bytes:
-        with confined_to(self.folder), open_input(self.folder / name) as stream:
-            data = stream.read(LARGEST + 1)
+        try:
+            with confined_to(self.folder), open_input(self.folder / name) as stream:
+                data = stream.read(LARGEST + 1)
+        except FileNotFoundError:
+            suggestion = NameSuggestion(name, [path.name for path in self.folder.glob(f"*{SUFFIX}")])
+            raise InputError("names.unknown", name, meaning="a file of the folder", suggestion=suggestion) from None
+        except OSError as error:
+            raise InputError("files.unreadable", path=name, why=error.strerror or str(error)) from None
         if len(data) > LARGEST:
             raise InputError("toml.too_large", path=name, most=LARGEST // 2**20)
         return data
 
     def _present(self, name: str) -> bytes | None:
-        """Return the present content of a file; None if it cannot be read."""
+        """Return the present content of a file; None if it does not exist."""
         try:
             return self._read(name)
-        except (OSError, InputError):
-            return None
+        except InputError:
+            return UNREADABLE if (self.folder / name).exists() else None
 
     def _write(self, name: str, data: bytes, known: bytes | None, *, is_new: bool, overwrite: bool) -> None:
         """Write a file completely or not at all, unless another program has changed it."""
@@ -304,8 +314,7 @@ class Session:
             stream.write(data)
             stream.flush()
             with suppress(FileNotFoundError):
-                mode = stat.S_IMODE(os.stat(path).st_mode)
-                os.chmod(stream.name, mode)
+                _copy_access(path, stream.name)
             os.fsync(stream.fileno())
             check()  # again, directly before the new file replaces the old one
 
@@ -319,7 +328,7 @@ def file_name(name: str) -> str:
     check_characters(name)
     if not name or name.startswith(".") or "/" in name or "\\" in name or os.path.basename(name) != name:
         raise InputError("edit.no_file_name", value=name)
-    return name if name.endswith(SUFFIX) else f"{name}{SUFFIX}"
+    return name if name.lower().endswith(SUFFIX) else f"{name}{SUFFIX}"
 
 
 def error_list(error: InputError) -> list[dict[str, Any]]:
@@ -373,6 +382,15 @@ def _decoded(data: bytes, name: str) -> str:
     if "\0" in text:
         raise InputError("toml.no_text", path=name)
     return text
+
+
+def _copy_access(source: Path, target: str) -> None:
+    """Give a new file the owner and the permissions of the file that it replaces."""
+    status = os.stat(source)
+    if hasattr(os, "chown"):
+        with suppress(PermissionError):  # only the superuser can give files away
+            os.chown(target, status.st_uid, status.st_gid)
+    os.chmod(target, stat.S_IMODE(status.st_mode))
 
 
 def _template(name: str, path: Path) -> dict[str, str]:
