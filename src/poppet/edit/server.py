@@ -42,6 +42,7 @@ HEADERS = {
 """Headers of all replies; a reply can replace them."""
 _COMPRESSED = ("text/", JSON, "image/svg+xml", "application/wasm", BYTES)
 _SMALLEST_COMPRESSED = 1000  # [byte]
+_MOST_DIGITS = 9  # of the length of a body that is read to its end, although it is rejected
 
 
 @dataclass(frozen=True)
@@ -167,10 +168,10 @@ class _Handler(BaseHTTPRequestHandler):
             self._send(Reply.refusal(status))
         elif is_first:
             self._send_cookie(query["token"])
-        elif route is not None and body is not None:
+        elif route is not None and isinstance(body, bytes):
             self._send(self._reply(route, names, query, body))
 
-    def _refusal(self, route: Route | None, *, is_first: bool, body: bytes | None) -> int | None:
+    def _refusal(self, route: Route | None, *, is_first: bool, body: bytes | HTTPStatus) -> int | None:
         """Return the status of a request that is rejected by its headers."""
         if self.headers.get("Host", "") not in self.server.hosts:
             return HTTPStatus.FORBIDDEN
@@ -186,18 +187,23 @@ class _Handler(BaseHTTPRequestHandler):
             # Browsers state the origin of each POST, and ask before they send these types to another origin.
             if origin is None or media_type != route.media_type:
                 return HTTPStatus.UNSUPPORTED_MEDIA_TYPE
-        if body is None:
+        return None if isinstance(body, bytes) else body
+
+    def _body(self, largest: int) -> bytes | HTTPStatus:
+        """Return the body of the request, or the status of a body that is rejected."""
+        length = self.headers.get("Content-Length", "0")
+        if "Transfer-Encoding" in self.headers or not (length.isascii() and length.isdigit()):
+            self.close_connection = True  # the end of the request is not known
+            return HTTPStatus.LENGTH_REQUIRED
+        if len(length) > _MOST_DIGITS:
             self.close_connection = True
             return HTTPStatus.REQUEST_ENTITY_TOO_LARGE
-        return None
-
-    def _body(self, largest: int) -> bytes | None:
-        """Return the body; None if it is too large or has no valid length."""
-        length = self.headers.get("Content-Length", "0")
-        if "Transfer-Encoding" in self.headers or not length.isdecimal() or int(length) > largest:
-            self.close_connection = True
-            return None
-        return self.rfile.read(int(length))
+        if int(length) <= largest:
+            return self.rfile.read(int(length))
+        rest = int(length)
+        while rest and (block := self.rfile.read(min(rest, 2**16))):
+            rest -= len(block)
+        return HTTPStatus.REQUEST_ENTITY_TOO_LARGE
 
     def _has_cookie(self) -> bool:
         try:
