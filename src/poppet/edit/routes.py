@@ -50,6 +50,9 @@ REQUESTS: dict[str, tuple[str, dict[str, tuple[type, ...]]]] = {
 """Method of the session and fields of each request that changes it; a question mark ends the names of optional ones."""
 
 
+_TYPE_NAMES = {int: "a number", list: "a list", str: "a text", bool: "true or false"}
+
+
 def page_routes() -> Routes:
     """Return the routes of the files of the page."""
     return {
@@ -131,7 +134,7 @@ def _fields(content: Mapping[str, Any], fields: Mapping[str, tuple[type, ...]]) 
         if name not in content and key != name:
             continue
         if not isinstance(value, types) or (isinstance(value, bool) and bool not in types):
-            raise InputError("edit.no_request", name, wanted=" or ".join(kind.__name__ for kind in types), value=value)
+            raise InputError("edit.no_request", name, wanted=_TYPE_NAMES[types[0]], value=value)
         values[name] = value
     return values
 

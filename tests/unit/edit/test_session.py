@@ -247,6 +247,12 @@ def test_reload_can_be_undone(plant):
     assert session.undo(session.history.revision)["text"] == mine
 
 
+def test_a_circuit_without_a_file_cannot_be_read_again(tmp_path):
+    session = Session(tmp_path)
+    with refused("edit.no_name"):
+        session.reload(session.history.revision)
+
+
 def test_a_deleted_file(plant):
     session = Session(plant)
     edit(session)
