@@ -21,7 +21,10 @@ export class Wires {
     group.addEventListener("keydown", event => this.#key(event));
     group.addEventListener("pointermove", event => this.#hover(event));
     group.addEventListener("click", event => this.#clicked(event));
-    group.addEventListener("dblclick", event => this.#reset(event.target.closest("[data-wire]")?.dataset.wire));
+    // The drawing captures the pointer, so that its events have another target.
+    group.ownerSVGElement.addEventListener("dblclick", ({ clientX, clientY }) => {
+      this.#reset(document.elementFromPoint(clientX, clientY)?.closest("[data-wire]")?.dataset.wire);
+    });
   }
 
   /* Show the wires between ends: `ends` maps addresses to ends, `labels` are boxes of texts. With `moved`, a set of
