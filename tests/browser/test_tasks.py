@@ -136,6 +136,35 @@ def test_a_recording_is_fitted(start_editor):
     assert sorted(path.name for path in editor.folder.iterdir()) == ["plant.toml"]
 
 
+def test_a_recording_is_dropped_on_the_panel(start_editor):
+    editor = start_editor(FILL)
+    open_tasks(editor)
+    drop = """() => {
+        const data = new DataTransfer();
+        data.items.add(new File(["time [s],level [bar g]\\n0,0\\n1,1\\n2,2\\n"], "run.csv"));
+        const event = new DragEvent("drop", {dataTransfer: data, bubbles: true, cancelable: true});
+        document.getElementById("tasks").dispatchEvent(event);
+    }"""
+    editor.page.evaluate(drop)
+    form = editor.page.locator("[data-form=identify]")
+    quantity = form.get_by_label("Quantity in column level")
+    quantity.wait_for(timeout=60_000)
+    assert quantity.input_value() == ""  # no quantity has a similar name
+    assert form.get_by_label("Unit of column level").input_value() == "bar g"
+    editor.page.keyboard.press("Escape")
+    form.wait_for(state="detached")
+
+
+def test_the_cycle_of_an_energy_audit_is_stated(start_editor):
+    editor = start_editor(FILL)
+    open_tasks(editor)
+    task(editor, "energy").click()
+    form = editor.page.locator("[data-form=energy]")
+    form.locator("[name=cycle]").fill("0 s, 1 s")
+    form.get_by_role("button", name="Start").click()
+    assert "Supplied air" in result(editor, "energy").locator("pre").inner_text()
+
+
 def test_a_running_task_is_cancelled_while_the_editor_works(start_editor):
     long = FILL.replace('duration = "2 s"', 'duration = "20 s"').replace('"10 ms"', '"0.01 ms"')
     editor = start_editor(long)
@@ -173,6 +202,7 @@ def test_pictures_and_text_of_the_drawing(start_editor, tmp_path):
     content = (tmp_path / "a.svg").read_text(encoding="utf-8")
     assert "var(" not in content
     assert not re.search(r"class=|style=|data-|aria-|<script|href", content)
+    assert "rgba(0, 0, 0, 0)" not in content  # areas of the pointer
     strokes = {element.get("stroke") for element in root.iter(f"{SVG}path")}
     assert "rgb(27, 31, 36)" in strokes  # ink of the light colours
     assert downloaded(editor, task(editor, "png"), tmp_path / "a.png") == "plant.png"

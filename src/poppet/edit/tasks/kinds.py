@@ -76,7 +76,7 @@ TASKS = {
             "extreme": Field(choices=("smallest", "largest")),
         },
     ),
-    "energy": TaskKind("runs:audit_energy"),
+    "energy": TaskKind("runs:audit_energy", {"cycle": Field(type="string", meaning="start and end of the cycle")}),
     "safety": TaskKind(
         "runs:audit_safety", {"event": Field(type="table", is_required=True, meaning="values of inputs at the event")}
     ),

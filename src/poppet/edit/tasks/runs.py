@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import zipfile
 from collections.abc import Iterable
+from dataclasses import replace
 from typing import Any
 
 from poppet.core.codes import Note
@@ -38,12 +39,13 @@ def audit_energy(order: TaskOrder) -> TaskResult:
     style("A report of an audit")
     circuit = order.circuit
     end = float(circuit.problem(circuit.run).grid[-1])
-    tariff = tariff_of(circuit)
-    result = audit(circuit, tariff=tariff, progress=lambda time: order.report("simulation", time, end))
-    _, leak_notes = find_leaks(circuit, result, lambda changed: audit(changed, tariff=tariff), [])
+    settings: dict[str, Any] = {"tariff": tariff_of(circuit), "cycle": order.options.get("cycle")}
+    result = audit(circuit, **settings, progress=lambda time: order.report("simulation", time, end))
+    leaks, leak_notes = find_leaks(circuit, result, lambda changed: audit(changed, **settings), [])
+    result = replace(result, leaks=leaks, notes=(*result.notes, *leak_notes))
     order.report("report", 0.0, None)
     write_energy(result, order.path("-energy.html"), circuit)
-    return TaskResult(balance_table(result).text(), sentences([*result.notes, *leak_notes]))
+    return TaskResult(balance_table(result).text(), sentences(result.notes))
 
 
 def audit_safety(order: TaskOrder) -> TaskResult:

@@ -2,7 +2,8 @@
 
 const MARGIN = 2;  // grid units about the drawing
 const SCALE = 20, MOST = 8000;  // pixels of a grid unit in a PNG file; largest width and height
-const LEFT_OUT = ".grid, .reach, .area, .mark, .rubber, .band, title, desc";
+const LEFT_OUT = "defs, title, desc, .grid, .reach, .area, .mark, .rubber, .band";
+const CLEAR = "rgba(0, 0, 0, 0)";
 const STATES = ["is-selected", "is-over", "is-possible", "is-impossible", "is-connecting", "is-start", "is-far"];
 const STYLES = [
   "fill", "fill-opacity", "stroke", "stroke-width", "stroke-dasharray", "stroke-linecap", "stroke-linejoin", "stroke-opacity", "opacity", "paint-order",
@@ -77,8 +78,10 @@ function boxOf(svg) {
 
 function stylesOf(element) {
   const computed = getComputedStyle(element);
-  if (computed.display === "none" || computed.visibility === "hidden") return null;
-  return STYLES.map(name => [name, computed.getPropertyValue(name)]).filter(([, value]) => value && value !== "none" || value === "none");
+  const isHidden = computed.display === "none" || computed.visibility === "hidden";
+  const isUnseen = element.tagName !== "g" && [computed.fill, computed.stroke].every(paint => paint === "none" || paint === CLEAR);
+  if (isHidden || isUnseen || element.getAttribute("d") === "") return null;
+  return STYLES.map(name => [name, computed.getPropertyValue(name)]).filter(([, value]) => value);
 }
 
 /* Replace classes by attributes, and remove what belongs to the page only. */

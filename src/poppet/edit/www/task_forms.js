@@ -173,6 +173,13 @@ export const FORMS = {
 
   identify,
 
+  energy(tasks) {
+    const form = new TaskForm(tasks, "energy");
+    form.note("tasks.energy_help");
+    const cycle = form.input("cycle", { placeholder: "0.5 s, 1.9 s" });
+    form.finish("energy", () => (cycle.value.trim() ? { cycle: cycle.value.trim() } : {}));
+  },
+
   safety(tasks, facts) {
     const form = new TaskForm(tasks, "safety");
     form.note("tasks.safety_help");

@@ -8,23 +8,26 @@ import { TaskForm } from "./task_forms.js";
 const TYPES = ".csv,.txt,.tsv,.dat,.asc,.lvm,.log,.tdms,.mf4,.mdf,.mat,.parquet";
 const EXAMPLES = { Pa: "bar g", K: "degC", "kg/s": "g/s", m: "mm", "m/s": "m/s", N: "N", rad: "deg", s: "s", 1: "1" };
 
-/* Ask for a recording; its columns follow when the server has read it. */
-export function identify(tasks, facts) {
+/* Ask for a recording, unless one was dropped; its columns follow when the server has read it. */
+export function identify(tasks, facts, dropped) {
   const form = new TaskForm(tasks, "identify");
   form.note("tasks.identify_help");
   const field = form.input("recording", { type: "file", accept: TYPES, required: true });
   const area = form.fields.appendChild(make("div", { "aria-live": "polite" }));
   const state = {};
-  field.addEventListener("change", () => { if (field.files.length) read(form, facts, field.files[0], area, state); });
+  const take = file => {
+    field.required = false;
+    return read(form, facts, file, area, state);
+  };
+  field.addEventListener("change", () => { if (field.files.length) take(field.files[0]); });
   form.dialog.addEventListener("dragover", event => event.preventDefault());
   form.dialog.addEventListener("drop", event => {
     event.preventDefault();
     const [file] = event.dataTransfer.files;
-    if (!file) return;
-    field.required = false;
-    read(form, facts, file, area, state);
+    if (file) take(file);
   });
   form.finish("identify", () => state.options?.() ?? {});
+  if (dropped) take(dropped);
 }
 
 /* Send a recording to the server, which lists its columns. */

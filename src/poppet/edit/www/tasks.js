@@ -27,6 +27,7 @@ export class Tasks {
     element.classList.add("tasks");
     element.replaceChildren(...groups, this.problem, this.list.element);
     store.addEventListener("state", () => this.#update());
+    this.#listenToDrops();
     this.#update();
     this.refresh();
   }
@@ -37,8 +38,8 @@ export class Tasks {
     return button;
   }
 
-  /* Begin a task, or open its form. */
-  async open(name) {
+  /* Begin a task, or open its form; `file` is a recording that was dropped on the panel. */
+  async open(name, file = null) {
     this.problem.textContent = "";
     if (name in PAGE_EXPORTS) {
       await PAGE_EXPORTS[name](this.store);
@@ -51,7 +52,7 @@ export class Tasks {
       return;
     }
     const { status, body } = await request("/tasks/facts");
-    if (status === 200) FORMS[name](this, body);
+    if (status === 200) FORMS[name](this, body, file);
     else this.#refuse({ status, body });
   }
 
@@ -95,6 +96,17 @@ export class Tasks {
 
   #refuse(reply) { this.problem.textContent = errorsOf(reply).map(({ message, hint }) => `${message} ${hint}`).join(" "); }
 
+  /* A recording that is dropped on the panel begins an identification. */
+  #listenToDrops() {
+    this.element.addEventListener("dragover", event => { if (event.dataTransfer.types.includes("Files")) event.preventDefault(); });
+    this.element.addEventListener("drop", event => {
+      const [file] = event.dataTransfer.files;
+      if (!file) return;
+      event.preventDefault();
+      if (!this.element.querySelector("[data-task=identify]").disabled) this.open("identify", file);
+    });
+  }
+
   /* A circuit with errors has no tasks, except the text and the picture of its drawing. */
   #update() {
     const { state } = this.store;
@@ -109,7 +121,6 @@ export class Tasks {
 /* Task and options of the buttons without a form. */
 const DIRECT = {
   report: ["report"],
-  energy: ["energy"],
   faults: ["faults"],
   live: ["export", { target: "live" }],
   ssp: ["export", { target: "ssp" }],
