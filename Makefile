@@ -91,6 +91,7 @@ benchmark: $(VENV)/installed-dev
 	$(BIN)/python benchmarks/export_c.py
 	$(BIN)/python benchmarks/live.py
 	$(BIN)/python benchmarks/wires.py
+	$(BIN)/python benchmarks/edit.py
 
 # Stamp files: a change of their prerequisites triggers a new installation.
 $(VENV)/installed: pyproject.toml constraints.txt | $(VENV)/bin/pip

@@ -220,35 +220,44 @@ def find_tied(circuit: BaseCircuit) -> frozenset[str]:
     the gas affect all parts.
     """
     specs, values = parameter_specs(circuit), circuit.parameters
-    tied, neighbours = set(), {}
-    for address in (address for address in circuit.numbers() if address in values):
-        value, spec = values[address], specs.get(address) or NumberSpec("1", address)
-        candidates = [value * (1.0 + sign * 1e-6) if value else sign * 1e-6 for sign in (1.0, -1.0)]
-        valid = [candidate for candidate in candidates if spec.holds(candidate)]
-        if valid:
-            neighbours[address] = valid[0]
-        else:
-            tied.add(address)
-    for name, part in circuit.parts.items():
-
-        def check(changed: Part, name: str = name) -> None:
-            with ErrorCollector() as errors:
-                check_starts(errors, {**circuit.parts, name: changed}, circuit.signals)
-
-        tied |= {
-            f"{name}.{key}"
-            for key in _tied_in_part(part, _values_within(neighbours, name), circuit.surroundings, check)
-        }
+    tied = {f"{name}.{key}" for name in circuit.parts for key in tied_of_part(circuit, name, specs)}
     for section in ("ambient", "gas"):
-        for key, neighbour in _values_within(neighbours, section).items():
+        for key, neighbour in _neighbours(circuit, section, specs).items():
             address = f"{section}.{key}"
             try:
-                is_tied = circuit.with_values({address: neighbour}).parameters != {**values, address: neighbour}
+                changed = None if neighbour is None else circuit.with_values({address: neighbour})
             except InputError:
-                is_tied = True
-            if is_tied:
+                changed = None
+            if changed is None or changed.parameters != {**values, address: neighbour}:
                 tied.add(address)
     return frozenset(tied)
+
+
+def tied_of_part(circuit: BaseCircuit, name: str, specs: Mapping[str, NumberSpec]) -> frozenset[str]:
+    """Return the tied parameters of one part by their names inside it, see `find_tied`.
+
+    `specs` is the result of `parameter_specs`.
+    """
+
+    def check(changed: Part) -> None:
+        with ErrorCollector() as errors:
+            check_starts(errors, {**circuit.parts, name: changed}, circuit.signals)
+
+    neighbours = _neighbours(circuit, name, specs)
+    valid = {key: value for key, value in neighbours.items() if value is not None}
+    tied = _tied_in_part(circuit.parts[name], valid, circuit.surroundings, check)
+    return frozenset(tied | (neighbours.keys() - valid.keys()))
+
+
+def _neighbours(circuit: BaseCircuit, name: str, specs: Mapping[str, NumberSpec]) -> dict[str, float | None]:
+    """Return a slightly changed value of each parameter of a part or a section, None if no such value is valid."""
+    values, numbers, neighbours = _values_within(circuit.parameters, name), circuit.numbers(), {}
+    for key, value in values.items():
+        if f"{name}.{key}" in numbers:
+            spec = specs.get(f"{name}.{key}") or NumberSpec("1", key)
+            candidates = [value * (1.0 + sign * 1e-6) if value else sign * 1e-6 for sign in (1.0, -1.0)]
+            neighbours[key] = next((candidate for candidate in candidates if spec.holds(candidate)), None)
+    return neighbours
 
 
 def _values_within(values: Mapping[str, float], name: str) -> dict[str, float]:

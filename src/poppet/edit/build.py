@@ -4,15 +4,16 @@ from __future__ import annotations
 
 import hashlib
 import json
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, replace
+from functools import cache, partial
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from poppet.core.codes import Note
-from poppet.deploy.export_model import find_tied
+from poppet.deploy.export_model import parameter_specs, tied_of_part
 from poppet.deploy.live.linker import Module
 from poppet.deploy.live.page_kernel import SHARED_STACK, model_module, run_data
 from poppet.engine.compiled import CompiledFunctions
@@ -24,6 +25,7 @@ if TYPE_CHECKING:
     from poppet.circuit.circuit import BaseCircuit
     from poppet.circuit.instance import Instance
     from poppet.engine.model import Model
+    from poppet.parts.fields import NumberSpec
 
 MARK = b"POPPETM1"
 """First bytes of a payload."""
@@ -54,6 +56,8 @@ class PageKernel(Kernel):
 
 PAGE_KERNELS: LruCache[PageKernel] = LruCache(40)
 """Models of pages by structure, apart from the kernels with machine code."""
+TIES: LruCache[frozenset[str]] = LruCache(500)
+"""Names of the parameters that cannot be changed alone, by kind and structure of a part."""
 
 
 def build_payload(circuit: BaseCircuit, key: str | None = None) -> bytes:
@@ -131,7 +135,7 @@ def _free_numbers(circuit: BaseCircuit, instance: Instance) -> dict[str, dict[st
     that take a parameter are included, as indices in u.
     """
     inputs, signals = instance.model.inputs, instance.signals
-    excluded = {*find_tied(circuit), *(item.delay for item in inputs), *(item.slope_of for item in inputs)}
+    excluded = {*_tied_numbers(circuit), *(item.delay for item in inputs), *(item.slope_of for item in inputs)}
     excluded |= {str(item.default) for item in inputs if item.slope_of}
     limited = {address.partition(".")[0] for address, (curve, _) in instance.domains.items() if curve.edge == "error"}
     users: dict[str, list[int]] = {}
@@ -145,6 +149,23 @@ def _free_numbers(circuit: BaseCircuit, instance: Instance) -> dict[str, dict[st
         if address in numbers and address not in excluded and part in circuit.parts and part not in limited:
             free[address] = {"place": place, "value": values[address], "inputs": users.get(address, [])}
     return free
+
+
+def _tied_numbers(circuit: BaseCircuit) -> set[str]:
+    """Return the parameters of the parts that cannot be changed alone.
+
+    They are found once for each structure of a part. A later value at a limit could tie another one; this is noticed as
+    soon as the circuit is read again.
+    """
+    specs, tied = cache(lambda: parameter_specs(circuit)), set()
+    for name, part in circuit.parts.items():
+        key = type(part), part.structure(), frozenset(part.numbers())
+        tied |= {f"{name}.{local}" for local in TIES.get(key, partial(_ties_of, circuit, name, specs))}
+    return tied
+
+
+def _ties_of(circuit: BaseCircuit, name: str, specs: Callable[[], Mapping[str, NumberSpec]]) -> frozenset[str]:
+    return tied_of_part(circuit, name, specs())
 
 
 def _pack(header: Mapping[str, Any], blobs: Mapping[str, bytes]) -> bytes:
