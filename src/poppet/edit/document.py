@@ -20,6 +20,11 @@ LARGEST = 2**20
 """Maximum size of a circuit file in the editor, in bytes."""
 
 
+TARGETS = ("op", "address", "part", "port", "input")
+"""Keys of operations that state what is changed."""
+Targets = list[tuple[str, ...]]
+
+
 @dataclass(frozen=True)
 class Document:
     """Text of a circuit file, which operations change.
@@ -129,7 +134,7 @@ class History:
         self.revision = revision
         self._documents = [Document(text)]
         self._position = 0
-        self._continues = False  # True if the last change can be continued
+        self._targets: Targets | None = None  # targets of the last change, if it can be continued
 
     @property
     def document(self) -> Document:
@@ -149,10 +154,13 @@ class History:
     def apply(self, revision: int, operations: Iterable[Any], *, continues: bool = False) -> Document:
         """Perform operations as one change.
 
-        If `continues` is True for several changes in a row, such as those of a slider, undo reverts them together.
+        If `continues` is True for several changes in a row of the same fields or parts, such as those of a slider,
+        undo reverts them together.
         """
         self.check(revision)
-        return self._append(self.document.apply(operations), continues=continues)
+        operations = list(operations)
+        document = self.document.apply(operations)
+        return self._append(document, _targets(operations) if continues else None)
 
     def replace(self, revision: int, text: str) -> Document:
         """Replace the text as one change; the new text can be invalid."""
@@ -178,23 +186,28 @@ class History:
         if revision != self.revision:
             raise InputError("edit.stale", revision=revision, present=self.revision)
 
-    def _append(self, document: Document, *, continues: bool = False) -> Document:
+    def _append(self, document: Document, targets: Targets | None = None) -> Document:
         if document.text != self.document.text:
             check_text(document.text)
-            if continues and self._continues:
+            if targets is not None and targets == self._targets:
                 self._position -= 1
             is_reverted = document.text == self.document.text  # a continued change that ends where it began
             self._documents[self._position + 1 :] = [] if is_reverted else [document]
             self._position += not is_reverted
-            self._continues = continues and not is_reverted
+            self._targets = None if is_reverted else targets
             self.revision += 1
         return self.document
 
     def _move(self, step: int) -> Document:
         self._position += step
-        self._continues = False
+        self._targets = None
         self.revision += 1
         return self.document
+
+
+def _targets(operations: Iterable[Mapping[str, Any]]) -> Targets:
+    """Return what operations change, without the new values."""
+    return [tuple(str(operation.get(key)) for key in TARGETS) for operation in operations]
 
 
 def check_text(text: str) -> None:

@@ -237,3 +237,38 @@ def test_the_parser_for_syntax_errors_is_imported_on_demand():
         "assert not {'matplotlib', 'pandas'} & {*sys.modules}"
     )
     subprocess.run([sys.executable, "-c", code], check=True)
+
+
+def volume(value, part="tank"):
+    return [{"op": "set", "address": f"{part}.volume", "value": value}]
+
+
+def test_continued_changes_of_one_field_are_one_step():
+    history = History(PAIR)
+    for value in ("2 l", "3 l", "4 l"):
+        history.apply(history.revision, volume(value), continues=True)
+    for value in ("2 l", "3 l"):
+        history.apply(history.revision, volume(value, "vessel"), continues=True)
+    assert history.undo(history.revision).text == PAIR.replace("1 l", "4 l", 1)
+    assert history.undo(history.revision).text == PAIR
+    assert not history.can_undo
+
+
+def test_other_changes_are_steps_of_their_own():
+    history = History(PAIR)
+    history.apply(history.revision, volume("2 l"), continues=True)
+    history.apply(history.revision, volume("3 l"))
+    history.apply(history.revision, volume("4 l"), continues=True)
+    texts = [history.undo(history.revision).text for _ in range(3)]
+    assert texts == [PAIR.replace("1 l", value, 1) for value in ("3 l", "2 l", "1 l")]
+
+
+PAIR = """\
+[parts.tank]
+kind = "chamber"
+volume = "1 l"
+
+[parts.vessel]
+kind = "chamber"
+volume = "1 l"
+"""
