@@ -189,6 +189,18 @@ def test_ports_are_connected_as_texts(editor):
     assert "to" not in part(editor, "orifice")
 
 
+def test_a_chamber_is_inserted_between_two_ports(bench):
+    bench.add("orifice")
+    bench.type("orifice.to", "hole.to")  # joins the gas node of the other port
+    assert part(bench, "orifice")["to"] == "tank"
+    bench.add("silencer")
+    bench.type("silencer.from", "orifice.from")
+    assert (part(bench, "silencer")["from"], part(bench, "orifice")["from"]) == ("chamber", "chamber")
+    assert part(bench, "chamber")["volume"]["value"] == "20 cm^3"
+    bench.type("silencer.to", "silencer.from")
+    assert "to" not in part(bench, "silencer")
+
+
 def test_an_input_is_connected_to_an_output(start_editor):
     editor = start_editor((EXAMPLES / "two_cylinders.toml").read_text(), "two_cylinders.toml")
     editor.select("valveA")

@@ -1,11 +1,13 @@
 /* Rows of the ports and inputs of a part: what they are connected to, as texts. */
 
+import { connection, split } from "./connections.js";
 import { make } from "./elements.js";
 import { InputRow } from "./field_row.js";
 import { text } from "./strings.js";
 import { inWords, plainValue } from "./field_values.js";
 
 const AMBIENT = "ambient";
+const HOSE = "20 cm^3";  // volume of a chamber between two ports
 
 /* Row of a port, of a tube end or of a body. */
 export class PortRow extends InputRow {
@@ -20,11 +22,39 @@ export class PortRow extends InputRow {
 
   present() { return String(this.store.state.view.parts[this.part]?.ports[this.port.name] ?? ""); }
 
-  problem(typed) { return unknownPart(this.store.state.view, typed, this.part, AMBIENT); }
+  problem(typed) {
+    const { view } = this.store.state;
+    const reason = this.#plan(typed.trim())?.reason;
+    return unknownPart(view, typed, this.part, AMBIENT) || (reason ? text(reason) : "");
+  }
 
   operations(typed) {
     const to = typed.trim();
-    return [to ? { op: "connect", port: this.address, to } : { op: "disconnect", port: this.address }];
+    if (!to) return [{ op: "disconnect", port: this.address }];
+    const plan = this.#plan(to);
+    if (!plan?.insert) return plan?.operations ?? [{ op: "connect", port: this.address, to }];
+    const fields = { ...this.store.start[plan.insert] };
+    if (plan.insert === "chamber") fields.volume = { ...fields.volume, value: HOSE };
+    return [{ op: "add", kind: plan.insert, name: this.#between(plan.insert), fields }, ...plan.operations];
+  }
+
+  /* Plan of a connection to an end of the drawing; between two ports, a part is inserted. */
+  #plan(to) {
+    const { view } = this.store.state;
+    const [part, port] = split(to);
+    const end = to === AMBIENT ? { type: AMBIENT } : this.store.entry(part)?.ports.find(({ name }) => name === port);
+    if (!end) return null;
+    const from = { address: this.address, part: this.part, port: this.port.name, type: this.port.type };
+    const target = { address: to, part, port, type: end.type };
+    return connection(view, from, target, () => [], this.#between(from.type === "body" ? "mass" : "chamber"));
+  }
+
+  /* Free name for a part that is inserted. */
+  #between(kind) {
+    const { parts } = this.store.state.view;
+    let name = kind;
+    for (let number = 2; name in parts; number++) name = `${kind}_${number}`;
+    return name;
   }
 
   update() {
@@ -87,7 +117,7 @@ export function targetsOf(store, part, port) {
     .filter(end => end.type === type).map(end => ({ name, port: end.name, address: end.name ? `${name}.${end.name}` : name })));
   if (port.type === "body") return ends("body").filter(end => !end.port).map(end => end.address);
   const isOpen = end => view.parts[end.name].ports[end.port] === undefined;
-  const open = ends(port.type === "tube" ? "port" : "tube").filter(isOpen);
+  const open = [...ends("tube"), ...ends("port")].filter(isOpen);
   return [...ends("store").map(end => end.address), ...(port.type === "tube" ? [] : [AMBIENT]), ...open.map(end => end.address)];
 }
 
