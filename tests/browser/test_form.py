@@ -351,3 +351,21 @@ def test_a_selected_wire_can_be_disconnected(bench):
     bench.page.locator("#form").get_by_role("button", name="Disconnect").click()
     bench.wait()
     assert bench.text() == BENCH.replace('to = "tank"\n', "")
+
+
+def test_the_kind_of_a_part_is_corrected(start_editor):
+    editor = start_editor(BENCH.replace('"chamber"', '"chambre"'), "bench.toml")
+    editor.select("tank")
+    editor.type("tank.kind", "chamber")
+    assert editor.text() == BENCH
+    assert editor.field("tank.volume").input_value() == "10 l"
+
+
+def test_a_unit_of_another_quantity_is_refused(start_editor):
+    text = BENCH + '\n[parts.loop]\nkind = "pid"\nquantity = "position"\nsetpoint = "50 mm"\n'
+    editor = start_editor(text, "bench.toml")
+    editor.select("loop")
+    editor.page.get_by_label("Unit of setpoint", exact=True).select_option("bar g")
+    editor.wait()
+    assert editor.text() == text
+    assert "cannot be converted" in editor.page.locator("#form .bad:visible").first.inner_text()

@@ -357,7 +357,7 @@ def convert(value: FloatOrArray, from_unit: str, to_unit: str, *, ambient_pressu
 def exact_scale(unit: str) -> tuple[Unit, bool]:
     """Return the exact factor and offset of a unit, and True if it is a gauge pressure.
 
-    A volume flow with a reference state has the factor of its mass flow.
+    A volume flow with a reference state has the factor and the dimension of its mass flow.
 
     Parameters
     ----------
@@ -375,7 +375,7 @@ def exact_scale(unit: str) -> tuple[Unit, bool]:
     (Fraction(100, 1), True)
     """
     parsed, mark = _unit_and_mark(unit)
-    return Unit(parsed.dimension, _si_factor(parsed, mark), parsed.offset), mark == "gauge"
+    return Unit(_flow_dimension(unit), _si_factor(parsed, mark), parsed.offset), mark == "gauge"
 
 
 def _shift(mark: _Mark, ambient_pressure: float) -> Fraction:

@@ -200,11 +200,12 @@ def unit_table() -> dict[str, Entry]:
 
     The SI value is `factor * (value + offset)`, plus the ambient pressure if `gauge` is True. Factors and offsets are
     pairs of integers, numerator and denominator, as texts. A flow in `ANR` or `N` has the factor of its mass flow.
+    Units of one `dimension` can be converted to each other.
 
     Examples
     --------
     >>> unit_table()["mm"]
-    {'factor': ['1', '1000'], 'offset': ['0', '1'], 'gauge': False}
+    {'factor': ['1', '1000'], 'offset': ['0', '1'], 'gauge': False, 'dimension': '1 0 0 0 0 0'}
     """
     names = {*COMMON_UNITS, *(name for (unit, _), names in UNITS.items() for name in (unit, *names))}
     for kind in KINDS.values():
@@ -218,7 +219,8 @@ def unit_table() -> dict[str, Entry]:
 def _scale(unit: str) -> Entry:
     scale, is_gauge = exact_scale(unit)
     factor, offset = ([str(x.numerator), str(x.denominator)] for x in (scale.scale, scale.offset))
-    return {"factor": factor, "offset": offset, "gauge": is_gauge}
+    dimension = " ".join(str(exponent) for exponent in scale.dimension)
+    return {"factor": factor, "offset": offset, "gauge": is_gauge, "dimension": dimension}
 
 
 def symbol_of(part: Part, *, is_driven: bool = False) -> Entry:

@@ -262,6 +262,12 @@ def test_the_unit_table_is_exact(unit, factor, offset, gauge):
     assert entry["gauge"] is gauge
 
 
+def test_flows_with_a_reference_state_can_be_converted_to_mass_flows():
+    table = unit_table()
+    assert table["l/min ANR"]["dimension"] == table["kg/s"]["dimension"] != table["l/min"]["dimension"]
+    assert table["bar g"]["dimension"] == table["Pa"]["dimension"]
+
+
 def test_the_unit_table_contains_the_units_of_all_fields_and_inputs():
     table = unit_table()
     for entry in palette():

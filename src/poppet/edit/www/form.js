@@ -74,8 +74,10 @@ export class Form {
   /* --- Structure --- */
 
   #build(part, outline) {
-    if (this.part !== part) this.flush();
+    const isOther = this.part !== part;
+    if (isOther) this.flush();
     const focus = this.#focus();
+    const typed = new Map(isOther ? [] : this.rows.filter(row => row.isDirty).map(row => [row.key, row.input.value]));
     const entry = this.store.entry(part);
     Object.assign(this, { part, outline, rows: [] });
     this.rename = new RenameRow(this.store, part);
@@ -88,10 +90,12 @@ export class Form {
       this.rename.element,
       make("p", { class: "kind" }, make("b", {}, kind || text("form.no_kind")), entry ? `: ${entry.summary}` : ""),
       this.errors,
-      ...(entry ? this.#sections(part, entry) : []),
+      ...(entry ? this.#sections(part, entry) : [this.#kind(part)]),
       this.connections,
     ];
     this.element.replaceChildren(...content);
+    if (isOther) this.element.scrollTop = 0;
+    for (const row of this.rows) if (typed.has(row.key)) row.input.value = typed.get(row.key);
     this.#restoreFocus(focus);
   }
 
@@ -160,6 +164,12 @@ export class Form {
     row.key = key;
     this.rows.push(row);
     return row;
+  }
+
+  /* Field of a kind that is not valid. */
+  #kind(part) {
+    const field = { ...unknownField("kind"), doc: "", choices: [...this.store.palette.keys()] };
+    return this.#add(new FieldRow(this.store, { owner: part, field, read: () => this.store.state.view.parts[part]?.kind }), "kind").element;
   }
 
   #ports(part, entry) {

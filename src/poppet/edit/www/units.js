@@ -33,14 +33,14 @@ export function fromSi(si, unit, to, units, ambient = 100000) {
   return shortest(toNumber(shifted), text => siOf(withUnit(text, to), unit, units, ambient) === si);
 }
 
-/* Return a typed value in another unit, or null if one of the units is not in the table. The result is rounded to 10
+/* Return a typed value in another unit, or null if that is not possible. The result is rounded to 10
    digits if no number of at most 12 has the same SI value. */
 export function converted(value, unit, to, units, ambient = 100000) {
   const typed = parts(value);
   if (!typed) return null;
   const source = scaleOf(typed.unit || unit, units), target = scaleOf(to || unit, units);
   const number = exact(typed.number);
-  if (!source || !target || !number) return null;
+  if (!source || !target || !number || source.dimension !== target.dimension) return null;
   const pressure = [BigInt(Math.round(ambient * 1e6)), 1000000n];
   let si = times(plus(number, source.offset), source.factor);
   if (source.gauge && !target.gauge) si = plus(si, pressure);
@@ -79,7 +79,7 @@ function scaleOf(unit, units) {
   if (!entry) return null;
   if (!scales.has(entry)) {
     const [factor, offset] = [entry.factor, entry.offset].map(([top, bottom]) => [BigInt(top), BigInt(bottom)]);
-    scales.set(entry, { factor, offset, gauge: entry.gauge });
+    scales.set(entry, { factor, offset, gauge: entry.gauge, dimension: entry.dimension });
   }
   return scales.get(entry);
 }
