@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import re
 import signal
 import subprocess
@@ -69,7 +70,7 @@ class Editor:
         self.address = server.address
         self.process = server.process
         self.problems: list[str] = []
-        page.set_default_timeout(20_000)
+        page.set_default_timeout(float(os.environ.get("POPPET_PATIENCE", "20")) * 1000)
         page.on("console", self._listen)
         page.on("pageerror", lambda error: self.problems.append(f"error of the page: {error}"))
         page.on("dialog", self._dismiss)

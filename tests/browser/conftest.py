@@ -46,15 +46,15 @@ def browser(_browser: tuple[Any, asyncio.AbstractEventLoop]) -> Iterator[Any]:
 def start_editor(browser: Any, tmp_path: Path) -> Iterator[Callable[..., Editor]]:
     """Function that starts a server in a new folder and opens its page.
 
-    The function takes the text of a circuit file (None opens the editor without a file), its name, further files of
-    the folder by name, and properties of the browser. At the end of the test it checks that the page and the server
-    reported no errors.
+    The function takes the text of a circuit file, its name, further files of the folder by name, and properties of the
+    browser. With a name but no text, the file does not exist yet; without both, the editor starts without a file. At
+    the end of the test it checks that the page and the server reported no errors.
     """
     with ExitStack() as stack:
 
         def start(
             text: str | bytes | None = None,
-            name: str = "plant.toml",
+            name: str | None = None,
             *,
             files: dict[str, str | bytes] | None = None,
             width: int = 1280,
@@ -64,8 +64,9 @@ def start_editor(browser: Any, tmp_path: Path) -> Iterator[Callable[..., Editor]
         ) -> Editor:
             folder = tmp_path / f"work{len(list(tmp_path.iterdir()))}"
             folder.mkdir()
-            write_files(folder, {**(files or {}), **({} if text is None else {name: text})})
-            server = Server(folder, *([] if text is None else [name]))
+            name = "plant.toml" if name is None and text is not None else name
+            write_files(folder, {**(files or {}), **({} if name is None or text is None else {name: text})})
+            server = Server(folder, *([] if name is None else [name]))
             stack.callback(_check_server, server)
             context = browser.new_context(
                 viewport={"width": width, "height": height}, color_scheme=scheme, has_touch=touch, locale="en-US",

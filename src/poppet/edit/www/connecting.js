@@ -49,6 +49,7 @@ export class Connecting {
     this.bar.hidden = true;
     this.drawing.svg.classList.remove("is-connecting");
     for (const item of this.drawing.items.values()) {
+      item.node.setAttribute("tabindex", 0);
       for (const element of [item.item, ...[...item.ports.values()].map(port => port.node)]) {
         element.classList.remove("is-impossible", "is-possible", "is-start", "is-over");
       }

@@ -3,7 +3,7 @@
 /* Connect the keys with commands; the drawing handles its own keys. */
 export function listenToKeys(commands, drawing) {
   document.addEventListener("keydown", event => {
-    if (event.defaultPrevented) return;
+    if (event.defaultPrevented || !(event.target instanceof Element)) return;
     if (isControl(event) && event.key.toLowerCase() === "s") {
       event.preventDefault();
       commands.save();

@@ -27,7 +27,7 @@ export class Palette {
     this.field.setAttribute("aria-label", text("palette.search"));
     this.field.addEventListener("input", () => this.#filter());
     this.field.addEventListener("keydown", event => {
-      const [first] = this.#shown();
+      const first = this.#best();
       if (event.key === "Enter" && first) { event.preventDefault(); this.#add(first.dataset.kind); }
       if (event.key === "ArrowDown" && first) { event.preventDefault(); first.focus(); }
       if (event.key === "Escape" && this.field.value) { event.stopPropagation(); this.field.value = ""; this.#filter(); }
@@ -84,6 +84,13 @@ export class Palette {
     return [...this.buttons.values()].filter(button => !button.hidden);
   }
 
+  /* Button of the kind that the search means: the kind itself, or the first one whose name begins with it. */
+  #best() {
+    const shown = this.#shown(), name = this.field.value.trim().toLowerCase().replaceAll(" ", "_");
+    const begins = shown.filter(button => button.dataset.kind.startsWith(name));
+    return begins.find(button => button.dataset.kind === name) ?? begins[0] ?? shown[0];
+  }
+
   /* Show the kinds whose name or summary contains all words of the search; those with the name first get the Tab stop. */
   #filter() {
     const words = this.field.value.toLowerCase().split(/[\s_]+/).filter(Boolean);
@@ -93,7 +100,7 @@ export class Palette {
     }
     for (const group of this.groups.children) group.hidden = !group.querySelector("button:not([hidden])");
     this.empty.hidden = this.#shown().length > 0 || !this.buttons.size;
-    this.#stop(this.#shown()[0]);
+    this.#stop(this.#best());
   }
 
   /* One button is a Tab stop; arrow keys go to the others. */
