@@ -246,6 +246,18 @@ def test_points_move_with_both_ends(editor):
     assert drawing(editor)[key]["points"] == points
 
 
+def test_copies_have_the_points_of_their_wires(editor):
+    key, step = "valve.from", unit(editor)
+    x, y = middle(editor, key, vertical(editor, key))
+    editor.drag((x, y), (x + 3.0 * step, y))
+    editor.page.locator("#drawing").focus()
+    editor.press("Control+a", "Control+c", "Control+v")
+    places = drawing(editor)
+    shift = places["valve_2"]["x"] - places["valve"]["x"]
+    assert shift > 0
+    assert places["valve_2.from"]["points"] == [[x + shift, y + shift] for x, y in places[key]["points"]]
+
+
 def test_wires_follow_a_dragged_part(editor):
     """All nodes of wires stay, and wires without a connection to the part do not move."""
     editor.page.evaluate("() => { window.kept = [...document.querySelectorAll('[data-wire]')]; }")

@@ -495,7 +495,7 @@ def _set_table(text: str, path: Path, table: Mapping[str, Any]) -> str:
 
 
 def _without_route(circuit: CircuitText, port: str, target: str) -> str:
-    """Return the text without the points of a wire, unless the wire has the same target."""
+    """Return the text without the points of a wire that has another target until now."""
     owner, _, local = port.partition(".")
     present: Any = circuit.part(owner)
     for name in local.split("."):
@@ -504,7 +504,8 @@ def _without_route(circuit: CircuitText, port: str, target: str) -> str:
     source: Any = circuit.content if stated else None
     for key in stated or ():
         source = source[key]
-    return circuit.text if target in (present, source) else remove(circuit.toml, [("drawing", port)])
+    has_other = any(end not in (None, target) for end in (present, source))
+    return remove(circuit.toml, [("drawing", port)]) if has_other else circuit.text
 
 
 def _port_path(port: str) -> Path:

@@ -508,6 +508,9 @@ def test_copies_have_the_points_of_their_wires():
     drawing = {"valve.outlet": {"points": [[3, 4]]}, "supply.x": {"points": [[5, 6]]}}
     after = edited(BENCH, {"op": "paste", "parts": parts, "drawing": drawing})
     assert tomllib.loads(after)["drawing"] == {"valve_2.outlet": {"points": [[3, 4]]}}
+    link = {"op": "link", "input": "valve_2.command", "output": "tank_2.pressure"}
+    linked = edited(BENCH, {"op": "paste", "parts": parts, "drawing": {"valve.command": {"points": [[3, 4]]}}}, link)
+    assert tomllib.loads(linked)["drawing"] == {"valve_2.command": {"points": [[3, 4]]}}
     with refused("edit.no_points", "drawing.valve_2.outlet"):
         edited(BENCH, {"op": "paste", "parts": parts, "drawing": {"valve.outlet": {"x": 1, "y": 2}}})
 
