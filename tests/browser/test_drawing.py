@@ -267,6 +267,37 @@ def test_a_third_port_joins_the_chamber_of_two(editor):
     ] * 3
 
 
+def test_a_wire_dropped_on_a_wire_joins_its_gas_node(editor):
+    add(editor, "reservoir", "orifice", "orifice")
+    editor.connect("orifice.from", "reservoir")
+    x, y = editor.centre(editor.part("orifice_2"))
+    editor.drag((x, y), (x, y + 90.0))
+    wire = editor.page.locator('[data-wire="orifice.from"]')
+    editor.drag(editor.centre(editor.port("orifice_2.from")), editor.centre(wire.locator(".line")))
+    assert content(editor)["parts"]["orifice_2"]["from"] == "reservoir"
+    assert editor.page.locator(".junction:visible").count() == 1
+    editor.port("orifice_2.from").focus()
+    editor.press("w", "Delete")
+    assert "from" not in content(editor)["parts"]["orifice_2"]
+    assert content(editor)["parts"]["orifice"]["from"] == "reservoir"
+
+
+def test_names_for_screen_readers(editor):
+    add(editor, "orifice", "chamber")
+    editor.connect("orifice.to", "chamber")
+    drawing = editor.page.get_by_role("application")
+    assert "2 parts" in drawing.get_attribute("aria-label")
+    assert drawing.get_by_role("button", name="chamber, chamber").count() == 1
+    assert drawing.get_by_role("button", name="orifice.to, port, connected to chamber.").count() == 1
+    start = drawing.get_by_role("button", name="orifice.from, port, not connected, but necessary.")
+    assert "Specify" in start.get_attribute("aria-label")
+    start.focus()
+    editor.press("Enter")
+    assert message(editor) == "Connection of orifice.from: choose a port or a part."
+    editor.press("a")
+    assert message(editor) == "orifice.from is connected to ambient."
+
+
 def test_rod_and_body(editor):
     add(editor, "cylinder", "mass")
     editor.connect("cylinder.body", "mass")
@@ -363,6 +394,7 @@ def test_the_list_of_all_possible_ends(editor):
         "orifice.to",
     }
     targets.select_option("chamber")
+    editor.button("Connect").click()
     editor.wait()
     assert content(editor)["parts"]["orifice"]["from"] == "chamber"
 

@@ -54,7 +54,7 @@ export class Connecting {
         element.classList.remove("is-impossible", "is-possible", "is-start", "is-over");
       }
     }
-    this.drawing.store.dispatchEvent(new Event("selection"));  // tooltips and Tab stops as usual
+    this.drawing.mark();
   }
 
   /* Draw the line to a point. */
@@ -127,7 +127,7 @@ export class Connecting {
     select.setAttribute("aria-label", text("drawing.source", { input }));
     for (const name of choices) select.add(new Option(name, name));
     select.addEventListener("change", () => {
-      this.drawing.store.apply([{ op: "link", input, output: select.value }]);
+      this.drawing.store.apply([{ op: "link", input, output: select.value }], { continues: true });
     });
     return select;
   }
@@ -200,24 +200,24 @@ export class Connecting {
     bar.replaceChildren();
     htmlElement("span", { textContent: text("drawing.begun", { port: from.address }) }, bar);
     if (isGas) button(bar, text("drawing.atmosphere"), () => this.vent());
-    bar.append(this.#targets());
+    this.#targets(bar);
     button(bar, text("drawing.cancel"), () => this.cancel());
     this.reason = htmlElement("span", { className: "reason" }, bar);
     bar.hidden = false;
   }
 
-  #targets() {
-    const { from, drawing } = this, select = htmlElement("select");
+  /* List of all possible ends, nearest first. */
+  #targets(bar) {
+    const { from, drawing } = this, select = htmlElement("select", {}, bar), seen = new Map();
     select.setAttribute("aria-label", text("drawing.targets"));
     select.add(new Option(text("drawing.targets"), ""));
-    const seen = new Map();
     for (const end of drawing.ends) {
       if (end.address !== from.address && !seen.has(end.address) && !this.plan({ end }).reason) seen.set(end.address, end);
     }
-    const sorted = [...seen.values()].sort((a, b) => Math.hypot(a.x - from.x, a.y - from.y) - Math.hypot(b.x - from.x, b.y - from.y));
-    for (const { address } of sorted) select.add(new Option(address, address));
-    select.addEventListener("change", () => select.value && this.finish({ end: seen.get(select.value) }));
-    return select;
+    const distance = end => Math.hypot(end.x - from.x, end.y - from.y);
+    for (const { address } of [...seen.values()].sort((a, b) => distance(a) - distance(b))) select.add(new Option(address, address));
+    // Keys change the choice of a closed list, hence the button.
+    button(bar, text("drawing.connect"), () => select.value && this.finish({ end: seen.get(select.value) }));
   }
 }
 

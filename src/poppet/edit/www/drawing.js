@@ -42,7 +42,7 @@ export class Drawing {
     this.keys = new Keys(this);
     store.addEventListener("open", () => this.#opened());
     store.addEventListener("state", () => this.update());
-    store.addEventListener("selection", () => this.#mark());
+    store.addEventListener("selection", () => this.mark());
     for (const name of ["run", "cursor"]) store.addEventListener(name, () => this.animation.later());
     this.update();
   }
@@ -109,7 +109,7 @@ export class Drawing {
     }
     this.draw();
     this.#order();
-    this.#mark();
+    this.mark();
     this.animation.changed();
     if (this.isOpened || (isEmpty && this.items.size > 1)) this.viewport.fit();
     this.isOpened = false;
@@ -154,8 +154,9 @@ export class Drawing {
     return (isDriven && entry.svg_driven) || entry.svg;
   }
 
-  #mark() {
-    const { selection, state } = this.store, errors = this.#errors(state?.errors ?? this.store.errors ?? []);
+  /* Show the selection, errors and connections, or the ends that a connection in progress can have. */
+  mark() {
+    const { selection } = this.store, errors = this.#errors(this.store.errors);
     for (const item of this.items.values()) {
       const kind = this.view.parts[item.name]?.kind ?? "";
       item.mark({ isSelected: selection.has(item.name), kind, view: this.view, errors });

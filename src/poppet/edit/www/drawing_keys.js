@@ -106,22 +106,22 @@ export class Keys {
   /* Move the focus to the next port in a direction; while connecting, to the next possible end. */
   #go(focused, dx, dy) {
     const { drawing } = this, { connecting } = drawing, from = focused?.end ?? drawing.place(focused?.part) ?? connecting.from;
-    const nodes = [...drawing.items.values()].flatMap(item => this.#stops(item, connecting));
     let best = null, least = Infinity;
-    for (const { node, x, y } of nodes) {
-      const along = (x - from.x) * dx + (y - from.y) * dy, across = Math.abs((x - from.x) * dy) + Math.abs((y - from.y) * dx);
-      if (along > 0 && node !== document.activeElement && along + 3 * across < least) [best, least] = [node, along + 3 * across];
+    for (const stop of [...drawing.items.values()].flatMap(item => this.#stops(item, connecting))) {
+      const [right, down] = [stop.x - from.x, stop.y - from.y];
+      const along = right * dx + down * dy, across = Math.abs(right * dy) + Math.abs(down * dx);
+      if (along > 0 && stop.node !== document.activeElement && along + 3 * across < least) [best, least] = [stop, along + 3 * across];
     }
-    best?.focus({ preventScroll: true });
-    if (best) drawing.viewport.reveal(drawing.items.get((best.dataset.port ?? best.dataset.part).split(".")[0]).box);
+    best?.node.focus({ preventScroll: true });
+    if (best) drawing.reveal([best.part]);
   }
 
   #stops(item, connecting) {
-    const ports = [...item.ports.values()].filter(({ end }) => end.port).map(({ node, end }) => ({ node, x: end.x, y: end.y }));
+    const ports = [...item.ports.values()].filter(({ end }) => end.port).map(({ node, end }) => ({ node, part: item.name, x: end.x, y: end.y }));
     if (!connecting.isActive) return ports;
     const possible = ports.filter(({ node }) => !node.classList.contains("is-impossible"));
     const isNode = item.ends.some(end => !end.port) && !item.item.classList.contains("is-impossible");
-    return isNode ? [...possible, { node: item.node, ...item.place }] : possible;
+    return isNode ? [...possible, { node: item.node, part: item.name, ...item.place }] : possible;
   }
 
   #firstPort() {

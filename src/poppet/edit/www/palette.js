@@ -51,7 +51,7 @@ export class Palette {
 
   #group(name) {
     const group = htmlElement("section", { className: "group" }, this.groups);
-    const heading = htmlElement("h3", { textContent: text(`palette.group_${name}`) }, group);
+    const heading = htmlElement("h2", { textContent: text(`palette.group_${name}`) }, group);
     group.setAttribute("aria-label", heading.textContent);
     return htmlElement("div", { className: "kinds" }, group);
   }

@@ -1,6 +1,6 @@
 /* Nodes of one part in the drawing: symbol, name, ports and marks of errors. */
 
-import { targetOf } from "./connections.js";
+import { split, targetOf } from "./connections.js";
 import { boxOf, endsOf, labelOf } from "./geometry.js";
 import { setTitle, strokesOf, svgElement } from "./symbols.js";
 import { text } from "./strings.js";
@@ -158,7 +158,7 @@ function drawLead(path, { side, lead }) {
 }
 
 function markPort({ node, beside, end }, view, error, isSelected) {
-  const target = targetOf(view, end) ?? (end.address in view.signals ? "~" : undefined);
+  const target = targetOf(view, end) ?? (end.address in view.signals ? "~" : drivenBy(view, end));
   const isJoined = target !== undefined, isVented = target === "ambient";
   node.classList.toggle("is-joined", isJoined && !isVented);
   for (const group of [node, beside]) group.classList.toggle("is-vented", isVented);
@@ -174,6 +174,13 @@ function markPort({ node, beside, end }, view, error, isSelected) {
   if (node.getAttribute("aria-label") !== label) node.setAttribute("aria-label", label);
   node.setAttribute("tabindex", isSelected ? 0 : -1);
   setTitle(node, error ? `${end.address}: ${error.words}` : `${words}\n${end.doc}`);
+}
+
+/* Inputs that an output drives, as a text; "output" stands for any output of a controller. */
+function drivenBy(view, { type, address, part, port }) {
+  if (type !== "output") return undefined;
+  const isOwn = source => source === address || (port === "output" && split(source)[0] === part);
+  return Object.entries(view.connections).filter(([, source]) => isOwn(source)).map(([input]) => input).join(", ") || undefined;
 }
 
 function setBox(rect, { x, y, width, height }) {

@@ -51,6 +51,7 @@ export const CATALOGUE = {
     cancel: "Cancel",
     cancelled: "No connection.",
     close: "Close",
+    connect: "Connect",
     connected: "{port} is connected to {target}.",
     copied: "Copied: {names}.",
     driven: "driven by a signal",
