@@ -63,10 +63,16 @@ def downloaded(editor, button, path):
 def test_a_size_is_found_and_applied_as_one_step(start_editor):
     editor = start_editor(FILL)
     editor.select("fill")
-    open_tasks(editor)
-    task(editor, "size").click()
     form = editor.page.locator("[data-form=size]")
-    assert form.locator("[name=parameter]").input_value() == "fill.sonic_conductance"
+    editor.field("fill.critical_ratio").focus()
+    for parameter in ("fill.critical_ratio", "fill.sonic_conductance"):
+        open_tasks(editor)
+        task(editor, "size").click()
+        assert form.locator("[name=parameter]").input_value() == parameter
+        if parameter == "fill.critical_ratio":
+            editor.page.keyboard.press("Escape")
+            editor.page.get_by_role("tab", name="Properties").click()
+            editor.field("fill.sonic_conductance").focus()
     form.locator("[name=metric]").select_option("time_to")
     form.locator("[name=of]").fill("tank.pressure")
     form.locator("[name=value]").fill("3 bar")
@@ -247,6 +253,24 @@ def test_tasks_of_an_incomplete_circuit_are_disabled(start_editor):
     open_tasks(editor)
     assert task(editor, "report").is_disabled()
     assert task(editor, "svg").is_enabled()
+
+
+@pytest.mark.parametrize("scheme", ["light", "dark"])
+def test_forms_fit_a_narrow_page(start_editor, scheme):
+    editor = start_editor(FILL, width=360, height=740, scheme=scheme)
+    editor.page.get_by_role("tab", name="Details").click()
+    open_tasks(editor)
+    for name in ("size", "ensemble", "tune", "identify", "energy", "safety", "fmu", "c", "st"):
+        task(editor, name).click()
+        form = editor.page.locator(f"[data-form={name}]")
+        form.wait_for()
+        assert form.evaluate("e => e.scrollWidth <= e.clientWidth + 1"), name
+        left, _, right, _ = editor.box(form)
+        assert left >= 0.0, name
+        assert right <= 360.0, name
+        editor.page.keyboard.press("Escape")
+        form.wait_for(state="detached")
+    assert editor.page.evaluate("() => document.documentElement.scrollWidth") <= 360
 
 
 def test_results_are_reached_by_keys_and_announced(start_editor):

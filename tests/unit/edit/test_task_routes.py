@@ -4,11 +4,16 @@ from __future__ import annotations
 
 import http.client
 import json
+import re
+import signal
 import threading
 import time
+from contextlib import suppress
+from pathlib import Path
 
 import pytest
 
+from editor_page import Server
 from poppet.edit.server import EditServer
 from poppet.edit.session import Session
 from poppet.edit.tasks.manager import Tasks
@@ -55,6 +60,18 @@ def ask(tmp_path):
         yield send
         server.shutdown()
         thread.join()
+
+
+def children_of(pid):
+    """Return the processes that a process has started."""
+    lists = Path(f"/proc/{pid}/task").glob("*/children")
+    return [int(child) for path in lists for child in path.read_text().split()]
+
+
+def is_alive(pid):
+    with suppress(OSError):
+        return Path(f"/proc/{pid}/stat").read_text().rpartition(")")[2].split()[0] != "Z"
+    return False
 
 
 def finish(ask, identifier):
@@ -112,6 +129,35 @@ def test_uploads(ask):
     assert ask("POST", "/upload", b"t,p\n", kind)[1]["errors"][0]["code"] == "edit.file_name"
     assert not (ask.folder / "run_1.csv").exists()
     assert ask("POST", "/upload?name=empty.csv", b"", kind)[0] == 200
+
+
+@pytest.mark.skipif(not Path("/proc/self/task").exists(), reason="needs the list of processes of Linux")
+@pytest.mark.parametrize("number", [signal.SIGTERM, signal.SIGKILL])
+def test_a_task_ends_with_the_server(tmp_path, number):
+    folder = tmp_path / "work"
+    folder.mkdir()
+    long = TANK.replace('"1 s"', '"1 h"\noutput_step = "1 ms"')
+    (folder / "plant.toml").write_text(long, encoding="utf-8")
+    server = Server(folder, "plant.toml")
+    try:
+        host, token = re.fullmatch(r"http://([\d.:]+)(/\S+)", server.address).groups()
+        connection = http.client.HTTPConnection(host, timeout=60)
+        connection.request("GET", token)
+        reply = connection.getresponse()
+        reply.read()
+        headers = {"Cookie": reply.getheader("Set-Cookie").partition(";")[0], "Content-Type": "application/json"}
+        connection.request("POST", "/tasks", json.dumps({"task": "report"}), headers | {"Origin": f"http://{host}"})
+        assert connection.getresponse().read() == b'{"id": "1"}'
+        connection.close()
+        children = children_of(server.process.pid)
+        assert children
+        server.process.send_signal(number)
+        limit = time.monotonic() + 60.0
+        while any(is_alive(pid) for pid in children):
+            assert time.monotonic() < limit
+            time.sleep(0.02)
+    finally:
+        server.stop()
 
 
 def test_facts_and_their_errors(ask):

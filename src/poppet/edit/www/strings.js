@@ -354,6 +354,7 @@ export const CATALOGUE = {
     c_hint: "Export the circuit or a controller as C",
     c_title: "Export as C",
     cancel: "Cancel",
+    cancel_task: "Cancel {task}",
     cancelled: "Cancelled.",
     changes: "Changes of the circuit:",
     close: "Close",

@@ -107,7 +107,7 @@ export const FORMS = {
   ensemble(tasks, facts) {
     const form = new TaskForm(tasks, "ensemble");
     const source = facts.has_ensemble ? form.choice("source", { file: text("tasks.source_file"), own: text("tasks.source_own") }) : null;
-    const spreads = form.rows(["parameter", "spread"], Object.keys(facts.parameters), [proposedParameter(tasks.store, facts), SPREAD]);
+    const spreads = form.rows(["parameter", "spread"], Object.keys(facts.parameters), [proposedParameter(tasks, facts), SPREAD]);
     const metric = form.metric(facts, facts.metrics.length > 0);
     const runs = form.input("runs", { type: "number", min: 1, max: 1_000_000, step: 1, value: facts.has_ensemble ? "" : RUNS });
     const rows = form.fields.querySelector(".task-rows");
@@ -125,7 +125,7 @@ export const FORMS = {
 
   size(tasks, facts) {
     const form = new TaskForm(tasks, "size");
-    const field = form.address("parameter", Object.keys(facts.parameters), proposedParameter(tasks.store, facts));
+    const field = form.address("parameter", Object.keys(facts.parameters), proposedParameter(tasks, facts));
     const low = form.input("low"), high = form.input("high");
     const update = () => {
       const { value, text: shown } = facts.parameters[field.value.trim()] ?? {};
@@ -217,8 +217,9 @@ function partChoice(form, { sampled }, canBeWhole) {
   return () => (field.value ? { part: field.value } : {});
 }
 
-/* Parameter of the selected part that its table states, otherwise the first one of the circuit. */
-function proposedParameter(store, { parameters }) {
+/* Field that was used last, a parameter that the table of the selected part states, otherwise the first of the circuit. */
+function proposedParameter({ store, field: last }, { parameters }) {
+  if (last in parameters && store.selection.has(last.split(".")[0])) return last;
   const names = Object.keys(parameters);
   const own = [...store.selection].flatMap(part => names.filter(address => address.startsWith(`${part}.`)));
   const isStated = address => {

@@ -41,7 +41,8 @@ export class TaskList {
     if (task.state === "running") {
       const progress = make("progress", { max: 1, "aria-label": text("tasks.progress", { task: nameOf(task) }) });
       const row = make("p", { class: "task-progress" }, progress, make("span", {}),
-        make("button", { type: "button", onclick: () => this.cancel(task.id) }, text("tasks.cancel")));
+        make("button", { type: "button", "aria-label": text("tasks.cancel_task", { task: nameOf(task) }), onclick: () => this.cancel(task.id) },
+          text("tasks.cancel")));
       this.#advance(row, task);
       return [head, row];
     }
@@ -65,7 +66,7 @@ export class TaskList {
     if (task.data.curve) parts.push(sizedCurve(task.data.curve));
     if (task.operations.length) parts.push(this.#changes(task));
     if (task.text && !task.text.includes("\n")) parts.push(make("p", {}, task.text));
-    else if (task.text) parts.push(make("pre", { tabIndex: 0, "aria-label": text("tasks.table", { task: nameOf(task) }) }, task.text));
+    else if (task.text) parts.push(make("pre", { tabIndex: 0, role: "region", "aria-label": text("tasks.table", { task: nameOf(task) }) }, task.text));
     if (task.notes.length) {
       parts.push(make("details", {}, make("summary", {}, text("tasks.notes", { count: task.notes.length })),
         make("ul", {}, ...task.notes.map(note => make("li", {}, note)))));

@@ -17,7 +17,7 @@ const GROUPS = {
 /* Panel of the tasks: buttons, and the list of results. */
 export class Tasks {
   constructor(element, store) {
-    Object.assign(this, { element, store, timer: null });
+    Object.assign(this, { element, store, timer: null, field: "" });
     this.problem = make("p", { class: "why", role: "alert" });
     this.list = new TaskList(store, { cancel: id => this.#cancel(id) });
     const groups = Object.entries(GROUPS).map(([group, names]) => make("section", {},
@@ -28,6 +28,8 @@ export class Tasks {
     element.replaceChildren(...groups, this.problem, this.list.element);
     store.addEventListener("state", () => this.#update());
     this.#listenToDrops();
+    // The field that was used last is the parameter that a form proposes.
+    document.getElementById("form").addEventListener("focusin", event => { if (event.target.name) this.field = event.target.name; });
     this.#update();
     this.refresh();
   }
