@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
+from contextlib import suppress
 from difflib import get_close_matches
 from pathlib import Path
 from typing import Any, NamedTuple
@@ -10,8 +11,10 @@ from typing import Any, NamedTuple
 from poppet.circuit.placed_part import volume_flow_note
 from poppet.core.codes import Note
 from poppet.core.errors import ErrorCollector, InputError, NameSuggestion
+from poppet.core.files import check_path
 from poppet.core.tables import Field, missing_field
 from poppet.core.units import Kind, quantity
+from poppet.engine.lru_cache import LruCache
 from poppet.parts.part import Input
 from poppet.timeseries.signals import Chirp, Constant, Points, Prbs, Pwm, SampledSignal, Signal, Sine, Square, Steps
 
@@ -126,23 +129,42 @@ class _SignalReader:
 
 
 def _read_file(reader: _SignalReader) -> Signal:
-    from poppet.timeseries.recording_files import read
-
-    table = reader.table
+    table, item = reader.table, reader.item
     path = reader.folder / str(table["path"])
     time_table = table.get("time", {})
     time_table = {"column": time_table} if isinstance(time_table, str) else time_table
     if not isinstance(time_table, Mapping) or not set(time_table) <= {"column", "unit"}:
         raise InputError("inputs.no_column", "time", value=table["time"])
-    time = {"time": str(time_table.get("column", "time")), "time_unit": str(time_table.get("unit", ""))}
-    recording = read(path, **time)
-    name = str(table["column"])
-    unit = table.get("unit") or recording.unit(name)
+    time = (str(time_table.get("column", "time")), str(time_table.get("unit", "")))
+    name, unit = str(table["column"]), table.get("unit")
+    check_path(path)
+    key: Any = None
+    with suppress(OSError):  # a missing file, which the reader reports
+        status = path.stat()
+        version = (status.st_ino, status.st_size, status.st_mtime_ns)
+        key = (path, version, time, name, repr(unit), item.unit, item.kind, reader.ambient_pressure)
+    signal, remarks = _FILES.get(key, lambda: _signal_of_file(reader, path, time, name, unit))
+    reader.remarks |= remarks
+    return signal
+
+
+_FILES: LruCache[tuple[Signal, dict[str, Note]]] = LruCache(8)
+"""Signals of files: a circuit that is edited is read again after each change."""
+
+
+def _signal_of_file(
+    reader: _SignalReader, path: Path, time: tuple[str, str], name: str, unit: Any
+) -> tuple[Signal, dict[str, Note]]:
+    """Return the signal in a column of a file, and the notes on its values."""
+    from poppet.timeseries.recording_files import read
+
+    recording = read(path, time=time[0], time_unit=time[1])
+    unit = unit or recording.unit(name)
     if not unit:
         raise InputError("inputs.no_unit", "unit", column=name, path=str(path))
     # Through text: units and gauge pressures are read as in files; 17 digits preserve the value.
     values = [reader.absolute(f"{v:.17g} {unit}" if unit != "1" else float(v), name) for v in recording[name]]
-    return SampledSignal(tuple(recording.time), tuple(values), str(path))
+    return SampledSignal(tuple(recording.time), tuple(values), str(path)), dict(reader.remarks)
 
 
 def _read_pwm(reader: _SignalReader) -> Signal:

@@ -44,7 +44,10 @@ def _serve(options: argparse.Namespace) -> None:
         if not options.no_browser:
             # In a thread, because a browser in the terminal needs the server before it returns.
             Thread(target=webbrowser.open, args=(server.address,), daemon=True).start()
-        server.serve_forever()
+        try:
+            server.serve_forever()
+        finally:
+            session.lock.acquire(timeout=5.0)  # after a file that is being saved
 
 
 def _interrupt(_number: int, _frame: FrameType | None) -> NoReturn:

@@ -67,7 +67,9 @@ class Reply:
     @classmethod
     def json(cls, content: Any, status: int = HTTPStatus.OK) -> Reply:
         """Return a reply with values as JSON."""
-        return cls(json.dumps(content, ensure_ascii=False, allow_nan=False).encode(), JSON, status)
+        text = json.dumps(content, ensure_ascii=False, allow_nan=False)
+        # Half of a surrogate pair, which only an escape sequence can represent.
+        return cls(text.encode(errors="backslashreplace"), JSON, status)
 
     @classmethod
     def refusal(cls, status: int) -> Reply:
@@ -143,7 +145,8 @@ class EditServer(ThreadingHTTPServer):
 class _Handler(BaseHTTPRequestHandler):
     server: EditServer
     protocol_version = "HTTP/1.1"
-    server_version, sys_version = "poppet", ""
+    server_version = "poppet"
+    sys_version = ""
     timeout = 120.0  # of idle connections [s]
 
     def do_GET(self) -> None:

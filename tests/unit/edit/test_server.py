@@ -305,6 +305,12 @@ def test_changes(page, session):
         ("/apply", {"revision": 1, "operations": [1]}, ["edit.no_operation"]),
         ("/apply", {"revision": 1, "operations": [{"op": "add", "kind": "orifise"}]}, ["fields.not_an_option"]),
         ("/apply", {"revision": 1, "operations": [{"op": "rename", "part": "x", "name": "y"}]}, ["names.unknown"]),
+        ("/apply", {"revision": 1, "operations": [{"op": "add", "kind": "\ud800"}]}, ["fields.not_an_option"]),
+        (
+            "/apply",
+            {"revision": 1, "operations": [{"op": "set", "address": "title", "value": "\ud800"}]},
+            ["edit.not_valid"],
+        ),
         ("/text", {"revision": 1, "text": 1}, ["edit.no_request"]),
         ("/text", {"revision": 1, "text": "\ud800"}, ["edit.no_text"]),
         ("/save", {"revision": 1, "name": "../x"}, ["edit.no_file_name"]),
