@@ -198,6 +198,47 @@ def test_a_worker_that_hangs_is_ended(vent):
     assert last == pytest.approx(pressure_of(VENT.replace("10 l", "30 l"))[-1], rel=1e-6)
 
 
+RANDOM = """
+  const [seed, kinds] = values;
+  let state = seed;
+  const random = () => (state = (state * 16807) % 2147483647) / 2147483647;
+  const pick = list => list[Math.floor(random() * list.length)];
+  const volume = () => `${5 + Math.floor(20 * random())} l`;
+  const part = () => pick(Object.keys(store.state.view.parts));
+  const set = options => store.apply([{ op: "set", address: "tank.volume", value: volume() }], options);
+  const actions = [
+    () => store.number("tank.volume", 0.005 + 0.02 * random()),
+    () => set({}),
+    () => { for (let k = 0; k < 10; k++) set({ continues: true }); },
+    () => store.apply([{ op: "add", kind: pick(kinds) }]),
+    () => store.apply([{ op: "place", part: part(), x: Math.round(40 * random()), y: Math.round(30 * random()) }]),
+    () => store.apply([{ op: "remove", parts: [part()] }]),
+    () => store.undo(),
+    () => store.redo(),
+    () => store.replaceText(`${store.text()}# note\\n`),
+    () => new Promise(resolve => setTimeout(resolve, 50 * random())),
+  ];
+  const text = store.text();
+  for (let k = 0; k < 80; k++) {
+    const waited = pick(actions)();
+    if (random() < 0.2) await waited;
+    if (random() < 0.3) await window.poppet.ready;
+  }
+  store.number("tank.volume", 0.03);
+  store.replaceText(text);
+  await window.poppet.ready;
+  return [store.isStale, store.errors.length, store.text() === text, store.recording()["tank.pressure"].at(-1)];
+"""
+
+
+@pytest.mark.parametrize("seed", [7, 11, 23])
+def test_random_edits_end_in_the_run_of_the_text(vent, seed):
+    """Edits that do not wait for each other: each is simulated or refused, and the last text has its own run."""
+    is_stale, errors, is_same, last = evaluate(vent, RANDOM, seed, ["orifice", "chamber", "mass"])
+    assert (is_stale, errors, is_same) == (False, 0, True)
+    assert last == pytest.approx(pressure_of(VENT)[-1], rel=1e-6)
+
+
 # --- Errors ---
 
 

@@ -10,7 +10,7 @@ const NEARLY_WHOLE = 0.6;  // fraction of the duration above which a run is not 
 const QUIET = 250;  // ms after the last number, then the run is performed in full
 
 /* At most one run is under way, and the last value wins. Callbacks: run({run, header}), refused(errors), settled(edit),
-   lost(), busy(isBusy). Edits have ascending numbers; settled(edit) includes all edits before it. */
+   lost(), behind() if the server has a newer circuit, busy(isBusy). Edits have ascending numbers; settled(edit) includes all edits before it. */
 export class Simulation {
   constructor(callbacks) {
     this.callbacks = callbacks;
@@ -26,7 +26,7 @@ export class Simulation {
   #wanted = null;  // {revision, physics, edit} whose model is not fetched yet
   #present = null;  // the same of the last valid circuit
   #isFetching = false;
-  #edit = 0;  // last edit that the present circuit contains
+  #edit = 0;  // last edit of the text, or of a number that is dragged
   #crashes = 0;
 
   /* Forget the circuit; the next one has another model. */
@@ -40,11 +40,12 @@ export class Simulation {
     this.seconds = 0;  // computing time of the last full run
   }
 
-  canChange(address) { return address in (this.header?.numbers ?? {}); }
+  /* True if a number of the present circuit can change without the server. */
+  canChange(address) { return this.#present !== null && address in (this.header?.numbers ?? {}); }
 
   /* Simulate a valid circuit; nothing happens if only its drawing has changed. */
   update({ revision, text: circuit }, edit) {
-    this.#edit = edit;
+    this.#edit = Math.max(this.#edit, edit);
     const physics = physicsOf(circuit);
     this.#present = { revision, physics, edit };
     if (physics === this.physics && !this.#wanted && !this.#isFetching && !this.numbers.size) {
@@ -57,12 +58,12 @@ export class Simulation {
 
   /* End the simulation, because the circuit has errors. */
   stop(edit) {
-    this.#edit = edit;
+    this.#edit = Math.max(this.#edit, edit);
     this.#wanted = this.#next = this.#present = null;
     this.physics = null;
     this.#cancelFull();
     if (this.#sent) this.#sent.isDropped = true;
-    this.callbacks.settled(edit);
+    this.callbacks.settled(this.#edit);
     this.#tell();
   }
 
@@ -74,7 +75,7 @@ export class Simulation {
 
   /* Run with another number; null restores the number of the text. */
   setNumber(address, si, edit) {
-    this.#edit = edit;
+    this.#edit = Math.max(this.#edit, edit);
     if (si === null) this.numbers.delete(address);
     else this.numbers.set(address, { si, edit });
     this.#post({ isDrag: true });
@@ -95,7 +96,7 @@ export class Simulation {
         this.#wanted = null;
         if (reply.status === 200) this.#post({ payload: reply.body, ...wanted });
         else if (reply.status !== 409) this.#refuse(errorsOf(reply));
-        else this.callbacks.settled(wanted.edit);  // the page asks for the newer revision itself
+        else this.callbacks.behind();
       } catch (problem) {
         this.#wanted = null;
         if (!(problem instanceof ConnectionLost)) throw problem;
@@ -161,7 +162,7 @@ export class Simulation {
     this.#crashes = 0;
     if (job.payload) {
       this.header = reply.header;
-      this.physics = job.physics;
+      this.physics = job.isDropped ? null : job.physics;
     }
     const isShort = job.until !== null;
     this.seconds = reply.seconds / (isShort ? job.until / this.header.duration : 1);
@@ -172,7 +173,7 @@ export class Simulation {
     }
     if (!isShort && !this.#next && !this.#wanted) this.callbacks.settled(job.includes);
     if (this.#next) this.#start();
-    else if (isShort) this.#timer = setTimeout(() => this.#post({}), QUIET);
+    else if (isShort && !job.isDropped) this.#timer = setTimeout(() => this.#post({}), QUIET);
     this.#finish();
   }
 

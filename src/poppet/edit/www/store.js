@@ -35,6 +35,7 @@ export class Store extends EventTarget {
       refused: errors => this.#setErrors(errors),
       settled: edit => this.#settle(edit),
       lost: () => this.#setConnection("lost"),
+      behind: () => { if (!this.#isSending) this.#refresh().catch(problem => this.#fail(problem)); },
       busy: isBusy => this.#setBusy(isBusy),
     });
   }
