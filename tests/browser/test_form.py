@@ -251,6 +251,12 @@ def test_steps_of_a_sequence_are_lines(start_editor):
     area.press("Control+Enter")
     editor.wait()
     assert editor.text() == text.replace('slideA.position > 98 mm"', 'slideA.position > 97 mm"')
+    given = editor.field("plc.slideA_position")
+    assert (given.input_value(), given.is_editable()) == ("slideA.position", False)
+    editor.select("pressed")
+    assert editor.field("pressed.measurement").input_value() == "cylinderB.cap.pressure"
+    editor.type("pressed.measurement", "cylinderA.cap.pressure")
+    assert part(editor, "pressed")["measurement"] == "cylinderA.cap.pressure"
 
 
 def test_the_text_panel_applies_the_text_and_marks_errors(bench):

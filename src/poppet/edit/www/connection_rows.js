@@ -67,9 +67,10 @@ export class PortRow extends InputRow {
 export class LinkRow extends InputRow {
   constructor(store, part, input, { isNamed = true } = {}) {
     const label = isNamed ? inWords(input.name) : text("form.driven_by");
-    super(store, { address: `${part}.${input.name}`, label, help: isNamed ? text("form.link_help", { unit: unitName(input.doc) }) : "" });
+    super(store, { address: `${part}.${input.name}`, label, help: isNamed ? helpOf(input, isGiven(store, part, input)) : "" });
     Object.assign(this, { part, source: input });
     this.element.dataset.type = "link";
+    this.input.readOnly = isGiven(store, part, input);
     this.input.placeholder = text("form.not_connected");
     if (!isNamed) {
       this.input.removeAttribute("name");
@@ -77,7 +78,7 @@ export class LinkRow extends InputRow {
     }
   }
 
-  present() { return driverOf(this.store.state.view, this.part, this.source.name); }
+  present() { return driverOf(this.store.state.view, this.part, this.source.name) || (this.source.source ?? ""); }
 
   problem(typed) { return unknownPart(this.store.state.view, typed, this.part); }
 
@@ -90,7 +91,7 @@ export class LinkRow extends InputRow {
 
   update() {
     super.update();
-    this.offer(outputsFor(this.store, this.part, this.source.doc), text("form.nothing"));
+    this.offer(this.input.readOnly ? [] : outputsFor(this.store, this.part, this.source.doc), text("form.nothing"));
   }
 }
 
@@ -141,5 +142,12 @@ export function outputsFor(store, part, unit) {
   return [...names];
 }
 
-/* Return the name of a unit of an input. */
-export function unitName(unit) { return !unit || unit === "1" ? text("form.no_unit") : unit; }
+/* True if the part itself names the output of an input in another field, as conditions of a sequence do. */
+export function isGiven(store, part, input) {
+  return Boolean(input.source) && !store.entry(part).fields.some(({ name }) => name === input.name);
+}
+
+function helpOf({ doc }, isNamed) {
+  if (isNamed) return text("form.link_named");
+  return doc && doc !== "1" ? text("form.link_help", { unit: doc }) : text("form.link_plain");
+}

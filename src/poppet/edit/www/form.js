@@ -66,7 +66,7 @@ export class Form {
   #outline(part) {
     const entry = this.store.entry(part), view = this.store.state.view.parts[part];
     const sizes = entry ? sizeGroups(entry).map(group => group.shown(view.fields)) : [];
-    const ports = entry?.ports.map(port => `${port.type}:${port.name}`);
+    const ports = entry?.ports.map(port => `${port.type}:${port.name}:${port.source ?? ""}`);
     const unknown = Object.keys(view.fields).filter(name => !entry?.fields.some(field => field.name === name));
     return JSON.stringify([part, view.kind, sizes, ports, unknown]);
   }
@@ -184,7 +184,7 @@ export class Form {
     if (!others.length) return null;
     const elements = others.map(port => {
       const { element } = this.#add(new LinkRow(this.store, part, port), `input ${port.name}`);
-      element.append(this.#signal(part, port));
+      if (!port.source) element.append(this.#signal(part, port));
       return element;
     });
     return this.#details(entry.kind, "inputs", text("form.inputs"), elements);

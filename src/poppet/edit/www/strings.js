@@ -112,6 +112,8 @@ export const CATALOGUE = {
     inputs: "Inputs",
     itself: "{name} cannot be connected to itself.",
     link_help: "output of another part [{unit}]",
+    link_named: "The fields above name this output.",
+    link_plain: "output of another part",
     model_search: "search by catalogue number",
     model_sets: "Sets {values}. {source}.",
     name: "Name",
