@@ -10,6 +10,7 @@ const USEFUL = 3;  // largest rank of the columns that a selected part shows by 
 /* Rank of a column among the usual ones; columns of a low rank are shown first. */
 function rankOf({ name, unit }) {
   const last = name.slice(name.lastIndexOf(".") + 1);
+  if (/\.\d+\./.test(name)) return USEFUL;  // one of many cells of a tube
   if (unit === "Pa" && /pressure$/.test(last)) return 0;
   if ((unit === "m" || unit === "rad") && /position$|^angle$/.test(last) || /contraction$/.test(last)) return 1;
   if (unit === "kg/s") return 2;

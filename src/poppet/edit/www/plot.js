@@ -59,7 +59,10 @@ export class Plot {
       width, height, pxAlign: false, padding: [6, 10, 0, 0], legend: { show: false },
       cursor: { x: false, y: false, points: { show: false }, drag: { x: true, y: false } },
       scales: { x: { time: false, range: (u, low, high) => this.rangeX(low, high) }, y: { range: (u, low, high) => rangeY(low, high) } },
-      axes: [{ ...axis, size: 26, space: 50 }, { ...axis, size: 52, space: 26, values: (u, ticks) => ticks.map(plain) }],
+      axes: [
+        { ...axis, size: 26, space: 50 },
+        { ...axis, size: (u, labels) => widthOf(labels ?? []), space: 26, values: (u, ticks, index, space, step) => ticks.map(tick => plain(tick, step)) },
+      ],
       series: [{}, ...lines.map(line => ({
         stroke: () => colours().curves[line.colour % COLOURS], width: line.isSelected ? 2.4 : 1.4, spanGaps: true, points: { show: false },
         dash: { now: [], kept: DASH_KEPT, measured: DASH_MEASURED }[line.role],
@@ -183,7 +186,15 @@ function linePath(u, series, first, last) {
 
 function spanOf(u) { return (u.scales.y.max ?? 1) - (u.scales.y.min ?? 0); }
 
-function plain(value) { return Math.abs(value) >= 1e5 || value !== 0 && Math.abs(value) < 1e-4 ? value.toExponential(1) : String(+value.toPrecision(6)); }
+/* Width of the labels of the vertical axis, px. */
+function widthOf(labels) { return 20 + 7 * Math.max(3, ...labels.map(({ length }) => length)); }
+
+/* Label of a tick with the decimals of the step between ticks. */
+function plain(value, step) {
+  let decimals = 0;
+  while (decimals < 9 && Math.abs(step * 10 ** decimals - Math.round(step * 10 ** decimals)) > 1e-6) decimals++;
+  return Math.abs(value) >= 1e6 ? value.toExponential(1) : value.toFixed(decimals);
+}
 
 /* Range of the vertical axis; a constant curve lies in the middle. */
 function rangeY(low, high) {
