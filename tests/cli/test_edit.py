@@ -7,7 +7,7 @@ import re
 import signal
 import subprocess
 import sys
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from pathlib import Path
 
@@ -20,9 +20,11 @@ WITHOUT_PLOTS = (
 
 
 @contextmanager
-def started(folder: Path, *arguments: str) -> Iterator[tuple[subprocess.Popen[str], int, str]]:
+def started(
+    folder: Path, *arguments: str, command: Sequence[str] = ()
+) -> Iterator[tuple[subprocess.Popen[str], int, str]]:
     """Process, port and token of a server."""
-    command = [sys.executable, "-W", "error", "-c", WITHOUT_PLOTS, "edit", "--no-browser", *arguments]
+    command = command or [sys.executable, "-W", "error", "-c", WITHOUT_PLOTS, "edit", "--no-browser", *arguments]
     pipe = subprocess.PIPE
     process = subprocess.Popen(command, cwd=folder, stdout=pipe, stderr=pipe, text=True)
     assert process.stdout is not None
@@ -61,6 +63,17 @@ def test_a_server_without_matplotlib_and_pandas_ends_by_a_signal(poppet, tmp_pat
         process.send_signal(number)
         assert process.communicate(timeout=30) == ("", "")
         assert process.returncode == 0
+
+
+def test_python_files_beside_a_circuit_are_not_executed(poppet, tmp_path):
+    poppet("new", "two-tanks")
+    mark = tmp_path / "executed"
+    for name in ("numpy", "casadi", "llvmlite", "tomlkit", "gzip", "sitecustomize"):
+        (tmp_path / f"{name}.py").write_text(f"open({str(mark)!r}, 'w')\n")
+    command = [sys.executable, "-m", "poppet", "edit", "two-tanks.toml", "--no-browser"]
+    with started(tmp_path, command=command) as (_, port, token):
+        assert read(port, token, "/document", "/model?revision=1")[1][:8] == b"POPPETM1"
+    assert not mark.exists()
 
 
 def test_a_second_server_needs_another_port(poppet, tmp_path):

@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import argparse
+import os
 import signal
+import sys
 import webbrowser
 from pathlib import Path
 from threading import Thread
@@ -13,6 +15,8 @@ from typing import NoReturn
 
 def execute(options: argparse.Namespace) -> None:
     """Run the command `edit`: start the server of the editor, and open the browser."""
+    # A folder of circuits can contain Python files with the names of modules, which must not be executed.
+    sys.path[:] = [path for path in sys.path if path not in ("", os.getcwd())]
     # Both, because a shell makes programs in the background ignore Ctrl-C.
     previous = {number: signal.signal(number, _interrupt) for number in (signal.SIGINT, signal.SIGTERM)}
     try:
