@@ -11,6 +11,7 @@ const BESIDE_BOX = 0.6; // additional cost of a unit of length beside a box
 const LABEL = 4; // additional cost of a unit of length across a label
 const STUB = 8; // cost of a place in front of a port of another net
 const CONFLICT = 60; // cost of a place of another net, which is then routed anew
+const MAX_STEPS = 20000; // largest number of steps of a search among the other nets, before these make way
 const MAX_REMOVALS = 3; // largest number of times that a net makes way for others
 const MAX_NODES = 300000; // largest number of nodes of the grid
 const BESIDE = 3; // lines beside each border of a box
@@ -429,7 +430,7 @@ class Grid {
       if (straight >= 0) step(node, straight, 0, -1 - node);
       for (const turn of turns) step(node, turn, straight < 0 ? 0 : BEND, -1 - node);
     }
-    while (heap.size && !found) {
+    for (let count = 0; heap.size && !found && (isFixed || count < MAX_STEPS); count++) {
       const state = heap.pop();
       const node = state >> 2;
       const direction = state & 3;
