@@ -344,6 +344,20 @@ def test_measured_values_beside_the_curves(vent):
     row.wait_for(state="detached")
 
 
+def test_a_dropped_file(vent):
+    """A file that is dropped anywhere is read, and the browser does not open it instead of the page."""
+    content = "time [s],tank.pressure [bar]\n0,6\n1,5\n2,4\n"
+    body = """
+      const data = new DataTransfer();
+      data.items.add(new File([values[0]], "run.csv", { type: "text/csv" }));
+      const event = name => new DragEvent(name, { dataTransfer: data, bubbles: true, cancelable: true });
+      const drawing = document.getElementById("drawing");
+      return ["dragover", "drop"].map(name => drawing.dispatchEvent(event(name)));
+    """
+    assert evaluate(vent, body, content) == [False, False]
+    vent.page.locator("#curves .key.is-measured", has_text="tank.pressure").wait_for()
+
+
 def test_a_stop_condition_ends_the_run(start_editor):
     editor = start_editor(VENT + 'stop_when = "tank.pressure < 4 bar"\n')
     editor.page.locator("#curves .status", has_text="tank.pressure < 4 bar").wait_for()

@@ -158,18 +158,19 @@ function unitNamed(si, name) {
   return (UNITS[si] ?? [si]).find(unit => plain(unit) === plain(name)) ?? null;
 }
 
+/* Read files that are dropped on the page, unless another panel takes them; the area shows that it does. */
 function listenToDrops(area, read) {
-  const isFile = event => event.dataTransfer?.types.includes("Files");
-  area.addEventListener("dragover", event => {
+  const isFile = event => !event.defaultPrevented && event.dataTransfer?.types.includes("Files");
+  document.addEventListener("dragover", event => {
     if (!isFile(event)) return;
     event.preventDefault();
     area.classList.add("is-over");
   });
-  area.addEventListener("dragleave", () => area.classList.remove("is-over"));
-  area.addEventListener("drop", event => {
+  document.addEventListener("dragleave", () => area.classList.remove("is-over"));
+  document.addEventListener("drop", event => {
+    area.classList.remove("is-over");
     if (!isFile(event)) return;
     event.preventDefault();
-    area.classList.remove("is-over");
     read([...event.dataTransfer.files]);
   });
 }
