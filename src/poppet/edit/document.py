@@ -18,6 +18,8 @@ MARK = "\ufeff"
 """Byte order mark, with which some editors begin a file."""
 LARGEST = 2**20
 """Maximum size of a circuit file in the editor, in bytes."""
+MAX_HISTORY = 10**8
+"""Maximum number of characters of all texts in a history; the oldest are deleted."""
 
 
 TARGETS = ("op", "address", "part", "port", "input")
@@ -132,14 +134,11 @@ class History:
 
     def __init__(self, text: str, revision: int = 0) -> None:
         self.revision = revision
-        self._documents = [Document(text)]
+        self.document = Document(text)
+        """Present document."""
+        self._texts = [text]  # without the parsed content of documents, which is many times larger
         self._position = 0
         self._targets: Targets | None = None  # targets of the last change, if it can be continued
-
-    @property
-    def document(self) -> Document:
-        """Present document."""
-        return self._documents[self._position]
 
     @property
     def can_undo(self) -> bool:
@@ -149,7 +148,7 @@ class History:
     @property
     def can_redo(self) -> bool:
         """True if there is a change to redo."""
-        return self._position + 1 < len(self._documents)
+        return self._position + 1 < len(self._texts)
 
     def apply(self, revision: int, operations: Iterable[Any], *, continues: bool = False) -> Document:
         """Perform operations as one change.
@@ -191,15 +190,19 @@ class History:
             check_text(document.text)
             if targets is not None and targets == self._targets:
                 self._position -= 1
-            is_reverted = document.text == self.document.text  # a continued change that ends where it began
-            self._documents[self._position + 1 :] = [] if is_reverted else [document]
-            self._position += not is_reverted
+            is_reverted = document.text == self._texts[self._position]  # a continued change that ends where it began
+            self._texts[self._position + 1 :] = [] if is_reverted else [document.text]
+            while len(self._texts) > 2 and sum(map(len, self._texts)) > MAX_HISTORY:
+                del self._texts[0]
+            self._position = len(self._texts) - 1
             self._targets = None if is_reverted else targets
+            self.document = document
             self.revision += 1
         return self.document
 
     def _move(self, step: int) -> Document:
         self._position += step
+        self.document = Document(self._texts[self._position])
         self._targets = None
         self.revision += 1
         return self.document

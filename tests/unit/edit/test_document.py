@@ -15,6 +15,7 @@ import pytest
 
 from poppet import loads
 from poppet.core.errors import InputError
+from poppet.edit import document as document_module
 from poppet.edit.document import Document, History
 from poppet.parts import KINDS
 from refusals import refused
@@ -272,3 +273,16 @@ volume = "1 l"
 kind = "chamber"
 volume = "1 l"
 """
+
+
+def test_the_oldest_texts_of_a_long_history_are_deleted(monkeypatch):
+    monkeypatch.setattr(document_module, "MAX_HISTORY", 1000)
+    history = History("#")
+    for number in range(50):
+        history.replace(number, f"{number:0100d}")
+    while history.can_undo:
+        text = history.undo(history.revision).text
+    assert text == f"{40:0100d}"
+    while history.can_redo:
+        text = history.redo(history.revision).text
+    assert text == f"{49:0100d}"
