@@ -375,3 +375,28 @@ def test_a_unit_of_another_quantity_is_refused(start_editor):
     editor.wait()
     assert editor.text() == text
     assert "cannot be converted" in editor.page.locator("#form .bad:visible").first.inner_text()
+
+
+@pytest.mark.parametrize("kind", ["orifice", "spool_valve"])
+def test_a_characteristic_is_entered_as_a_table(start_editor, kind):
+    ports = 'from = "supply"\nto = "tank"' if kind == "orifice" else 'supply = "supply"\na = "tank"\nb = "other"'
+    text = BENCH + (
+        '\n[parts.other]\nkind = "chamber"\nvolume = "1 l"\n'
+        '[parts.drain]\nkind = "orifice"\nfrom = "other"\nto = "ambient"\n'
+        f'sonic_conductance = "1 dm^3/(s bar)"\ncritical_ratio = 0.3\n[parts.valve]\nkind = "{kind}"\n{ports}\n'
+        'sonic_conductance = "1 dm^3/(s bar)"\ncritical_ratio = 0.3\n'
+    )
+    editor = start_editor(text, "bench.toml")
+    editor.select("valve")
+    editor.page.get_by_label("Size stated by").select_option("characteristic")
+    editor.wait()
+    assert editor.page.locator("#problems li").count() == 0
+    table = part(editor, "valve")["characteristic"]
+    last = len(table["sonic_conductance"])
+    cell = editor.page.get_by_label(f"sonic conductance, point {last}")
+    cell.fill("3")
+    cell.press("Enter")
+    editor.wait()
+    changed = part(editor, "valve")["characteristic"]
+    assert changed == {**table, "sonic_conductance": [*table["sonic_conductance"][:-1], "3 dm^3/(s bar)"]}
+    assert editor.page.locator("#form .curve-plot .handle").count() >= last

@@ -7,6 +7,26 @@ import { text } from "./strings.js";
 import { fromSi, parts, shown, siOf, withUnit } from "./units.js";
 import { inWords } from "./field_values.js";
 
+const STROKE = {
+  kind: "table", stroke: ["0 mm", "0.5 mm", "1 mm"], sonic_conductance: ["0 dm^3/(s bar)", "0.8 dm^3/(s bar)", "1 dm^3/(s bar)"],
+  critical_ratio: 0.3, source: "assumed",
+};
+const SPOOL = {
+  position: [-1, 0, 0.1, 0.5, 1],
+  sonic_conductance: ["0 dm^3/(s bar)", "0 dm^3/(s bar)", "0.1 dm^3/(s bar)", "1.2 dm^3/(s bar)", "2 dm^3/(s bar)"],
+  critical_ratio: 0.3, source: "assumed",
+};
+const FORCES = {
+  contraction: [0, 0.1, 0.25], force_per_pressure: ["250 N/bar", "140 N/bar", "30 N/bar"], passive_force: ["0 N", "-200 N", "-250 N"],
+};
+const SCHEDULE = { pressure: ["2 bar", "4 bar"], gain: ["0.5 1/bar", "0.5 1/bar"], integral_time: ["0.1 s", "0.1 s"] };
+
+/* Return a table to begin with for a field of a kind of part, or null. */
+export function startTable(kind, field) {
+  if (field.endsWith("characteristic")) return kind === "spool_valve" ? SPOOL : STROKE;
+  return { force_table: FORCES, schedule: SCHEDULE }[field.split(".").at(-1)] ?? null;
+}
+
 /* Return the names of the columns of a table with lists of equal length, the first of them is the argument. */
 export function columnsOf(value) {
   if (value === null || typeof value !== "object" || Array.isArray(value)) return [];
@@ -17,13 +37,16 @@ export function columnsOf(value) {
 
 /* Points of a field; each column is set as an own value, so that the rest of the table is unchanged. */
 export class CurveTable {
-  constructor(store, { address, read }) {
+  constructor(store, { address, read, start = null }) {
     Object.assign(this, { store, address, read, isDirty: false });
     const id = newId();
     this.input = make("select", { id, onchange: () => this.update() });
     this.choice = make("label", { for: id, class: "column" }, text("signals.column"), this.input);
     this.body = make("div", { class: "signal" });
-    this.element = make("div", { class: "field" }, this.body);
+    const begin = () => store.apply([{ op: "set", address, value: start }]);
+    this.begin = make("button", { type: "button", class: "small", onclick: begin }, text("signals.begin_table"));
+    this.hasStart = start !== null;
+    this.element = make("div", { class: "field" }, this.begin, this.body);
   }
 
   commit() {}
@@ -31,7 +54,9 @@ export class CurveTable {
   update() {
     const value = this.read();
     const names = columnsOf(value);
-    this.element.hidden = !names.length;
+    this.begin.hidden = !this.hasStart || typeof value === "object";
+    this.body.hidden = !names.length;
+    this.element.hidden = this.begin.hidden && this.body.hidden;
     if (!names.length) return;
     if (names.join("|") !== this.built) this.#build(names);
     fillOptions(this.input, names.slice(1), inWords);

@@ -297,8 +297,22 @@ export class FieldRow extends InputRow {
     if (this.slider) this.#updateSlider();
   }
 
+  /* A typed number reaches the model at once; the text follows. */
   async commit() {
+    if (this.isDirty && this.isLive === undefined && this.input.value !== this.refusedText) this.#showAtOnce();
     await super.commit();
     this.isLive = undefined;
   }
+
+  #showAtOnce() {
+    const { field, store, unit } = this;
+    const value = field.type === "number" ? valueOf(field, this.input.value, unit.value, this.stated) : null;
+    const si = value === null ? null : siOf(value, field.unit, store.units, ambientOf(store.state.view, store.units));
+    if (si !== null && isWithin(field, si)) for (const address of this.addresses) store.number(address, si);
+  }
+}
+
+/* True if an SI value is within the limits of a field. */
+function isWithin({ low = -Infinity, high = Infinity, above = -Infinity, below = Infinity }, si) {
+  return Number.isFinite(si) && low <= si && si <= high && above < si && si < below;
 }

@@ -3,7 +3,7 @@
 import { LinkRow, PortRow, driverOf } from "./connection_rows.js";
 import { make, newId, show } from "./elements.js";
 import { FieldRow, InputRow, bare } from "./field_row.js";
-import { CurveTable } from "./curve_tables.js";
+import { CurveTable, startTable } from "./curve_tables.js";
 import { ModelRow } from "./model_row.js";
 import { Signals } from "./signals.js";
 import { overviewOf } from "./overview.js";
@@ -150,7 +150,10 @@ export class Form {
     const isRequired = field.required && !group?.optional;
     const Row = field.type === "model" ? ModelRow : field.name === "steps" && field.form === "mapping" ? StepsRow : FieldRow;
     const row = this.#add(new Row(this.store, { owner: part, field, read, isRequired, part }), field.name);
-    if (field.type === "reference") row.element.append(this.#add(new CurveTable(this.store, row), `curve ${field.name}`).element);
+    if (field.type === "reference") {
+      const start = startTable(this.store.state.view.parts[part].kind, field.name);
+      row.element.append(this.#add(new CurveTable(this.store, { ...row, start }), `curve ${field.name}`).element);
+    }
     const input = inputs.get(field.name);
     if (!input) return row.element;
     const driver = this.#add(new LinkRow(this.store, part, input, { isNamed: false }), `driver ${field.name}`);

@@ -1,5 +1,6 @@
 /* Choice among the fields that state the size of a part; exactly one of them is stated. */
 
+import { startTable } from "./curve_tables.js";
 import { make, newId } from "./elements.js";
 import { text } from "./strings.js";
 import { parts, shown, withUnit } from "./units.js";
@@ -72,7 +73,8 @@ export class SizeChoice {
     const { group, fields, part } = this;
     const name = this.input.value;
     const stated = group.names.filter(other => other in fields);
-    const removed = [...stated, ...(name.endsWith("effective_area") ? [name.replace("effective_area", "critical_ratio")] : [])];
+    // An area and a characteristic determine the critical ratio.
+    const removed = [...stated, ...(/effective_area|characteristic/.test(name) ? [name.replace(/[^.]+$/, "critical_ratio")] : [])];
     const operations = removed.filter(other => other in fields).map(other => ({ op: "set", address: `${part}.${other}`, value: null }));
     operations.push({ op: "set", address: `${part}.${name}`, value: this.#start(name, stated[0]) });
     this.store.apply(operations);
@@ -81,7 +83,7 @@ export class SizeChoice {
   /* Start value of a size, nearly as large as the former one if that has the usual unit. */
   #start(name, former) {
     const field = this.group.fields.get(name);
-    if (field.type !== "number") return field.choices[0] ?? "";
+    if (field.type !== "number") return startTable(this.store.state.view.parts[this.part].kind, name);
     const [number, unit] = ALIKE[name.split(".").at(-1)] ?? [1, field.units[0]];
     const value = shown(number * this.#ratio(former), 3);
     return { value: unit ? withUnit(value, unit) : Number(value), source: "assumed", note: NOTE };

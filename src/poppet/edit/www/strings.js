@@ -292,6 +292,7 @@ export const CATALOGUE = {
   signals: {
     add_row: "Add a point",
     amplitude: "amplitude",
+    begin_table: "Enter a table",
     bit_time: "bit time",
     cell: "{column}, point {row}",
     chirp: "chirp",
