@@ -59,6 +59,10 @@ class User:
         """Enter a value of the selected part."""
         raise NotImplementedError
 
+    def signal(self, address: str, kind: str) -> None:
+        """Select the kind of signal of an input of the selected part."""
+        raise NotImplementedError
+
     def save(self) -> None:
         """Save the file."""
         raise NotImplementedError
@@ -93,6 +97,15 @@ class MouseUser(User):
         self._take(THINK + POINT + 3 * CLICK + HOME + KEY * (len(value) + 1) + HOME)
         self.page.keyboard.type(value)
         self.page.keyboard.press("Enter")
+        self.editor.wait()
+        self.watch()
+
+    def signal(self, address: str, kind: str) -> None:
+        element = self.page.get_by_label(f"Signal of {address}", exact=True)
+        element.scroll_into_view_if_needed()
+        self.pointer = self.editor.centre(element)
+        element.select_option(kind)
+        self._take(2.0 * (THINK + POINT + CLICK))
         self.editor.wait()
         self.watch()
 
@@ -152,6 +165,12 @@ class KeyboardUser(User):
         self._go(f'input[name="{field}"]')
         self._type(value)
 
+    def signal(self, address: str, kind: str) -> None:
+        self._go(f'[aria-label="Signal of {address}"]')
+        self._take(KEY * len(kind))
+        self.page.keyboard.type(kind)
+        self.editor.wait()
+
     def save(self) -> None:
         self.press("Control+s")
         self.editor.wait()
@@ -169,7 +188,7 @@ def draw_cylinder_drive(user: User) -> None:
     user.connect("flow_control_valve_2.to", "cylinder.rod")
     user.connect("cylinder.body", "mass")
     user.select("spool_valve")
-    user.type("spool_valve.command", "1")
+    user.signal("spool_valve.command", "steps")  # after a quarter of the run
     user.select("mass")
     user.type("mass.mass", "6 kg")
     user.save()

@@ -24,7 +24,6 @@ critical_ratio = 0.3
 supply = "reservoir"
 a = "chamber"
 b = "chamber_2"
-command = 1
 
 [parts.flow_control_valve]
 kind = "flow_control_valve"
@@ -89,7 +88,8 @@ def test_a_cylinder_drive_is_drawn_and_runs(start_editor, kind_of_user):
     saved = tomllib.loads(file.read_text())
     assert without_sources(saved["parts"]) == tomllib.loads(EXPECTED)["parts"]
     assert {*saved["drawing"]} >= {*saved["parts"]}
-    assert {*saved} == {"parts", "run", "drawing"}
+    assert saved["signals"] == {"spool_valve.command": {"kind": "steps", "times": ["0 s", "0.5 s"], "values": [0, 1]}}
+    assert {*saved} == {"parts", "signals", "run", "drawing"}
     run, expected = editor.recording(), load(file).simulate()
     assert np.array_equal(run["time"], expected.time)
     stroke = np.asarray(run["mass.position"])

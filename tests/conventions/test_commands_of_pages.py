@@ -33,6 +33,7 @@ NOT_RUN = {
     "make": "`make test` runs this test; `make demo` is `poppet paper`, `make docs` is test_website.py",
     "CI=true make": "as `make test`",
     "python website/validate.py": "half an hour for all; tests/conventions/test_validation.py has the quick ones",
+    "poppet edit": "runs until it is ended; tests/browser draws its tutorial",
     "poppet ensemble ensemble.toml --scheduler": "needs a Dask scheduler on another machine",
 }
 """How a command begins that no test runs, and why."""
