@@ -577,10 +577,11 @@ def test_examples_are_saved_unchanged_and_moves_change_the_drawing_only(example,
     state = session.state()
     session.save(state["revision"])
     assert path.read_bytes() == example.read_bytes()
-    for k, part in enumerate(state["places"]):
-        edit(session, {"op": "place", "part": part, "x": 3 * k, "y": k, "rotation": 90}, continues=True)
+    places = {part: {"x": 3 * k, "y": k, "rotation": 90} for k, part in enumerate(state["places"])}
+    edit(session, *({"op": "place", "part": part, **place} for part, place in places.items()))
     session.save(session.history.revision)
     assert path.read_bytes().startswith(example.read_bytes())
     before, after = tomllib.loads(example.read_text("utf-8")), tomllib.loads(path.read_text("utf-8"))
     assert {key: value for key, value in after.items() if key != "drawing"} == before
+    assert after["drawing"] == places
     assert session.undo(session.history.revision)["text"].encode() == example.read_bytes()
