@@ -543,3 +543,12 @@ def test_the_state_at_the_time_cursor(start_editor):
     middle, moving = at(0.25)
     assert start < middle < end
     assert len(moving) > len(still)
+
+
+def test_a_hidden_drawing_keeps_its_view(start_editor):
+    editor = start_editor((EXAMPLES / "pressure_control.toml").read_text(encoding="utf-8"), width=360, height=740)
+    before = editor.box(editor.part("tank"))
+    editor.page.get_by_role("tab", name="Parts").click()
+    editor.page.get_by_role("tab", name="Drawing").click()
+    assert editor.box(editor.part("tank")) == pytest.approx(before, abs=0.5)
+    assert editor.page.evaluate(PROBLEMS) == []

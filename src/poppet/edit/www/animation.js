@@ -196,11 +196,9 @@ export class Animation {
   #showPressures() {
     const { drawing } = this, { view } = drawing;
     for (const wire of drawing.wireLayer.querySelectorAll("[data-wire]")) {
-      const [end] = drawing.endsAt(wire.dataset.wire), target = end && end.type !== "input" ? targetOf(view, end) : undefined;
-      const pressure = target === undefined || end.type === "body" ? undefined : this.#pressureAt(target);
-      if (pressure === undefined) { wire.style.removeProperty("--flow-colour"); continue; }
-      wire.style.setProperty("--flow-colour", this.#colour(pressure));
-      wire.style.setProperty("--flow-share", this.#share(pressure).toFixed(3));
+      const [end] = drawing.endsAt(wire.dataset.wire), pressure = end && this.#pressureAt(end, view);
+      if (pressure === undefined) wire.style.removeProperty("--flow-colour");
+      else wire.style.setProperty("--flow-colour", this.#colour(pressure));
     }
     for (const item of drawing.items.values()) {
       if (!item.ends.some(end => !end.port && end.type === "store")) continue;
@@ -208,8 +206,11 @@ export class Animation {
     }
   }
 
-  #pressureAt(target) {
-    const series = pressureSeries(this.drawing.view, target, this.names);
+  /* Pressure in the wire that begins at a port or at the end of a tube, or undefined. */
+  #pressureAt(end, view) {
+    const target = end.type === "tube" ? end.address : end.type === "port" ? targetOf(view, end) : undefined;
+    if (target === undefined) return undefined;
+    const series = pressureSeries(view, target, this.names);
     return series === null ? this.ambient : this.value(series);
   }
 

@@ -10,15 +10,16 @@ export class Viewport extends EventTarget {
   /* `bounds` returns the box of the whole drawing, or null if it is empty. */
   constructor(svg, bounds) {
     super();
-    Object.assign(this, { svg, bounds, x: -20, y: -15, zoom: 1, isUntouched: true });
+    Object.assign(this, { svg, bounds, x: -20, y: -15, zoom: 1, isUntouched: true, lastSize: { width: 600, height: 400 } });
     new ResizeObserver(() => this.#resized()).observe(svg);
     svg.addEventListener("wheel", event => this.#wheel(event), { passive: false });
   }
 
-  /* Width and height of the drawing area in pixels. */
+  /* Width and height of the drawing area in pixels; while it is hidden, the last ones. */
   get size() {
     const { width, height } = this.svg.getBoundingClientRect();
-    return { width: width || 1, height: height || 1 };
+    if (width && height) this.lastSize = { width, height };
+    return this.lastSize;
   }
 
   /* Visible box in grid units. */
@@ -96,6 +97,7 @@ export class Viewport extends EventTarget {
 
   /* What was visible stays visible. */
   #resized() {
+    if (!this.svg.getBoundingClientRect().width) return;
     const box = this.bounds(), before = this.shown;
     const isCut = box && (!before || contains(before, box)) && !contains(this.area, box);
     if (isCut || !before) this.fit(before ? this.zoom : 1);
