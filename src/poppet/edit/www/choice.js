@@ -38,7 +38,8 @@ export class Choice extends EventTarget {
   /* Place the list above its button, outside the panel of the curves, which would cut it off. */
   place(button) {
     const { right, top } = button.getBoundingClientRect();
-    Object.assign(this.list.style, { right: `${Math.max(4, innerWidth - right)}px`, bottom: `${innerHeight - top}px`, maxHeight: `${top - 8}px` });
+    const style = { right: Math.max(4, innerWidth - right), bottom: innerHeight - top, maxHeight: top - 8 };
+    for (const [name, size] of Object.entries(style)) this.list.style[name] = `${size}px`;
   }
 
   /* Columns of a model. */

@@ -80,7 +80,7 @@ export class Curves {
       this.groupState = state;
     }
     const lines = this.groups.map(([unit, columns]) => [unit, this.linesOf(columns, kept)]);
-    const key = JSON.stringify(lines.map(([unit, own]) => [unit, own.map(({ label, role, isSelected, colour }) => [label, role, isSelected, colour])]));
+    const key = JSON.stringify(lines.map(([unit, own]) => [unit, own.map(({ data, ...line }) => line)]));
     this.setPlots(lines, key);
     if (this.isResized) this.resize();
     lines.forEach(([, own], k) => {
@@ -153,7 +153,8 @@ export class Curves {
     const notes = [...new Set([...state?.notes ?? [], ...run?.notes ?? []])];
     this.notes.hidden = !notes.length;
     this.notesTitle.textContent = `${text("curves.notes")} (${notes.length})`;
-    if (this.notesList.childElementCount === notes.length && [...this.notesList.children].every((item, k) => item.textContent === notes[k])) return;
+    const isShown = this.notesList.childElementCount === notes.length;
+    if (isShown && [...this.notesList.children].every((item, k) => item.textContent === notes[k])) return;
     this.notesList.replaceChildren(...notes.map(note => Object.assign(document.createElement("li"), { textContent: note })));
   }
 }
@@ -161,9 +162,12 @@ export class Curves {
 function statusOf({ status, time, seconds, duration, isShort, until }, conditions) {
   const last = digits(time.at(-1) ?? 0, duration);
   if (isShort) return text("curves.short", { until: digits(until, duration) });
-  if (status === "done") return text("curves.status_done", { duration: last, milliseconds: 1000 * seconds < 10 ? digits(1000 * seconds) : Math.round(1000 * seconds) });
+  const milliseconds = 1000 * seconds < 10 ? digits(1000 * seconds) : Math.round(1000 * seconds);
+  if (status === "done") return text("curves.status_done", { duration: last, milliseconds });
   if (status === "stopped") return text("curves.status_stopped", { time: last, conditions: [conditions ?? []].flat().join(", ") });
   return text("curves.status_other", { time: last, status });
 }
 
-function isSame(a, b) { return a === b || Array.isArray(a) && Array.isArray(b) && a.length === b.length && a.every((value, k) => value === b[k]); }
+function isSame(a, b) {
+  return a === b || Array.isArray(a) && Array.isArray(b) && a.length === b.length && a.every((value, k) => value === b[k]);
+}

@@ -5,9 +5,9 @@ import { digits, displayOf, prettyUnit, scaleOf, valueAt } from "./quantities.js
 import { text } from "./strings.js";
 
 const UNITS = {
-  Pa: ["Pa", "kPa", "MPa", "mbar", "bar", "psi", "bar g", "mbar g", "kPa g", "psi g"], K: ["K", "degC"], m: ["m", "cm", "mm", "um"], "m/s": ["m/s", "mm/s"],
-  rad: ["rad", "deg"], "rad/s": ["rad/s", "deg/s"], "kg/s": ["kg/s", "g/s", "kg/h", "l/min ANR", "m^3/h ANR", "l/min N"], N: ["N", "kN"], kg: ["kg", "g"],
-  "m^3": ["m^3", "l"], 1: ["1", "%"], s: ["s", "ms", "min", "h"],
+  Pa: ["Pa", "kPa", "MPa", "mbar", "bar", "psi", "bar g", "mbar g", "kPa g", "psi g"], K: ["K", "degC"], m: ["m", "cm", "mm", "um"],
+  "m/s": ["m/s", "mm/s"], rad: ["rad", "deg"], "rad/s": ["rad/s", "deg/s"], N: ["N", "kN"], kg: ["kg", "g"], "m^3": ["m^3", "l"],
+  "kg/s": ["kg/s", "g/s", "kg/h", "l/min ANR", "m^3/h ANR", "l/min N"], 1: ["1", "%"], s: ["s", "ms", "min", "h"],
 };
 const AMBIENT = 101325;  // Pa
 

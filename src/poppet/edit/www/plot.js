@@ -54,21 +54,25 @@ export class Plot {
   }
 
   options(lines, { width, height }) {
-    const axis = { stroke: () => colours().soft, grid: { stroke: () => colours().line, width: 1 }, ticks: { stroke: () => colours().line }, font: "12px sans-serif" };
+    const line = () => colours().line;
+    const axis = { stroke: () => colours().soft, grid: { stroke: line, width: 1 }, ticks: { stroke: line }, font: "12px sans-serif" };
     return {
       width, height, pxAlign: false, padding: [6, 10, 0, 0], legend: { show: false },
       cursor: { x: false, y: false, points: { show: false }, drag: { x: true, y: false } },
       scales: { x: { time: false, range: (u, low, high) => this.rangeX(low, high) }, y: { range: (u, low, high) => rangeY(low, high) } },
       axes: [
         { ...axis, size: 26, space: 50 },
-        { ...axis, size: (u, labels) => widthOf(labels ?? []), space: 26, values: (u, ticks, index, space, step) => ticks.map(tick => plain(tick, step)) },
+        {
+          ...axis, space: 26, size: (u, labels) => widthOf(labels ?? []),
+          values: (u, ticks, index, space, step) => ticks.map(tick => plain(tick, step)),
+        },
       ],
       series: [{}, ...lines.map(line => ({
         stroke: () => colours().curves[line.colour % COLOURS], width: line.isSelected ? 2.4 : 1.4, spanGaps: true, points: { show: false },
         dash: { now: [], kept: DASH_KEPT, measured: DASH_MEASURED }[line.role],
         paths: line.isStep ? uPlot.paths.stepped({ align: 1 }) : linePath,
       }))],
-      hooks: { setSelect: [u => this.setZoom(u)] },
+      hooks: { setSelect: [u => this.setZoom(u)], setScale: [(u, key) => { if (key === "x") this.showClock(); }] },
     };
   }
 
@@ -93,7 +97,6 @@ export class Plot {
     const [min, max] = this.rangeX(0, end);
     this.u.setScale("x", { min, max });
     this.place.setAttribute("aria-label", this.describe());
-    this.showClock();
   }
 
   shown(values) {

@@ -57,6 +57,9 @@ export function valueAt(time, values, at, isStep = false) {
   return values[low] + (values[high] - values[low]) * (at - time[low]) / (time[high] - time[low]);
 }
 
+/* Largest absolute value of a curve. */
+export function sizeOf(values) { return values.reduce((size, value) => (Math.abs(value) > size ? Math.abs(value) : size), 0); }
+
 /* True if values jump and are constant between jumps, as those of a sampled controller. */
 export function isStaircase(values) {
   let jumps = 0;

@@ -1,6 +1,6 @@
 /* Results for screen readers: a table of the curves, and an announcement after each run. */
 
-import { digits, displayOf, prettyUnit, valueAt } from "./quantities.js";
+import { digits, displayOf, prettyUnit, sizeOf, valueAt } from "./quantities.js";
 import { text } from "./strings.js";
 
 const ROWS = 11;
@@ -42,7 +42,10 @@ export class Values {
     const titles = this.columns.map(({ name }, k) => (displays[k].unit ? `${name} [${prettyUnit(displays[k].unit)}]` : name));
     const body = Array.from({ length: ROWS }, (_, row) => {
       const time = (run.time.at(-1) ?? 0) * row / (ROWS - 1);
-      const values = this.columns.map(({ name, isStep }, k) => digits(displays[k].from(valueAt(run.time, run.series.get(name), time, isStep))));
+      const values = this.columns.map(({ name, isStep }, k) => {
+        const curve = run.series.get(name);
+        return this.shown(curve, valueAt(run.time, curve, time, isStep), displays[k]);
+      });
       return rowOf("td", [digits(time, run.duration), ...values]);
     });
     const head = document.createElement("thead");
@@ -52,12 +55,15 @@ export class Values {
     this.table.replaceChildren(caption, head, tbody);
   }
 
+  /* Value with the digits that suit the largest value of its curve, so that rounding errors are 0. */
+  shown(values, value, display) { return digits(display.from(value), Math.abs(display.from(sizeOf(values)))); }
+
   announce() {
     const { run, units } = this.store;
     if (!run) return;
     const values = this.columns.slice(0, ANNOUNCED).map(({ name, unit }) => {
       const display = displayOf(unit, units);
-      const value = digits(display.from(run.series.get(name)?.at(-1) ?? NaN));
+      const value = this.shown(run.series.get(name) ?? [], run.series.get(name)?.at(-1) ?? NaN, display);
       return text("curves.summary_value", { name, value, unit: prettyUnit(display.unit) }).trim();
     });
     const message = text("curves.summary", { values: values.join("; ") });
