@@ -1,4 +1,4 @@
-"""Model of a circuit for the page of the editor: a WebAssembly module without optimisation, and the arrays of a run."""
+"""Model of a circuit for the page of the editor: a WebAssembly module, and the arrays of a run."""
 
 from __future__ import annotations
 
@@ -16,6 +16,7 @@ from poppet.core.codes import Note
 from poppet.deploy.export_model import parameter_specs, tied_of_part
 from poppet.deploy.live.linker import Module
 from poppet.deploy.live.page_kernel import SHARED_STACK, model_module, run_data
+from poppet.deploy.live.wasm_format import PAGE
 from poppet.engine.compiled import CompiledFunctions
 from poppet.engine.kernel import Kernel
 from poppet.engine.lru_cache import LruCache
@@ -35,7 +36,7 @@ MAX_VALUES = 4_000_000
 """Maximum number of values of all outputs on the page; a longer run has a larger output step there."""
 MAX_ATTEMPTS = 2_000_000
 """Maximum number of solver steps on the page, because the user waits for the result."""
-_ALIGNMENT, _PAGE = 8, 65536
+_ALIGNMENT = 8
 
 
 @dataclass(frozen=True, eq=False)
@@ -100,7 +101,7 @@ def build_payload(circuit: BaseCircuit, key: str | None = None) -> bytes:
         "key": kernel.key,
         "shared": {
             "stack": SHARED_STACK,
-            "pages": -(-kernel.module.heap // _PAGE),
+            "pages": -(-kernel.module.heap // PAGE),
             "functions": len(kernel.module.table),
         },
         "columns": [

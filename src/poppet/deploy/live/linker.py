@@ -12,8 +12,16 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import NamedTuple
 
-_MAGIC = b"\0asm\1\0\0\0"
-_PAGE = 65536
+from poppet.deploy.live.wasm_format import (
+    MAGIC,
+    PAGE,
+    encode_name,
+    encode_section,
+    encode_signed,
+    encode_unsigned,
+    encode_vector,
+)
+
 _CUSTOM, _TYPE, _IMPORT, _FUNCTION, _TABLE, _MEMORY, _GLOBAL, _EXPORT, _START, _ELEMENT, _CODE, _DATA = range(12)
 _COUNT = 12  # of data segments; precedes the code
 _ORDER = (_TYPE, _IMPORT, _FUNCTION, _TABLE, _MEMORY, _GLOBAL, _EXPORT, _ELEMENT, _COUNT, _CODE, _DATA)
@@ -141,38 +149,36 @@ def link(code: bytes, exports: Sequence[str], tabled: Sequence[str], *, stack: i
     sections = {kind: bytes(content) for kind, content in wasm_object.sections.items()}
     if segments:
         encoded = [
-            b"\0\x41" + _encode_signed(base + address) + b"\x0b" + _encode_unsigned(len(content)) + content
+            b"\0\x41" + encode_signed(base + address) + b"\x0b" + encode_unsigned(len(content)) + content
             for address, content in segments
         ]
-        sections[_DATA] = _encode_vector(encoded)
-    table, memory = b"\x70\0" + _encode_unsigned(1 + len(tabled)), b"\0" + _encode_unsigned(-(-heap // _PAGE))
+        sections[_DATA] = encode_vector(encoded)
+    table, memory = b"\x70\0" + encode_unsigned(1 + len(tabled)), b"\0" + encode_unsigned(-(-heap // PAGE))
     export_entries = [
-        _encode_name(name) + bytes([_OF_FUNCTION]) + _encode_unsigned(function_index[name]) for name in exports
+        encode_name(name) + bytes([_OF_FUNCTION]) + encode_unsigned(function_index[name]) for name in exports
     ]
     if data is None:
-        sections[_IMPORT] = _encode_vector(wasm_object.function_imports)
-        sections[_TABLE], sections[_MEMORY] = _encode_vector([table]), _encode_vector([memory])
-        sections[_GLOBAL] = _encode_vector([_POINTER + b"\x41" + _encode_signed(base) + b"\x0b"])
-        export_entries.insert(0, _encode_name("memory") + bytes([_OF_MEMORY, 0]))
+        sections[_IMPORT] = encode_vector(wasm_object.function_imports)
+        sections[_TABLE], sections[_MEMORY] = encode_vector([table]), encode_vector([memory])
+        sections[_GLOBAL] = encode_vector([_POINTER + b"\x41" + encode_signed(base) + b"\x0b"])
+        export_entries.insert(0, encode_name("memory") + bytes([_OF_MEMORY, 0]))
     else:
         shared = {"table": bytes([_OF_TABLE]) + table, "memory": bytes([_OF_MEMORY]) + memory}
         shared["stack"] = bytes([_OF_GLOBAL]) + _POINTER
-        entries = [_encode_name("shared") + _encode_name(name) + entry for name, entry in shared.items()]
-        sections[_IMPORT] = _encode_vector([*wasm_object.function_imports, *entries])
-    sections[_EXPORT] = _encode_vector(export_entries)
+        entries = [encode_name("shared") + encode_name(name) + entry for name, entry in shared.items()]
+        sections[_IMPORT] = encode_vector([*wasm_object.function_imports, *entries])
+    sections[_EXPORT] = encode_vector(export_entries)
     if tabled:
-        sections[_ELEMENT] = _encode_vector(
-            [b"\0\x41\1\x0b" + _encode_vector([_encode_unsigned(function_index[name]) for name in tabled])]
+        sections[_ELEMENT] = encode_vector(
+            [b"\0\x41\1\x0b" + encode_vector([encode_unsigned(function_index[name]) for name in tabled])]
         )
-    body = b"".join(
-        bytes([kind]) + _encode_unsigned(len(sections[kind])) + sections[kind] for kind in _ORDER if kind in sections
-    )
-    return Module(_MAGIC + body, {name: k + 1 for k, name in enumerate(tabled)}, heap, tuple(wasm_object.functions))
+    body = b"".join(encode_section(kind, sections[kind]) for kind in _ORDER if kind in sections)
+    return Module(MAGIC + body, {name: k + 1 for k, name in enumerate(tabled)}, heap, tuple(wasm_object.functions))
 
 
 def _read_object(code: bytes) -> _Object:
-    reader, wasm_object = _ByteReader(code, len(_MAGIC)), _Object()
-    if not code.startswith(_MAGIC):
+    reader, wasm_object = _ByteReader(code, len(MAGIC)), _Object()
+    if not code.startswith(MAGIC):
         raise LinkError("not a WebAssembly file")
     while reader.position < len(code):
         kind = reader.byte()
@@ -252,25 +258,3 @@ def _read_symbols(wasm_object: _Object) -> None:
                 name = reader.name() if kind != 3 and (not flags & _UNDEFINED or flags & _EXPLICIT) else ""
             wasm_object.symbols.append((kind, name, number))
         reader.position = end
-
-
-def _encode_unsigned(value: int) -> bytes:
-    encoded = bytearray()
-    while value >= 0x80:
-        encoded.append(value & 0x7F | 0x80)
-        value >>= 7
-    return bytes([*encoded, value])
-
-
-def _encode_signed(value: int) -> bytes:
-    """Encode a non-negative integer as signed LEB128, the integer format of WebAssembly."""
-    encoded = _encode_unsigned(value)
-    return encoded if encoded[-1] < 0x40 else bytes([*encoded[:-1], encoded[-1] | 0x80, 0])
-
-
-def _encode_vector(items: Sequence[bytes]) -> bytes:
-    return _encode_unsigned(len(items)) + b"".join(items)
-
-
-def _encode_name(text: str) -> bytes:
-    return _encode_vector([bytes([byte]) for byte in text.encode("utf-8")])

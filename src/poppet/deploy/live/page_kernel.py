@@ -2,9 +2,9 @@
 
 The browser fills the same fields as `poppet.engine.job.Job`, with addresses in the memory of the module.
 
-A page of the editor gets a new model whenever a wire changes. Its model is a module of its own, without optimisation,
+A page of the editor gets a new model whenever a wire changes. Its model is a module of its own, printed without LLVM,
 because browsers optimise as well; the integrator, which is equal for all models, is another module. The memory begins
-with the stack, so an overflow causes a trap; then come the data of the integrator, of the model, and of a run.
+with the stack, so an overflow causes a trap; then come the data of the integrator and of a run.
 """
 
 from __future__ import annotations
@@ -15,7 +15,6 @@ import re
 import subprocess
 import zlib
 from collections.abc import Mapping, Sequence
-from functools import cache
 from importlib.resources import files
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -26,6 +25,8 @@ from numpy.typing import NDArray
 from poppet.deploy.fmu.binaries import compile_object, kernel_code
 from poppet.deploy.live.linker import LinkError, Module, link
 from poppet.deploy.live.parameter_map import ParameterMap
+from poppet.deploy.live.wasm_format import PAGE
+from poppet.deploy.live.wasm_printer import print_module
 from poppet.engine.compiled import INTEGRATOR
 from poppet.engine.job import Job
 from poppet.engine.model import Model
@@ -43,7 +44,7 @@ PAGE_FUNCTIONS = (*OF_ONE, *OF_TWO, "exp2", "log2", "exp10")
 SHARED_STACK = 1 << 20
 """Size of the stack that a model shares with the integrator [B]."""
 SHARED_DATA = SHARED_STACK + 256
-"""Address of the data of a model, after those of the integrator."""
+"""Address of the data of a run, after those of the integrator."""
 _FEATURES = "+simd128,+bulk-memory,+bulk-memory-opt"
 _TRIPLE = "wasm32-unknown-unknown"
 _STACK_SIZE = 65536
@@ -87,20 +88,18 @@ def live_module(model: Model, mapping: ParameterMap | None = None) -> Module:
 
 
 def model_module(model: Model, functions: Mapping[str, casadi.Function]) -> Module:
-    """Return the WebAssembly module of a model alone, without optimisation.
+    """Return the WebAssembly module of a model alone, printed without LLVM.
 
     `functions` contains the functions of the model. The module exports `start`, and shares memory, table and stack
     pointer with the module of the integrator.
     """
-    import llvmlite.binding as llvm
-
     stack = _stack_of(functions)
     if stack > SHARED_STACK:
         raise LinkError(f"a stack of {stack} bytes")
-    code = kernel_code(model, {name: function for name, function in functions.items() if name != "energy"})
-    tabled = [name for name in CALLED if re.search(rf"^define void @{name}\(", code, re.MULTILINE)]
-    wasm_object = _machine().emit_object(llvm.parse_assembly(code))
-    return _checked(link(bytes(wasm_object), ("start",), tabled, stack=SHARED_STACK, data=SHARED_DATA))
+    needed = {name: function for name, function in functions.items() if name != "energy"}
+    sizes = model.size, len(model.states), len(model.inputs)
+    code, table = print_module(needed, sizes, ("start",), CALLED, memory=-(-SHARED_DATA // PAGE))
+    return Module(code, table, SHARED_DATA, ())
 
 
 def integrator_module() -> Module:
@@ -124,16 +123,6 @@ def _checked(module: Module) -> Module:
     if missing:
         raise LinkError(f"a page has no {', '.join(sorted(missing))}")
     return module
-
-
-@cache
-def _machine() -> Any:
-    """Return the LLVM target machine for WebAssembly without optimisation."""
-    import llvmlite.binding as llvm
-
-    llvm.initialize_all_targets()
-    llvm.initialize_all_asmprinters()
-    return llvm.Target.from_triple(_TRIPLE).create_target_machine(opt=0, features=_FEATURES)
 
 
 def compile_wasm_object(llvm_module: Any) -> bytes:
