@@ -56,7 +56,7 @@ export class Values {
   }
 
   /* Value with the digits that suit the largest value of its curve, so that rounding errors are 0. */
-  shown(values, value, display) { return digits(display.from(value), Math.abs(display.from(sizeOf(values)))); }
+  shown(values, value, display) { return digits(display.from(value), 0.1 * Math.abs(display.from(sizeOf(values)))); }
 
   announce() {
     const { run, units } = this.store;
