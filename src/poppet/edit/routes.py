@@ -140,7 +140,10 @@ def _fields(content: Mapping[str, Any], fields: Mapping[str, tuple[type, ...]]) 
 
 
 def _model(session: Session) -> Callable[[Request], Reply]:
-    """Return the reply with the model of a revision, for the simulation in the page."""
+    """Return the reply with the model of a revision, for the simulation in the page.
+
+    The reply for a former revision is empty, and no error: while a user edits, the page often asks too late.
+    """
     building = Lock()  # one build at a time: several would only be slower
 
     def build(query: Mapping[str, str]) -> Reply:
@@ -153,6 +156,11 @@ def _model(session: Session) -> Callable[[Request], Reply]:
 
     def reply(request: Request) -> Reply:
         with building:
-            return _resolved(session, lambda: build(request.query))
+            try:
+                return build(request.query)
+            except InputError as error:
+                if error.code != "edit.stale":
+                    raise
+                return Reply(b"", BYTES, HTTPStatus.NO_CONTENT)
 
     return reply

@@ -95,7 +95,7 @@ export class Simulation {
         if (wanted !== this.#wanted) continue;  // a newer circuit
         this.#wanted = null;
         if (reply.status === 200) this.#post({ payload: reply.body, ...wanted });
-        else if (reply.status !== 409) this.#refuse(errorsOf(reply));
+        else if (reply.status !== 204) this.#refuse(errorsOf(reply));
         else this.callbacks.behind();
       } catch (problem) {
         this.#wanted = null;
