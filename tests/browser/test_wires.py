@@ -30,7 +30,7 @@ kind = "tube"
 from = "bleed.to"
 to = "cylinder.cap"
 length = "1 m"
-inner_diameter = "4 mm"
+bore = "4 mm"
 
 [parts.tank]
 kind = "chamber"
@@ -51,8 +51,8 @@ mass = "2 kg"
 [parts.pressed]
 kind = "switch"
 measurement = "cylinder.cap.pressure"
-close_above = "3 bar"
-open_below = "2 bar"
+on_above = "3 bar"
+off_below = "2 bar"
 sample_time = "1 ms"
 
 [run]
