@@ -103,6 +103,17 @@ def test_symbols_of_parts_with_options(plant):
     assert {"clamp", "punch", "lift"} <= outputs
 
 
+def test_incomplete_parts_have_symbols(tmp_path):
+    """A gripper without jaws has no inputs, because a member that its options name is missing."""
+    text = (ROOT / "examples" / "pick_and_place.toml").read_text(encoding="utf-8")
+    path = tmp_path / "incomplete.toml"
+    path.write_text("".join(line for line in text.splitlines(keepends=True) if not line.startswith("jaws =")))
+    state = Session(path).state()
+    assert {error["address"].partition(".")[2].partition(".")[0] for error in state["errors"]} >= {"hand"}
+    assert {"plc", "swing"} <= {*state["symbols"]}
+    assert "hand" in state["places"]
+
+
 def test_components_of_the_circuit_are_choices():
     session = Session(ROOT / "examples" / "catalogue_numbers.toml")
     state = session.state()
