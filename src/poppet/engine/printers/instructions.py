@@ -62,7 +62,8 @@ def trace_functions(model: Model) -> dict[str, Any]:
     # Only J is sparse: CasADi drops structural zeros of sparse outputs.
     results = ca.cse([dense(rates), matrix, dense(drift)])
     functions = {
-        "rates": ca.Function("rates", [t, x, u, p], ca.cse([dense(e["rates"])])),
+        # The rates of the Jacobian have no common subexpressions.
+        "rates": ca.Function("rates", [t, x, u, p], [dense(rates)]),
         "jacobian": ca.Function("jacobian", [t, x, u, slopes, p], results),
         "factor": factor,
         "solve": solve,
