@@ -552,3 +552,21 @@ def test_a_hidden_drawing_keeps_its_view(start_editor):
     editor.page.get_by_role("tab", name="Drawing").click()
     assert editor.box(editor.part("tank")) == pytest.approx(before, abs=0.5)
     assert editor.page.evaluate(PROBLEMS) == []
+
+
+def test_arrow_keys_move_the_view_if_nothing_is_selected(editor):
+    add(editor, "chamber")
+    editor.page.locator("#drawing").focus()
+    editor.press("Escape")
+    before, text = editor.centre(editor.part("chamber")), editor.text()
+    editor.press("ArrowRight")
+    assert editor.centre(editor.part("chamber")) == pytest.approx((before[0] - 40.0, before[1]), abs=0.5)
+    assert editor.text() == text
+
+
+def test_names_of_ports_are_visible_at_a_selected_part(editor):
+    add(editor, "spool_valve", "chamber")
+    names = editor.page.locator(".port-name:visible")
+    assert names.count() == 0
+    editor.select("spool_valve")
+    assert {"supply", "exhaust a", "pilot b"} <= {*names.all_text_contents()}

@@ -23,14 +23,15 @@ export class Connecting {
 
   /* Begin a connection at an end. */
   begin(end) {
+    const { store } = this.drawing;
     this.from = end;
-    this.plans = new Map();
+    this.columns = (store.header?.columns ?? store.run?.columns ?? []).map(({ name }) => name);
     this.drawing.offers.close();
     this.drawing.svg.classList.add("is-connecting");
     this.mark();
     this.#showBar();
     this.move(end);
-    this.drawing.store.announce(text("drawing.begun", { port: end.address }));
+    store.announce(text("drawing.begun", { port: end.address }));
   }
 
   /* End without a connection. The focus stays at the first end. */
@@ -91,9 +92,8 @@ export class Connecting {
   }
 
   #planOf(end) {
-    const { drawing } = this, columns = drawing.store.header?.columns ?? drawing.store.run?.columns ?? [];
-    const outputs = (source, input) => outputsOf(drawing.view, source, input, columns.map(({ name }) => name));
-    return connection(drawing.view, this.from, end, outputs, "\0");
+    const { view } = this.drawing, outputs = (source, input) => outputsOf(view, source, input, this.columns);
+    return connection(view, this.from, end, outputs, "\0");
   }
 
   /* Connect to a target; the reason is announced if that is not possible, and the connection stays in progress. */

@@ -1,10 +1,11 @@
 /* Keys of the drawing. The page passes keys here that no field uses.
 
-   Tab goes from part to part; Enter selects a part, and then Tab goes to its ports. Arrow keys move the selection; at a
-   port they go to the next port in that direction. Enter at a port begins and ends a connection. */
+   Tab goes from part to part; Enter selects a part, and then Tab goes to its ports. Arrow keys move the selection, or
+   the view if nothing is selected; at a port they go to the next port in that direction. Enter at a port begins and ends a connection. */
 
 import { split, targetOf } from "./connections.js";
 
+const PAN = 40;  // pixels by which an arrow key moves the view
 const STEPS = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] };
 
 export class Keys {
@@ -97,8 +98,8 @@ export class Keys {
     const { drawing, focused } = this, { store, connecting } = drawing;
     if (focused?.end || connecting.isActive) { this.#go(focused, dx, dy); return true; }
     if (focused && !store.selection.has(focused.part)) store.select([focused.part]);
-    if (!drawing.selected.length) return false;
     const step = isFar ? 4 : 1;
+    if (!drawing.selected.length) { drawing.viewport.pan(-PAN * step * dx, -PAN * step * dy); return true; }
     drawing.move(step * dx, step * dy);
     return true;
   }

@@ -81,6 +81,7 @@ export class PartNode {
       for (const group of [port.node, port.beside]) group.setAttribute("transform", `translate(${end.x} ${end.y})`);
       port.reach.setAttribute("r", reachOf(end, this.ends));
       drawLead(port.lead, end);
+      drawName(port.name, end);
       port.vent.setAttribute("transform", `rotate(${{ bottom: 0, left: 90, top: 180, right: 270 }[end.side]})`);
     });
     for (const [key, port] of this.ports) {
@@ -138,11 +139,12 @@ function portNode(end, parent) {
   const reach = svgElement("circle", { class: "reach" }, node);
   const lead = svgElement("path", { class: "lead" }, beside);
   const vent = svgElement("path", { class: "vent", d: "M0 0V1.2M-0.8 1.2H0.8L0 2.4Z" }, beside);
+  const name = svgElement("text", { class: "port-name" }, beside);
   const isSignal = end.type === "input" || end.type === "output";
   if (isSignal) svgElement("path", { class: "dot", d: `M0 -${DOT * 1.3}L${DOT * 1.3} 0L0 ${DOT * 1.3}L-${DOT * 1.3} 0Z` }, node);
   else if (end.type === "body") svgElement("rect", { class: "dot", x: -DOT, y: -DOT, width: 2 * DOT, height: 2 * DOT }, node);
   else svgElement("circle", { class: "dot", r: DOT }, node);
-  return { node, beside, reach, lead, vent, end };
+  return { node, beside, reach, lead, vent, name, end };
 }
 
 /* Areas of the ports of a part do not overlap. */
@@ -155,6 +157,17 @@ function reachOf(end, ends) {
 function drawLead(path, { side, lead }) {
   const [dx, dy] = { left: [1, 0], right: [-1, 0], top: [0, 1], bottom: [0, -1] }[side];
   path.setAttribute("d", lead ? `M0 0L${dx * lead} ${dy * lead}` : "");
+}
+
+/* Name of a port along its wire, outside the box. */
+function drawName(label, { port, side, type }) {
+  const angle = { left: 0, right: 0, top: -90, bottom: -90 }[side], isAhead = side === "right" || side === "top";
+  label.textContent = port && port.replaceAll("_", " ");
+  label.setAttribute("text-anchor", isAhead ? "start" : "end");
+  label.setAttribute("x", isAhead ? 0.8 : -0.8);
+  // Above the wire of a port; inputs are too close to each other for that.
+  label.setAttribute("y", type === "input" || type === "output" || angle ? 0.3 : -0.4);
+  label.setAttribute("transform", `rotate(${angle})`);
 }
 
 function markPort({ node, beside, end }, view, error, isSelected) {
