@@ -117,7 +117,7 @@ async function begin() {
   store.addEventListener("message", () => { find("announce").textContent = store.message; });
   store.addEventListener("state", showTitle);
   showTitle();
-  addEventListener("beforeunload", event => { if (store.state?.dirty) event.preventDefault(); });
+  addEventListener("beforeunload", event => { if (store.state?.dirty || textPanel?.isDirty) event.preventDefault(); });
   await store.load();
 }
 

@@ -18,7 +18,7 @@ export const CATALOGUE = {
 
   curves: {
     choice: "Choose",
-    choice_auto: "Curves of the selected parts",
+    choice_auto: "Automatic: selected parts first",
     clock: "time of the values in the drawing",
     cursor: "{time} s",
     empty: "Curves appear here when the circuit is complete.",
