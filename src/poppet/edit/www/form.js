@@ -7,12 +7,13 @@ import { CurveTable, startTable } from "./curve_tables.js";
 import { ModelRow } from "./model_row.js";
 import { Signals } from "./signals.js";
 import { overviewOf } from "./overview.js";
-import { SizeChoice, sizeGroups } from "./sizes.js";
+import { SizeChoice, SizeRow, sizeGroups } from "./sizes.js";
 import { StepsRow } from "./steps.js";
 import { text } from "./strings.js";
 import { inWords } from "./field_values.js";
 
 const FURTHER = 4;  // rank of fields that have a default
+const NO_ENTRY = { fields: [], groups: [], sizes: [] };
 const LISTED = 30;  // connections that a gas node shows
 
 /* Panel that follows the selection of the store. */
@@ -116,11 +117,10 @@ export class Form {
   #sections(part, entry) {
     const { fields } = this.store.state.view.parts[part];
     const groups = sizeGroups(entry);
-    const hidden = new Set(groups.flatMap(group => group.hidden(fields)));
     const inputs = new Map(entry.ports.filter(port => port.type === "input").map(port => [port.name, port]));
-    const shown = entry.fields.filter(field => !hidden.has(field.name) && !isLink(field, inputs));
+    const shown = entry.fields.filter(field => !isLink(field, inputs));
     const unknown = Object.keys(fields).filter(name => !entry.fields.some(field => field.name === name) && !inputs.has(name));
-    const ranks = ranked(shown.filter(field => !field.group), fields, groups.filter(group => !group.name), inputs);
+    const ranks = ranked(shown.filter(field => !field.group), fields, groups, inputs);
     const [main, further] = [ranks.filter(([rank]) => rank < FURTHER), ranks.filter(([rank]) => rank === FURTHER)];
     const sections = [
       ...groups.filter(group => !group.name).map(group => this.#size(part, group)),
@@ -131,7 +131,7 @@ export class Form {
       further.length ? this.#details(entry.kind, "further", text("form.further"), further.map(([, field]) => this.#field(part, field, inputs))) : null,
     ];
     for (const group of entry.groups) {
-      const own = ranked(shown.filter(field => field.group === group.name), fields, [], inputs);
+      const own = ranked(shown.filter(field => field.group === group.name), fields, groups, inputs);
       const size = groups.filter(({ name }) => name === group.name).map(choice => this.#size(part, choice));
       if (own.length) sections.push(this.#group(entry.kind, group, [...size, ...own.map(([, field]) => this.#field(part, field, inputs))]));
     }
@@ -148,8 +148,9 @@ export class Form {
     const read = () => this.store.state.view.parts[part]?.fields[field.name];
     const group = this.store.entry(part)?.groups.find(({ name }) => name === field.group);
     const isRequired = field.required && !group?.optional;
-    const Row = field.type === "model" ? ModelRow : field.name === "steps" && field.form === "mapping" ? StepsRow : FieldRow;
-    const row = this.#add(new Row(this.store, { owner: part, field, read, isRequired, part }), field.name);
+    const sizes = sizeGroups(this.store.entry(part) ?? NO_ENTRY).find(({ names }) => names.includes(field.name));
+    const Row = sizes ? SizeRow : field.type === "model" ? ModelRow : field.name === "steps" && field.form === "mapping" ? StepsRow : FieldRow;
+    const row = this.#add(new Row(this.store, { owner: part, field, read, isRequired, part, group: sizes }), field.name);
     if (field.type === "reference") {
       const start = startTable(this.store.state.view.parts[part].kind, field.name);
       row.element.append(this.#add(new CurveTable(this.store, { ...row, start }), `curve ${field.name}`).element);
@@ -269,10 +270,12 @@ class RenameRow extends InputRow {
 /* Return pairs of rank and field in the order of the form: those of the size, required and stated ones,
    the model and the inputs, others. */
 function ranked(fields, stated, groups, inputs) {
-  const sizes = new Set(groups.flatMap(group => group.names));
+  const sizes = new Set(groups.flatMap(group => group.shown(stated))), others = new Set(groups.flatMap(group => group.others(stated)));
+  const ratios = new Set(groups.flatMap(group => group.names.map(name => name.replace(/[^.]+$/, "critical_ratio"))));
   const rank = field => {
+    if (others.has(field.name)) return FURTHER;
     if (sizes.has(field.name)) return 0;
-    if (sizes.size && field.name === "critical_ratio") return 1;
+    if (ratios.has(field.name)) return 1;
     if (field.required || field.name in stated) return 2;
     return field.type === "model" || inputs.has(field.name) ? 3 : FURTHER;
   };

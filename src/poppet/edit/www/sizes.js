@@ -2,6 +2,7 @@
 
 import { startTable } from "./curve_tables.js";
 import { make, newId } from "./elements.js";
+import { FieldRow } from "./field_row.js";
 import { text } from "./strings.js";
 import { parts, shown, withUnit } from "./units.js";
 import { inWords, plainValue } from "./field_values.js";
@@ -34,16 +35,39 @@ class SizeGroup {
     this.hasModel = !name && [...this.fields.values()].some(field => field.type === "model");
   }
 
-  /* Sizes that are displayed: the stated ones; without a model, the first one if there is none. */
+  /* Sizes that are displayed first: the stated ones; without a model, the first one if there is none. */
   shown(fields) {
     const stated = this.names.filter(name => name in fields);
     return stated.length || (this.hasModel && "model" in fields) ? stated : [this.names[0]];
   }
 
-  hidden(fields) {
-    const shownNames = this.shown(fields);
-    return this.names.filter(name => !shownNames.includes(name));
+  others(fields) {
+    const first = this.shown(fields);
+    return this.names.filter(name => !first.includes(name));
   }
+}
+
+/* Row of a field that can state the size; another size replaces the stated one in the same step. */
+export class SizeRow extends FieldRow {
+  constructor(store, details) {
+    super(store, details);
+    Object.assign(this, { part: details.part, group: details.group });
+  }
+
+  operations(typed) {
+    const operations = super.operations(typed);
+    const fields = this.store.state.view.parts[this.part]?.fields ?? {};
+    if (!operations?.length || operations[0].value === null) return operations;
+    return [...replacing(this.part, this.group, fields, this.field.name), ...operations];
+  }
+}
+
+/* Operations that remove what cannot be stated beside a size. */
+function replacing(part, group, fields, name) {
+  // An area and a characteristic determine the critical ratio.
+  const ratio = /effective_area|characteristic/.test(name) ? [name.replace(/[^.]+$/, "critical_ratio")] : [];
+  const removed = [...group.names.filter(other => other !== name), ...ratio].filter(other => other in fields);
+  return removed.map(other => ({ op: "set", address: `${part}.${other}`, value: null }));
 }
 
 /* Selection of the field that states the size; another choice replaces the field in one step. */
@@ -73,9 +97,7 @@ export class SizeChoice {
     const { group, fields, part } = this;
     const name = this.input.value;
     const stated = group.names.filter(other => other in fields);
-    // An area and a characteristic determine the critical ratio.
-    const removed = [...stated, ...(/effective_area|characteristic/.test(name) ? [name.replace(/[^.]+$/, "critical_ratio")] : [])];
-    const operations = removed.filter(other => other in fields).map(other => ({ op: "set", address: `${part}.${other}`, value: null }));
+    const operations = replacing(part, group, fields, name);
     operations.push({ op: "set", address: `${part}.${name}`, value: this.#start(name, stated[0]) });
     this.store.apply(operations);
   }
