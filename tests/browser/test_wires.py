@@ -141,6 +141,7 @@ def test_a_click_selects_and_delete_disconnects(editor):
     assert "from" not in tomllib.loads(editor.text())["parts"]["valve"]
     assert wire(editor, "valve.from").count() == 0
     assert selected(editor) is None
+    assert "valve.from is disconnected." in message(editor)
     assert editor.page.evaluate("() => document.activeElement.closest('#drawing') !== null")
     editor.press("Control+z")
     assert editor.text() == CIRCUIT
@@ -169,6 +170,10 @@ def test_a_dragged_segment_is_stored_and_undone(editor):
     editor.page.mouse.dblclick(*middle(editor, key, vertical(editor, key)))
     editor.wait()
     assert key not in drawing(editor)
+
+
+def message(editor):
+    return editor.page.locator("#announce").inner_text()
 
 
 def test_escape_ends_the_drag_of_a_segment(editor):
@@ -213,6 +218,7 @@ def test_a_wire_with_keys_only(editor):
     before = path(editor, key)
     while path(editor, key) == before:
         editor.press("ArrowRight")
+    assert "has moved" in message(editor)
     editor.press("ArrowRight", "ArrowRight")
     assert len(drawing(editor)[key]["points"]) == 2
     assert editor.page.evaluate("() => document.activeElement.dataset.wire") == key

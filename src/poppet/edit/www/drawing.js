@@ -289,7 +289,7 @@ export class Drawing {
       this.#focusBeside(names);
       this.store.apply([{ op: "remove", parts: names }]).then(state => state && this.store.announce(text("drawing.removed", { names: names.join(", ") })));
     } else if (wire) {
-      this.store.apply([wire.input ? { op: "unlink", input: wire.input } : { op: "disconnect", port: wire.port }]);
+      this.wires.disconnect(wire.input ?? wire.port);
       this.store.selectWire(null);
     }
   }

@@ -525,8 +525,11 @@ export const CATALOGUE = {
 
   wires: {
     body: "Mechanical connection from {port} to {target}",
+    disconnected: "{port} is disconnected.",
+    moved: "Segment {number} of {count} of the wire of {port} has moved.",
     pipe: "Pipe from {port} to {target}",
     reset: "The wire of {port} has no fixed points now.",
+    segment: "Segment {number} of {count} of the wire of {port}.",
     signal: "Signal from {target} to {port}",
     straight: "Connection from {port} to {target}, for which there is no free way",
     tube: "Tube end {port} at {target}",

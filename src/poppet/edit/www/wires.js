@@ -180,6 +180,12 @@ export class Wires {
     if (wire) this.store.selectWire(wire.kind === "signal" ? { input: key } : { port: key });
   }
 
+  /* Remove the connection of a wire. */
+  async disconnect(key) {
+    const operation = this.wires.get(key)?.kind === "signal" ? { op: "unlink", input: key } : { op: "disconnect", port: key };
+    if (await this.store.apply([operation])) this.store.announce(text("wires.disconnected", { port: key }));
+  }
+
   /* Gesture of a pointer that is pressed on a wire: a click selects it, a drag moves the segment. */
   gesture(key, start, toPoint) {
     const wire = this.wires.get(key), { path, points, isStraight } = wire, k = nearestSegment(path, [start.x, start.y]);
@@ -268,7 +274,7 @@ export class Wires {
     } else if (key.toLowerCase() === "r") this.#reset(wire.key);
     else if (key === "Delete" || key === "Backspace") {
       if (isHere) return;  // the drawing removes what is selected
-      this.store.apply([wire.kind === "signal" ? { op: "unlink", input: wire.key } : { op: "disconnect", port: wire.key }]);
+      this.disconnect(wire.key);
     } else return;
     event.preventDefault();
   }
@@ -279,13 +285,22 @@ export class Wires {
     if (isVertical === (dx === 0)) {
       const ahead = isVertical ? (path[k + 1][1] - path[k][1]) * dy > 0 : (path[k + 1][0] - path[k][0]) * dx > 0;
       const next = k + (ahead ? 1 : -1);
-      if (next >= 0 && next + 1 < path.length) this.#choose(path, next);
+      if (next < 0 || next + 1 >= path.length) return;
+      this.#choose(path, next);
       this.#mark();
+      this.#tell("wires.segment", wire.key);
       return;
     }
     this.#choose(path, k);
     const coordinate = path[k][isVertical ? 0 : 1] + step * (isVertical ? dx : dy);
     this.#draft(wire, movedSegment(path, points, k, coordinate, Boolean(this.#rootOf(wire))), coordinate);
+    this.#tell("wires.moved", wire.key);
     this.#drop(wire, { continues: true });
+  }
+
+  /* Announce the selected segment of a wire. */
+  #tell(message, key) {
+    const wire = this.wires.get(key);
+    this.store.announce(text(message, { port: key, number: this.#chosen(wire) + 1, count: wire.path.length - 1 }));
   }
 }
