@@ -570,3 +570,18 @@ def test_names_of_ports_are_visible_at_a_selected_part(editor):
     assert names.count() == 0
     editor.select("spool_valve")
     assert {"supply", "exhaust a", "pilot b"} <= {*names.all_text_contents()}
+
+
+def test_a_long_chain_fits_into_the_view(start_editor):
+    chain = "".join(
+        f'[parts.tank_{k}]\nkind = "chamber"\nvolume = "1 l"\n\n[parts.hole_{k}]\nkind = "orifice"\n'
+        f'from = "{"supply" if k == 0 else f"tank_{k - 1}"}"\nto = "tank_{k}"\n'
+        'sonic_conductance = "1 dm^3/(s bar)"\ncritical_ratio = 0.3\n\n'
+        for k in range(25)
+    )
+    editor = start_editor(
+        f'[run]\nduration = "1 s"\n\n[parts.supply]\nkind = "reservoir"\npressure = "6 bar g"\n\n{chain}'
+    )
+    assert [problem for problem in editor.page.evaluate(PROBLEMS) if "outside" in problem] == []
+    editor.select("hole_24")
+    assert editor.part("hole_24").get_attribute("aria-pressed") == "true"

@@ -8,19 +8,23 @@ from typing import Any
 
 from poppet.edit.operations import is_coordinate
 from poppet.parts.sources import Reservoir
-from poppet.report.circuit.layout import Edge, Graph, Layout, assign_layers
+from poppet.report.circuit.layout import BoxPosition, Edge, Graph, Layout, assign_layers
 
 SIZE = (4.0, 4.0)
 """Width and height of a part without a stated size, in grid units."""
 GAPS = (4.0, 3.0)
 """Horizontal and vertical distance of automatically placed parts, in grid units."""
+WIDEST = 120.0
+"""Width above which an automatic layout is divided into rows, in grid units."""
+ASPECT = 1.6
+"""Ratio of width to height that a layout of several rows approaches."""
 
 
 def places_of(view: Mapping[str, Any], sizes: Mapping[str, tuple[float, float]] | None = None) -> dict[str, Any]:
     """Return the position of each part, the centre of its symbol in grid units.
 
     Positions in the file are unchanged. The other parts are arranged in layers from the supplies, below the parts with
-    a position.
+    a position. A long chain of parts is divided into rows.
 
     Parameters
     ----------
@@ -49,12 +53,29 @@ def places_of(view: Mapping[str, Any], sizes: Mapping[str, tuple[float, float]] 
     layout = Layout(graph, layers, {name: boxes[name] for name in free}, GAPS, {})
     bottoms = [place["y"] + boxes[name][1] / 2.0 for name, place in stated.items()]
     top = math.ceil(max(bottoms) + GAPS[1]) if bottoms else 0
-    height = max(layout.positions[name].y + boxes[name][1] / 2.0 for name in free)
-    # The layout has its origin at the lower left corner, a drawing at the upper left one.
-    return stated | {
-        name: {"x": round(layout.positions[name].x), "y": top + round(height - layout.positions[name].y)}
-        for name in free
-    }
+    positions = _in_rows({name: layout.positions[name] for name in free}, boxes)
+    return stated | {name: {"x": round(x), "y": top + round(y)} for name, (x, y) in positions.items()}
+
+
+def _in_rows(
+    positions: Mapping[str, BoxPosition], boxes: Mapping[str, tuple[float, float]]
+) -> dict[str, tuple[float, float]]:
+    """Return positions measured from the upper left corner; a wide layout is divided into rows below each other."""
+    lefts: dict[int, float] = {}
+    for name, position in positions.items():
+        left = position.x - boxes[name][0] / 2.0
+        lefts[position.layer] = min(left, lefts.get(position.layer, left))
+    width = max(position.x + boxes[name][0] / 2.0 for name, position in positions.items())
+    height = max(position.y + boxes[name][1] / 2.0 for name, position in positions.items())
+    count = round(math.sqrt(width / (ASPECT * (height + GAPS[1])))) if width > WIDEST else 1
+    rows = {layer: int(left * max(count, 1) / width) for layer, left in lefts.items()}
+    starts = {row: min(lefts[layer] for layer in lefts if rows[layer] == row) for row in rows.values()}
+    result = {}
+    for name, position in positions.items():
+        row = rows[position.layer]
+        # The layout has its origin at the lower left corner, a drawing at the upper left one.
+        result[name] = position.x - starts[row], row * (height + GAPS[1]) + height - position.y
+    return result
 
 
 def _is_place(place: Any) -> bool:

@@ -49,3 +49,17 @@ def test_parts_do_not_overlap(file):
 def test_incomplete_circuits(text):
     view = Document(text).view()
     assert {*places_of(view)} == {*view["parts"]}
+
+
+def test_a_long_chain_is_divided_into_rows():
+    parts = [
+        f'[parts.tank_{k}]\nkind = "chamber"\n'
+        f'[parts.hole_{k}]\nkind = "orifice"\nfrom = "tank_{k - 1}"\nto = "tank_{k}"\n'
+        for k in range(1, 31)
+    ]
+    view = Document('[parts.tank_0]\nkind = "reservoir"\n' + "".join(parts)).view()
+    places = places_of(view, dict.fromkeys(view["parts"], (10.0, 12.0)))
+    for a, b in combinations(places.values(), 2):
+        assert abs(a["x"] - b["x"]) >= 10 or abs(a["y"] - b["y"]) >= 12
+    width, height = (max(place[key] for place in places.values()) for key in "xy")
+    assert 0.8 < width / height < 3.2

@@ -40,22 +40,17 @@ export class Viewport extends EventTarget {
     return { x: this.x + (clientX - left) / scale, y: this.y + (clientY - top) / scale };
   }
 
-  /* Position in the drawing area, in pixels, of a position in the drawing. */
-  pixels({ x, y }) {
-    const scale = MODULE * this.zoom;
-    return { x: (x - this.x) * scale, y: (y - this.y) * scale };
-  }
-
   /* Move the drawing by a distance in pixels. */
   pan(dx, dy) {
     this.isUntouched = false;
     this.#show(this.x - dx / (MODULE * this.zoom), this.y - dy / (MODULE * this.zoom), this.zoom);
   }
 
-  /* Change the zoom; `fixed` is the point of the drawing that stays in place, by default the middle. */
+  /* Change the zoom within its limits; the whole of a large drawing can be below them. `fixed` is the point of the drawing
+     that stays in place, by default the middle. */
   zoomBy(factor, fixed = this.#middle()) {
     this.isUntouched = false;
-    const zoom = Math.min(MOST, Math.max(LEAST, this.zoom * factor)), ratio = this.zoom / zoom;
+    const zoom = Math.min(MOST, Math.max(Math.min(LEAST, this.zoom), this.zoom * factor)), ratio = this.zoom / zoom;
     this.#show(fixed.x - (fixed.x - this.x) * ratio, fixed.y - (fixed.y - this.y) * ratio, zoom);
   }
 
@@ -65,7 +60,7 @@ export class Viewport extends EventTarget {
     this.isUntouched = true;
     if (!box) { this.#show(-width / MODULE / 2, -height / MODULE / 2, 1); return; }
     const ratio = Math.min(width / (box.width + 2 * EDGE), height / (box.height + 2 * EDGE)) / MODULE;
-    const zoom = Math.min(most, Math.max(LEAST, ratio)), scale = MODULE * zoom;
+    const zoom = Math.min(most, ratio), scale = MODULE * zoom;
     this.#show(box.x + box.width / 2 - width / scale / 2, box.y + box.height / 2 - height / scale / 2, zoom);
   }
 
