@@ -133,6 +133,24 @@ def test_a_long_run_is_short_while_a_number_is_dragged(start_editor):
     assert end == pytest.approx(4.0)
 
 
+def test_the_range_of_a_slider_is_constant_during_a_drag(start_editor):
+    """Each value of a number that the server computes changes the text; the range follows after the drag."""
+    size = 'sonic_conductance = "2 dm^3/(s bar)"\ncritical_ratio = 0.3\n'
+    editor = start_editor(VENT.replace(size, 'nominal_flow = "400 l/min ANR"\n'))
+    editor.select("bleed")
+    slider = editor.page.locator('[data-slider="bleed.nominal_flow"]')
+    x, y = editor.centre(slider)
+    editor.page.mouse.move(x, y)
+    editor.page.mouse.down()
+    for k in range(1, 31):
+        editor.page.mouse.move(x + 2 * k, y)
+        editor.wait()
+    editor.page.mouse.up()
+    editor.wait()
+    flow = evaluate(editor, "return parseFloat(store.state.view.parts.bleed.fields.nominal_flow);")
+    assert 400.0 < flow < 1200.0
+
+
 def test_a_moved_part_is_not_simulated_again(vent):
     body = """
       const { run } = store;

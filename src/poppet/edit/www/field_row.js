@@ -177,7 +177,8 @@ export class FieldRow extends InputRow {
       return;
     }
     this.#updateUnit();
-    if (document.activeElement !== this.slider || !this.isDirty) this.#updateSlider();
+    // The range is that of the value before the drag, otherwise the value would run away below the pointer.
+    if (!this.isSliding && (document.activeElement !== this.slider || !this.isDirty)) this.#updateSlider();
   }
 
   /* Value that is valid as long as none is stated. */
@@ -271,6 +272,7 @@ export class FieldRow extends InputRow {
 
   #slide() {
     const { field, store } = this;
+    this.isSliding = true;
     const typed = textAt(Number(this.slider.value), this.range);
     this.input.value = typed;
     this.slider.setAttribute("aria-valuetext", typed);
@@ -283,7 +285,11 @@ export class FieldRow extends InputRow {
   /* Write the number of the slider: at once after the mouse, later after a key, since more keys may follow. */
   #finishSlide(isLast = false) {
     clearTimeout(this.#timer);
-    if (!this.isDirty) return;
+    this.isSliding = false;
+    if (!this.isDirty) {
+      this.#updateSlider();
+      return;
+    }
     if (isLast || !this.slider.matches(":focus-visible")) this.commit();
     else this.#timer = setTimeout(() => this.commit(), QUIET);
   }
