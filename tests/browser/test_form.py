@@ -179,6 +179,19 @@ def test_a_part_is_renamed(bench):
     assert bench.page.evaluate("() => document.activeElement.value") == "throttle"
 
 
+@pytest.mark.parametrize("name", ["tank", "2nd", "run", ""])
+def test_a_name_that_is_not_possible_stays_in_the_field(bench, name):
+    field = bench.page.locator("#form").get_by_label("Name", exact=True)
+    field.fill(name)
+    field.press("Enter")
+    bench.wait()
+    assert bench.text() == BENCH
+    assert field.input_value() == name
+    assert field.get_attribute("aria-invalid") == "true"
+    field.press("Escape")
+    assert field.input_value() == "hole"
+
+
 def test_ports_are_connected_as_texts(editor):
     for kind in ("reservoir", "chamber", "orifice"):
         editor.add(kind)

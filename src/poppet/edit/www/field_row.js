@@ -134,12 +134,12 @@ export function bare(address) { return (address ?? "").replace(/^parts\./, ""); 
 
 /* Row of a field of a part, or of a table such as `run`. `read()` returns the value in the file. */
 export class FieldRow extends InputRow {
-  constructor(store, { owner, field, read, isRequired = false }) {
+  constructor(store, { owner, field, read, isRequired = false, choices = () => field.choices ?? [] }) {
     super(store, { address: `${owner}.${field.name}`, label: inWords(field.name) });
     // Fields of several groups have the same last name.
     this.fullName = field.name.split(".").map(inWords).join(": ");
     if (this.fullName !== this.label) this.input.setAttribute("aria-label", this.fullName);
-    Object.assign(this, { field, read, isRequired });
+    Object.assign(this, { field, read, isRequired, listed: choices });
     this.isTable = field.type === "reference";
     this.element.dataset.type = field.type;
     if (isRequired) this.name.append(make("span", { class: "required" }, ` ${text("form.required")}`));
@@ -155,7 +155,7 @@ export class FieldRow extends InputRow {
   /* Addresses that get the value. */
   get addresses() { return [this.address]; }
 
-  get choices() { return this.field.choices ?? []; }
+  get choices() { return this.listed(); }
 
   present() { return textOf(this.stated); }
 
@@ -199,7 +199,7 @@ export class FieldRow extends InputRow {
     const isSpoken = field.note && field.note !== "default";
     const source = [text(`form.source_${field.source ?? "given"}`), isSpoken ? field.note : ""].filter(Boolean).join(": ");
     return [
-      field.doc === this.label ? "" : field.doc,
+      field.doc === this.label ? "" : field.doc.replaceAll("`", ""),
       field.type === "number" ? limitsOf(field, store.units).join(", ") : "",
       preset ? text("form.default", { value: field.type === "number" ? `${preset} (${source})` : preset }) : "",
     ].filter(Boolean).join(" · ");

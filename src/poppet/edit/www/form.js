@@ -13,6 +13,8 @@ import { text } from "./strings.js";
 import { inWords } from "./field_values.js";
 
 const FURTHER = 4;  // rank of fields that have a default
+const NAME = /^[A-Za-z][A-Za-z0-9_-]{0,99}$/;
+const RESERVED = new Set(["ambient", "gas", "run", "time", "title", "signals", "parts", "connections"]);
 const NO_ENTRY = { fields: [], groups: [], sizes: [] };
 const LISTED = 30;  // connections that a gas node shows
 
@@ -150,7 +152,7 @@ export class Form {
     const isRequired = field.required && !group?.optional;
     const sizes = sizeGroups(this.store.entry(part) ?? NO_ENTRY).find(({ names }) => names.includes(field.name));
     const Row = sizes ? SizeRow : field.type === "model" ? ModelRow : field.name === "steps" && field.form === "mapping" ? StepsRow : FieldRow;
-    const row = this.#add(new Row(this.store, { owner: part, field, read, isRequired, part, group: sizes }), field.name);
+    const row = this.#add(new Row(this.store, { owner: part, field, read, isRequired, part, group: sizes, ...this.#stepNames(part, field) }), field.name);
     if (field.type === "reference") {
       const start = startTable(this.store.state.view.parts[part].kind, field.name);
       row.element.append(this.#add(new CurveTable(this.store, { ...row, start }), `curve ${field.name}`).element);
@@ -160,6 +162,12 @@ export class Form {
     const driver = this.#add(new LinkRow(this.store, part, input, { isNamed: false }), `driver ${field.name}`);
     row.element.append(driver.element, this.#signal(part, input, field));
     return row.element;
+  }
+
+  /* Fields of a sequence that name one of its steps. */
+  #stepNames(part, { name }) {
+    const steps = () => Object.keys(this.store.state.view.parts[part]?.fields.steps ?? {});
+    return ["start", "emergency"].includes(name) ? { choices: steps } : {};
   }
 
   #signal(part, input, field) { return this.#add(new Signals(this.store, part, input, field), `signal ${input.name}`).element; }
@@ -253,6 +261,13 @@ class RenameRow extends InputRow {
   }
 
   present() { return this.part; }
+
+  /* Names that the server would refuse. */
+  problem(typed) {
+    const name = typed.trim();
+    if (name !== this.part && name in this.store.state.view.parts) return text("form.name_taken", { name });
+    return NAME.test(name) && !RESERVED.has(name) ? "" : text("form.name_invalid");
+  }
 
   operations(typed) {
     const name = typed.trim();

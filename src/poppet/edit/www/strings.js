@@ -117,6 +117,8 @@ export const CATALOGUE = {
     model_search: "search by catalogue number",
     model_sets: "Sets {values}. {source}.",
     name: "Name",
+    name_invalid: "A name begins with a letter and contains letters, digits, _ and -. Some names are reserved, such as run.",
+    name_taken: "Another part has the name {name}.",
     needed: "required",
     no_conversion: "A value in {unit} cannot be converted here. Enter the number in the other unit.",
     no_kind: "unknown kind",
