@@ -247,7 +247,8 @@ class _Handler(BaseHTTPRequestHandler):
 
     def _send(self, reply: Reply) -> None:
         body, headers = reply.body, {**HEADERS, "Content-Type": reply.media_type, **reply.headers}
-        accepts = "gzip" in self.headers.get("Accept-Encoding", "")
+        headers_of_request: Mapping[str, str] = getattr(self, "headers", {})  # missing if they are not valid
+        accepts = "gzip" in headers_of_request.get("Accept-Encoding", "")
         if accepts and len(body) > _SMALLEST_COMPRESSED and reply.media_type.startswith(_COMPRESSED):
             body = gzip.compress(body, compresslevel=1, mtime=0)
             headers["Content-Encoding"] = "gzip"
@@ -259,6 +260,11 @@ class _Handler(BaseHTTPRequestHandler):
             self.send_header("Connection", "close")
         self.end_headers()
         self.wfile.write(body)
+
+    def send_error(self, code: int, message: str | None = None, explain: str | None = None) -> None:
+        """Reply to a request with another method, or to one that is not valid HTTP."""
+        self.close_connection = True
+        self._send(Reply.refusal(code))
 
     def log_message(self, format: str, *args: Any) -> None:
         """Print nothing: the terminal shows the address only."""

@@ -5,8 +5,10 @@ from __future__ import annotations
 import gzip
 import http.client
 import json
+import socket
 import struct
 from collections.abc import Iterator
+from contextlib import suppress
 from pathlib import Path
 from threading import Thread
 from typing import Any, ClassVar, NamedTuple
@@ -234,6 +236,20 @@ def test_other_methods(page, method):
     answer = page.request(method, "/document")
     assert answer.status == 501
     assert "Access-Control-Allow-Origin" not in answer.headers
+    assert "default-src 'none'" in answer.headers["Content-Security-Policy"]
+
+
+@pytest.mark.parametrize("line", [b"GET /", b"GET / HTTP/9", b"\x16\x03\x01", b"GET /" + b"a" * 70000, b"GET / HTTP/x"])
+def test_requests_that_are_no_http(server, page, line, capfd):
+    with (
+        socket.create_connection(("127.0.0.1", server.server_port), timeout=10) as connection,
+        suppress(ConnectionError),
+    ):
+        connection.sendall(line + b"\r\n\r\n")
+        while connection.recv(1000):
+            pass
+    assert page.get("/status").status == 200
+    assert capfd.readouterr().err == ""
 
 
 # --- Files of the page ---
