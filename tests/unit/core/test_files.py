@@ -8,7 +8,10 @@ import sys
 
 import pytest
 
-from poppet.core.files import write_whole
+from poppet import library
+from poppet.core.files import check_path, confined_to, write_whole
+from poppet.library import components
+from refusals import refused
 
 KILLED = """
 import os, sys
@@ -63,3 +66,35 @@ def test_failure_does_not_change_the_file(tmp_path):
     with pytest.raises(ValueError, match="no more"):
         write_whole(path, fails)
     assert [(each.name, each.read_bytes()) for each in tmp_path.iterdir()] == [("o.csv", b"whole")]
+
+
+def test_files_are_confined_to_folders(tmp_path):
+    inner, other = tmp_path / "inner", tmp_path / "other"
+    for folder in (inner, other, inner / "deep"):
+        folder.mkdir()
+    (inner / "link").symlink_to(tmp_path)
+    outside = (tmp_path / "x.csv", inner / ".." / "x.csv", inner / "link" / "x.csv", tmp_path / "inner2" / "x.csv")
+    with confined_to(inner, other):
+        for path in (inner / "x.csv", inner / "deep" / "x.csv", other / "x.csv", inner / "link" / "other" / "x.csv"):
+            check_path(path)
+        for path in outside:
+            with refused("files.outside", path=str(path), folder=str(inner.resolve())):
+                check_path(path)
+        with refused("files.outside"):
+            write_whole(tmp_path / "x.csv", lambda stream: stream.write(b"1"))
+        with confined_to(other), refused("files.outside"):
+            check_path(inner / "x.csv")
+        with confined_to():
+            check_path(tmp_path / "x.csv")
+        check_path(inner / "x.csv")
+    for path in outside:
+        check_path(path)
+    assert not (tmp_path / "x.csv").exists()
+
+
+def test_the_library_is_not_confined(tmp_path):
+    components._components.cache_clear()
+    components._by_name.cache_clear()
+    with confined_to(tmp_path):
+        assert components.components()
+        assert library.sets()
