@@ -10,6 +10,7 @@ from threading import Lock
 from typing import Any
 
 from poppet.core.errors import InputError
+from poppet.core.toml_file import TomlFile
 from poppet.edit.palette import palette, sections, unit_table
 from poppet.edit.server import BYTES, Reply, Request, Route, Routes
 from poppet.edit.session import Session, State, error_list
@@ -148,19 +149,18 @@ def _model(session: Session) -> Callable[[Request], Reply]:
 
     def build(query: Mapping[str, str]) -> Reply:
         with session.lock:
-            session.history.check(int(query["revision"]) if query.get("revision", "").isdecimal() else -1)
-            circuit = session.circuit()
+            if query.get("revision") != str(session.history.revision):
+                return Reply(b"", BYTES, HTTPStatus.NO_CONTENT)
+            circuit, text = session.circuit(), session.document.text
         from poppet.edit.build import build_payload  # slow to import
 
-        return Reply(build_payload(circuit, query.get("key")), BYTES)
+        try:
+            return Reply(build_payload(circuit, query.get("key")), BYTES)
+        except InputError as error:  # of the run, such as a wrong stop condition
+            raise TomlFile(text, "").located(error) from None
 
     def reply(request: Request) -> Reply:
         with building:
-            try:
-                return build(request.query)
-            except InputError as error:
-                if error.code != "edit.stale":
-                    raise
-                return Reply(b"", BYTES, HTTPStatus.NO_CONTENT)
+            return build(request.query)
 
     return reply

@@ -412,11 +412,19 @@ def test_the_model_of_a_revision(page):
     header = json.loads(answer.body[12 : 12 + length])
     again = page.get(f"/model?revision=1&key={header['key']}")
     assert len(again.body) < len(answer.body)
-    for query in ("", "?revision=x", "?revision=7", "?revision=%ff"):
+    for query in ("", "?revision=x", "?revision=7", "?revision=%ff", f"?revision={'1' * 9999}"):
         assert page.get(f"/model{query}").status == 204
     state = page.post("/text", {"revision": 1, "text": TANKS + "\n[parts.x]\nkind = 1\n"}).json
     answer = page.get(f"/model?revision={state['revision']}")
     assert (answer.status, answer.json["errors"]) == (422, state["errors"])
+
+
+def test_errors_of_the_run_have_lines(page):
+    text = TANKS.replace("[run]\n", '[run]\nstop_when = ["tnk.pressure > 2 bar"]\n')
+    revision = page.post("/text", {"revision": 1, "text": text}).json["revision"]
+    answer = page.get(f"/model?revision={revision}")
+    (error,) = answer.json["errors"]
+    assert (answer.status, error["line"]) == (422, text.splitlines().index("[run]") + 2)
 
 
 HOSTILE = [
