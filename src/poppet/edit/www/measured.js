@@ -33,7 +33,10 @@ export class Measured extends EventTarget {
   /* Outputs that a column can measure. */
   setColumns(columns) {
     this.columns = columns;
-    for (const item of this.items) if (!columns.some(({ name }) => name === item.target)) item.target = "";
+    for (const item of this.items) {
+      if (!columns.some(({ name }) => name === item.target)) item.target = "";
+      if (!item.isChosen) this.match(item);
+    }
     this.fill();
   }
 
@@ -59,10 +62,15 @@ export class Measured extends EventTarget {
     }
     const { factor } = scaleOf(unit, this.store.units);
     const time = clock.values.map(value => value * factor);
-    return columns.filter(column => column !== clock).map(column => {
-      const match = this.columns.find(({ name, unit: si }) => name === column.name && unitNamed(si, column.unit || si));
-      return { file, time, ...column, target: match?.name ?? "", unit: match ? unitNamed(match.unit, column.unit || match.unit) : column.unit };
-    });
+    const items = columns.filter(column => column !== clock).map(column => ({ file, time, ...column, target: "", isChosen: false }));
+    for (const item of items) this.match(item);
+    return items;
+  }
+
+  /* Take the output of the same name as the one that an item measures. */
+  match(item) {
+    const column = this.columns.find(({ name, unit }) => name === item.name && unitNamed(unit, item.unit || unit));
+    if (column) Object.assign(item, { target: column.name, unit: unitNamed(column.unit, item.unit || column.unit) });
   }
 
   change(items) {
@@ -102,7 +110,7 @@ export class Measured extends EventTarget {
     for (const { name, unit } of this.columns) if (!item.unit || unitNamed(unit, item.unit)) target.add(new Option(name, name));
     target.value = item.target;
     target.onchange = () => {
-      item.target = target.value;
+      Object.assign(item, { target: target.value, isChosen: true });
       this.change(this.items);
     };
     const column = this.columns.find(({ name }) => name === item.target);

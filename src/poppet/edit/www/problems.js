@@ -8,6 +8,7 @@ export class Problems {
     Object.assign(this, { element, store, showLine });
     this.title = document.createElement("h2");
     this.list = document.createElement("ul");
+    this.title.setAttribute("aria-live", "polite");
     element.append(this.title, this.list);
     store.addEventListener("state", () => this.show());
   }
@@ -17,7 +18,8 @@ export class Problems {
     // An empty circuit is incomplete, but that is no news.
     const isEmpty = state.error === null && !Object.keys(state.view.parts).length;
     this.element.hidden = !errors.length || isEmpty;
-    this.title.textContent = text(errors.length === 1 ? "problems.title_one" : "problems.title", { count: errors.length });
+    const title = text(errors.length === 1 ? "problems.title_one" : "problems.title", { count: errors.length });
+    if (this.title.textContent !== title) this.title.textContent = title;
     this.list.replaceChildren(...errors.map(error => this.item(error)));
   }
 

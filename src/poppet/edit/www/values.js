@@ -20,6 +20,10 @@ export class Values {
     scroll.setAttribute("aria-label", text("curves.table"));
     this.table = scroll.appendChild(document.createElement("table"));
     this.details.addEventListener("toggle", () => this.fill());
+    store.addEventListener("run", () => {
+      // The last result is not that of the present circuit.
+      if (store.isStale && store.message === this.last) store.announce("");
+    });
     store.addEventListener("open", () => {
       clearTimeout(this.timer);
       this.last = "";
