@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import os
 import re
 import signal
@@ -9,6 +10,8 @@ import subprocess
 import sys
 import time
 from collections.abc import Iterable
+from functools import cached_property
+from http.client import HTTPConnection
 from pathlib import Path
 from typing import Any
 
@@ -35,10 +38,30 @@ class Server:
         match = re.search(r"http://127\.0\.0\.1:\d+/\?token=\S+", printed)
         assert match, f"{printed!r} contains no address; {self.errors()}"
         self.address = match.group()
+        self.host = self.address.split("/")[2]
 
     def errors(self) -> str:
         """Output of the server on stderr."""
         return self.errors_file.read_text(encoding="utf-8")
+
+    @cached_property
+    def cookie(self) -> dict[str, str]:
+        """Cookie that replaces the token, with which several contexts of a browser can open the page."""
+        connection = HTTPConnection(self.host, timeout=PATIENCE)
+        connection.request("GET", self.address.removeprefix(f"http://{self.host}"))
+        name, _, rest = (connection.getresponse().getheader("Set-Cookie") or "").partition("=")
+        connection.close()
+        return {"name": name, "value": rest.partition(";")[0], "url": f"http://{self.host}"}
+
+    def post(self, path: str, content: dict[str, Any]) -> int:
+        """Send a request and return the status of the reply."""
+        connection = HTTPConnection(self.host, timeout=PATIENCE)
+        cookie = f"{self.cookie['name']}={self.cookie['value']}"
+        headers = {"Content-Type": "application/json", "Cookie": cookie, "Origin": f"http://{self.host}"}
+        connection.request("POST", path, json.dumps(content), headers)
+        status = connection.getresponse().status
+        connection.close()
+        return status
 
     def stop(self) -> int:
         """End the server by SIGTERM and return its exit code."""

@@ -18,6 +18,7 @@ from PIL import Image, ImageDraw
 ROOT = Path(__file__).resolve().parents[1]
 sys.path.insert(0, str(ROOT / "tests"))
 browsers, pages, users = map(import_module, ("chromium", "editor_page", "editor_user"))
+MouseUser: Any = users.MouseUser
 PICTURE = ROOT / "docs/images/edit.gif"
 SIZE, SCALE = (1280, 900), 0.68
 COLOURS = 128
@@ -27,7 +28,7 @@ POINTER = ((0, 0), (0, 17), (4, 13), (7, 19), (10, 18), (7, 12), (12, 12))
 """Outline of a mouse pointer, which screenshots omit."""
 
 
-class FilmedUser(users.MouseUser):  # type: ignore[misc]
+class FilmedUser(MouseUser):  # type: ignore[misc]
     """A user with the mouse whose actions are filmed."""
 
     def __init__(self, editor: Any) -> None:

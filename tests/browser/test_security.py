@@ -184,8 +184,8 @@ def test_the_page_asks_only_its_own_server(start_editor):
     assert foreign == []
 
 
-def test_the_token_is_of_one_use_only_in_the_address(start_editor):
-    editor = start_editor(PLANT.format(payload="plant", more=""))
+def test_the_token_becomes_a_cookie(start_editor):
+    editor = start_editor(PLANT.format(payload="plant", more=""), own=True)
     assert "token" not in editor.page.url
     (cookie,) = editor.page.context.cookies()
     assert (cookie["httpOnly"], cookie["sameSite"]) == (True, "Strict")

@@ -61,7 +61,7 @@ def downloaded(editor, button, path):
 
 
 def test_a_size_is_found_and_applied_as_one_step(start_editor):
-    editor = start_editor(FILL)
+    editor = start_editor(FILL, own=True)
     editor.select("fill")
     form = editor.page.locator("[data-form=size]")
     editor.field("fill.critical_ratio").focus()
@@ -94,7 +94,7 @@ def test_a_size_is_found_and_applied_as_one_step(start_editor):
 
 
 def test_a_report_opens_without_rights_and_is_copied_without_replacing_a_file(start_editor):
-    editor = start_editor(FILL, files={"plant.html": "mine"})
+    editor = start_editor(FILL, files={"plant.html": "mine"}, own=True)
     open_tasks(editor)
     task(editor, "report").click()
     entry = result(editor, "report")
@@ -120,7 +120,7 @@ def test_a_recording_is_fitted(start_editor):
     truth = loads(FILL).with_values({"fill.sonic_conductance": "0.13 dm^3/(s bar)"}).simulate()
     rows = zip(truth.time, truth["tank.pressure"], strict=True)
     lines = ["time [ms];p_tank", *(f"{1e3 * t:.4f};{p / 1e5 - 1.0:.8f}" for t, p in rows)]
-    editor = start_editor(FILL)
+    editor = start_editor(FILL, own=True)
     open_tasks(editor)
     task(editor, "identify").click()
     form = editor.page.locator("[data-form=identify]")
@@ -143,7 +143,7 @@ def test_a_recording_is_fitted(start_editor):
 
 
 def test_a_recording_is_dropped_on_the_panel(start_editor):
-    editor = start_editor(FILL)
+    editor = start_editor(FILL, own=True)
     open_tasks(editor)
     drop = """() => {
         const data = new DataTransfer();
@@ -162,7 +162,7 @@ def test_a_recording_is_dropped_on_the_panel(start_editor):
 
 
 def test_the_cycle_of_an_energy_audit_is_stated(start_editor):
-    editor = start_editor(FILL)
+    editor = start_editor(FILL, own=True)
     open_tasks(editor)
     task(editor, "energy").click()
     form = editor.page.locator("[data-form=energy]")
@@ -173,7 +173,7 @@ def test_the_cycle_of_an_energy_audit_is_stated(start_editor):
 
 def test_a_running_task_is_cancelled_while_the_editor_works(start_editor):
     long = FILL.replace('duration = "2 s"', 'duration = "20 s"').replace('"10 ms"', '"0.01 ms"')
-    editor = start_editor(long)
+    editor = start_editor(long, own=True)
     open_tasks(editor)
     task(editor, "report").click()
     editor.select("tank")
@@ -186,7 +186,7 @@ def test_a_running_task_is_cancelled_while_the_editor_works(start_editor):
 
 
 def test_a_failed_task_has_a_message(start_editor):
-    editor = start_editor(FILL)
+    editor = start_editor(FILL, own=True)
     open_tasks(editor)
     task(editor, "size").click()
     form = editor.page.locator("[data-form=size]")
@@ -196,7 +196,7 @@ def test_a_failed_task_has_a_message(start_editor):
 
 
 def test_pictures_and_text_of_the_drawing(start_editor, tmp_path):
-    editor = start_editor(FILL, scheme="dark")
+    editor = start_editor(FILL, scheme="dark", own=True)
     editor.select("tank")
     open_tasks(editor)
     assert downloaded(editor, task(editor, "svg"), tmp_path / "a.svg") == "plant.svg"
@@ -222,7 +222,7 @@ def test_pictures_and_text_of_the_drawing(start_editor, tmp_path):
 
 
 def test_exports(start_editor, tmp_path):
-    editor = start_editor(FILL)
+    editor = start_editor(FILL, own=True)
     open_tasks(editor)
     task(editor, "c").click()
     editor.page.locator("[data-form=c]").get_by_role("button", name="Start").click()
@@ -246,7 +246,7 @@ def test_exports(start_editor, tmp_path):
 
 
 def test_tasks_of_an_incomplete_circuit_are_disabled(start_editor):
-    editor = start_editor()
+    editor = start_editor(own=True)
     open_tasks(editor)
     assert task(editor, "report").is_disabled()
     editor.add("orifice")
@@ -257,7 +257,7 @@ def test_tasks_of_an_incomplete_circuit_are_disabled(start_editor):
 
 @pytest.mark.parametrize("scheme", ["light", "dark"])
 def test_forms_fit_a_narrow_page(start_editor, scheme):
-    editor = start_editor(FILL, width=360, height=740, scheme=scheme)
+    editor = start_editor(FILL, width=360, height=740, scheme=scheme, own=True)
     editor.page.get_by_role("tab", name="Details").click()
     open_tasks(editor)
     for name in ("size", "ensemble", "tune", "identify", "energy", "safety", "fmu", "c", "st"):
@@ -274,7 +274,7 @@ def test_forms_fit_a_narrow_page(start_editor, scheme):
 
 
 def test_results_are_reached_by_keys_and_announced(start_editor):
-    editor = start_editor(FILL)
+    editor = start_editor(FILL, own=True)
     open_tasks(editor)
     task(editor, "live").focus()
     editor.page.keyboard.press("Enter")

@@ -19,7 +19,7 @@ export function siOf(value, unit, units, ambient = 100000) {
   if (!typed.unit) return Number(typed.number);
   const source = scaleOf(typed.unit, units), target = scaleOf(unit, units);
   const number = exact(typed.number);
-  if (!source || !target || !number) return null;
+  if (!source || !target || !number || source.dimension !== target.dimension) return null;
   const value_si = toNumber(over(times(plus(number, source.offset), source.factor), target.factor));
   return source.gauge ? value_si + ambient : value_si;
 }
