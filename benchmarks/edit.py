@@ -1,7 +1,8 @@
 """From the text of a circuit to the model of the editor's page, beside the module of a live page, and to its first run.
 
 Each round does both for a new structure, so a busy machine slows both; printed are medians. A known structure needs no
-code: only its arrays are made. Where node is found, the page's script loads the model and runs it twice.
+code: only its arrays are made. Where node is found, the page's script loads the model and runs it twice. Where Chromium
+and Playwright are found, the page itself is measured: from a new wire, and from a number, to the painted curve.
 """
 
 from __future__ import annotations
@@ -10,10 +11,13 @@ import json
 import shutil
 import statistics
 import subprocess
+import sys
 import tempfile
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
+from importlib import import_module
 from importlib.resources import files
+from importlib.util import find_spec
 from pathlib import Path
 from typing import Any
 
@@ -27,6 +31,13 @@ EXAMPLES = Path(__file__).parents[1] / "examples"
 FILES = {"7 parts": "fill_staircase", "cylinder": "cylinder_meter_out", "sampled": "pressure_regulator"}
 TARGETS = {"7 parts": 250, "cylinder": 250, "sampled": 500, "40 parts": 700}
 """Longest time from a new wire to the curve on two quiet cores [ms]."""
+NUMBERS = {
+    "7 parts": ("tank.volume", "tank"),
+    "cylinder": ("supply.pressure", "cylinder.cap"),
+    "sampled": ("tank.volume", "tank"),
+    "40 parts": ("c3.volume", "c9"),
+}
+"""Number that changes in the page, and gas node to which an orifice is joined."""
 PROGRAM = """
 import fs from "node:fs";
 import { PageModel } from "./model.js";
@@ -42,6 +53,39 @@ for (let k = 0; k < 3; k++) {
 }
 console.log(JSON.stringify(times));
 """
+PAGE = """async ({ count, address, store: node }) => {
+  const { store } = window.poppet;
+  const painted = () => new Promise(done => requestAnimationFrame(() => {
+    const { port1, port2 } = new MessageChannel();  // its message comes after the frame
+    port1.onmessage = done;
+    port2.postMessage(null);
+  }));
+  const apply = async (...operations) => {
+    const state = await store.apply(operations);
+    await window.poppet.ready;
+    return state;
+  };
+  const wires = [], numbers = [];
+  for (let k = 0; k < count; k++) {
+    const fields = { sonic_conductance: "0.1 dm^3/(s bar)", critical_ratio: 0.3 };
+    const { created: [name] } = await apply({ op: "add", kind: "orifice", place: { x: 20 * k, y: -30 }, fields });
+    await apply({ op: "connect", port: `${name}.from`, to: "ambient" });
+    const begin = performance.now();
+    await apply({ op: "connect", port: `${name}.to`, to: node });
+    await painted();
+    wires.push(performance.now() - begin);
+  }
+  for (let k = 0; k < 10 * count; k++) {
+    const begin = performance.now();
+    const run = new Promise(done => store.addEventListener("run", done, { once: true }));
+    const { value } = store.header.numbers[address];
+    store.number(address, value * (1 + 0.2 * Math.random()));
+    await run;
+    await painted();
+    numbers.push(performance.now() - begin);
+  }
+  return [wires, numbers];
+}"""
 
 
 def chain(length: int) -> str:
@@ -83,6 +127,31 @@ def in_node(payload: bytes) -> list[float]:
         return times
 
 
+def in_page(texts: Mapping[str, str], count: int) -> None:
+    """Print the times in the page from a new wire and from a number to the painted curve [ms], `count` wires each."""
+    sys.path.insert(0, str(Path(__file__).parents[1] / "tests"))
+    program = import_module("chromium").found()
+    if program is None or find_spec("playwright") is None:
+        print("no page was looked at: Chromium or Playwright is missing")
+        return
+    editor_page, playwright = import_module("editor_page"), import_module("playwright.sync_api")
+    with playwright.sync_playwright() as driver, tempfile.TemporaryDirectory() as folder:
+        browser = driver.chromium.launch(executable_path=program, args=list(editor_page.FLAGS))
+        for title, text in texts.items():
+            place, (address, store) = Path(folder, title.replace(" ", "_")), NUMBERS[title]
+            place.mkdir()
+            (place / "plant.toml").write_text(text, encoding="utf-8")
+            server = editor_page.Server(place, "plant.toml")
+            try:
+                page = editor_page.Editor(server, browser.new_page()).open().page
+                wires, numbers = page.evaluate(PAGE, {"count": count, "address": address, "store": store})
+            finally:
+                server.stop()
+            found = f"wire {statistics.median(wires):.0f} ms of {TARGETS[title]}"
+            print(f"{title:9s} in the page: {found}, number {statistics.median(numbers):.0f} ms of 25")
+        browser.close()
+
+
 def main(size: float = 1.0) -> None:
     texts = {title: (EXAMPLES / f"{name}.toml").read_text(encoding="utf-8") for title, name in FILES.items()}
     texts["40 parts"] = chain(20)
@@ -104,6 +173,7 @@ def main(size: float = 1.0) -> None:
             first, later = (statistics.median(column) for column in zip(*runs, strict=True))
             line += f" {first:10.0f} {later:6.1f}   {new + first:.0f} ms of {TARGETS[title]}"
         print(line)
+    in_page(dict([*texts.items()][: max(1, round(4 * size))]), max(1, round(7 * size)))
 
 
 if __name__ == "__main__":
