@@ -20,13 +20,24 @@ export class Problems {
     this.element.hidden = !errors.length || isEmpty;
     const title = text(errors.length === 1 ? "problems.title_one" : "problems.title", { count: errors.length });
     if (this.title.textContent !== title) this.title.textContent = title;
-    this.list.replaceChildren(...errors.map(error => this.item(error)));
+    // A list that is not replaced keeps the focus.
+    const key = JSON.stringify([errors, Object.keys(state.view.parts)]);
+    if (key !== this.key) this.list.replaceChildren(...errors.map(error => this.item(error)));
+    this.key = key;
+  }
+
+  /* Select a part, and focus the field or the port that causes an error. */
+  showCause(part, address) {
+    this.store.select([part]);
+    const name = CSS.escape(address.replace(/^parts\./, ""));
+    const places = [`#form [name="${name}"]`, `#drawing [data-port="${name}"]`, `#drawing [data-part="${CSS.escape(part)}"]`];
+    places.map(place => document.querySelector(place)).find(element => element)?.focus();
   }
 
   item(error) {
     const item = document.createElement("li");
     const part = partOf(error.address, this.store.state.view.parts);
-    const action = part ? () => this.store.select([part]) : error.line ? () => this.showLine(error.line) : null;
+    const action = part ? () => this.showCause(part, error.address) : error.line ? () => this.showLine(error.line) : null;
     const content = document.createElement(action ? "button" : "span");
     content.textContent = [error.message, error.hint].filter(Boolean).join(" ");
     if (error.address) content.dataset.address = error.address;
