@@ -31,7 +31,8 @@ export class Problems {
     this.store.select([part]);
     const name = CSS.escape(address.replace(/^parts\./, ""));
     const places = [`#form [name="${name}"]`, `#drawing [data-port="${name}"]`, `#drawing [data-part="${CSS.escape(part)}"]`];
-    places.map(place => document.querySelector(place)).find(element => element)?.focus();
+    // On a narrow page, the form is in another tab.
+    places.map(place => document.querySelector(place)).find(element => element?.getClientRects().length)?.focus();
   }
 
   item(error) {
