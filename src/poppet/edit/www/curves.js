@@ -162,7 +162,7 @@ export class Curves {
 function statusOf({ status, time, seconds, duration, isShort, until }, conditions) {
   const last = digits(time.at(-1) ?? 0, duration);
   if (isShort) return text("curves.short", { until: digits(until, duration) });
-  const milliseconds = 1000 * seconds < 10 ? digits(1000 * seconds) : Math.round(1000 * seconds);
+  const milliseconds = 1000 * seconds < 10 ? (1000 * seconds).toPrecision(2) : Math.round(1000 * seconds);
   if (status === "done") return text("curves.status_done", { duration: last, milliseconds });
   if (status === "stopped") return text("curves.status_stopped", { time: last, conditions: [conditions ?? []].flat().join(", ") });
   return text("curves.status_other", { time: last, status });
