@@ -156,11 +156,11 @@ class _Handler(BaseHTTPRequestHandler):
         self._answer()
 
     def _answer(self) -> None:
-        url = urlsplit(self.path)
         try:
+            url = urlsplit(self.path)
             path = unquote(url.path, errors="strict")
-        except UnicodeDecodeError:
-            path = ""
+        except ValueError:  # an invalid address or invalid UTF-8
+            url, path = urlsplit(""), ""
         query = {key: values[-1] for key, values in parse_qs(url.query).items()}
         route, names = self.server.find(self.command, path)
         is_first = self.command == "GET" and path == "/" and "token" in query

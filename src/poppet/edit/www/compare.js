@@ -54,6 +54,11 @@ export class Compare extends EventTarget {
   }
 }
 
+/* True if a run, which can be null, has a column with the same quantity. */
+export function hasColumn(run, { name, unit }) {
+  return Boolean(run?.columns.some(column => column.name === name && column.unit === unit));
+}
+
 /* Return the addresses whose values differ between two views, with both values as text, or undefined for an absent one. */
 export function differences(before, now) {
   const [a, b] = [valuesOf(before), valuesOf(now)];

@@ -1,7 +1,7 @@
 /* Curves of the last run: one plot per quantity, with the kept run and measured values. */
 
 import { Choice } from "./choice.js";
-import { Compare } from "./compare.js";
+import { Compare, hasColumn } from "./compare.js";
 import { Measured } from "./measured.js";
 import { Playback } from "./playback.js";
 import { Plot } from "./plot.js";
@@ -96,7 +96,7 @@ export class Curves {
     return columns.flatMap((column, colour) => {
       const base = { name: column.name, isStep: column.isStep, isSelected: column.isSelected, colour };
       const lines = [{ ...base, label: column.name, role: "now" }];
-      if (kept?.series.has(column.name)) {
+      if (hasColumn(kept, column)) {
         lines.push({ ...base, label: `A: ${column.name}`, role: "kept", isSelected: false, data: [kept.time, kept.series.get(column.name)] });
       }
       for (const { label, time, values } of this.measured.linesOf(column)) {

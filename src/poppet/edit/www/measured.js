@@ -1,6 +1,8 @@
 /* Measured curves: CSV files that are dropped on the curves, and the outputs that their columns measure. */
 
+import { hasColumn } from "./compare.js";
 import { readTable } from "./csv.js";
+import { ambientOf } from "./field_values.js";
 import { digits, displayOf, prettyUnit, scaleOf, valueAt } from "./quantities.js";
 import { text } from "./strings.js";
 
@@ -9,7 +11,6 @@ const UNITS = {
   "m/s": ["m/s", "mm/s"], rad: ["rad", "deg"], "rad/s": ["rad/s", "deg/s"], N: ["N", "kN"], kg: ["kg", "g"], "m^3": ["m^3", "l"],
   "kg/s": ["kg/s", "g/s", "kg/h", "l/min ANR", "m^3/h ANR", "l/min N"], 1: ["1", "%"], s: ["s", "ms", "min", "h"],
 };
-const AMBIENT = 101325;  // Pa
 
 /* Columns of dropped files; each has an output (`target`) and a unit. */
 export class Measured extends EventTarget {
@@ -33,8 +34,9 @@ export class Measured extends EventTarget {
   /* Outputs that a column can measure. */
   setColumns(columns) {
     this.columns = columns;
+    const isMeasured = ({ name, unit }, item) => name === item.target && (!item.unit || unitNamed(unit, item.unit));
     for (const item of this.items) {
-      if (!columns.some(({ name }) => name === item.target)) item.target = "";
+      if (!columns.some(column => isMeasured(column, item))) item.target = "";
       if (!item.isChosen) this.match(item);
     }
     this.fill();
@@ -89,7 +91,7 @@ export class Measured extends EventTarget {
   valuesOf(item, si) {
     const unit = unitNamed(si, item.unit) ?? si;
     const { factor, offset } = scaleOf(unit, this.store.units);
-    const gauge = this.store.units[unit]?.gauge ? AMBIENT : 0;
+    const gauge = this.store.units[unit]?.gauge ? ambientOf(this.store.state.view, this.store.units) : 0;
     return item.values.map(value => factor * (value + offset) + gauge);
   }
 
@@ -143,7 +145,7 @@ export class Measured extends EventTarget {
       const { unit, from } = displayOf(column.unit, this.store.units);
       const shown = one => digits(from(deviation(one, item, this.valuesOf(item, column.unit))) - from(0));
       const places = { value: shown(run), unit: prettyUnit(unit) };
-      item.output.textContent = kept ? text("measured.rms_kept", { ...places, kept: shown(kept) }) : text("measured.rms", places);
+      item.output.textContent = hasColumn(kept, column) ? text("measured.rms_kept", { ...places, kept: shown(kept) }) : text("measured.rms", places);
     }
   }
 }

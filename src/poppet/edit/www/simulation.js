@@ -26,22 +26,21 @@ export class Simulation {
   #wanted = null;  // {revision, physics, edit} whose model is not fetched yet
   #present = null;  // the same of the last valid circuit
   #isFetching = false;
+  physics = null;  // text of the circuit that runs, without its drawing
   #edit = 0;  // last edit of the text, or of a number that is dragged
   #crashes = 0;
 
   /* Forget the circuit; the next one has another model. */
   forget() {
-    this.#wanted = this.#next = this.#present = null;
-    this.#cancelFull();
-    if (this.#sent) this.#sent.isDropped = true;
+    this.#wanted = this.#present = null;
+    this.#drop();
     this.numbers = new Map();  // changed numbers by address: {si, edit}
-    this.physics = null;  // text of the circuit that runs, without its drawing
     this.header = null;  // header of the model in the worker
     this.seconds = 0;  // computing time of the last full run
   }
 
   /* True if a number of the present circuit can change without the server. */
-  canChange(address) { return this.#present !== null && address in (this.header?.numbers ?? {}); }
+  canChange(address) { return this.physics !== null && this.#present !== null && address in (this.header?.numbers ?? {}); }
 
   /* Simulate a valid circuit; nothing happens if only its drawing has changed. */
   update({ revision, text: circuit }, edit) {
@@ -59,10 +58,8 @@ export class Simulation {
   /* End the simulation, because the circuit has errors. */
   stop(edit) {
     this.#edit = Math.max(this.#edit, edit);
-    this.#wanted = this.#next = this.#present = null;
-    this.physics = null;
-    this.#cancelFull();
-    if (this.#sent) this.#sent.isDropped = true;
+    this.#wanted = this.#present = null;
+    this.#drop();
     this.callbacks.settled(this.#edit);
     this.#tell();
   }
@@ -79,6 +76,13 @@ export class Simulation {
     if (si === null) this.numbers.delete(address);
     else this.numbers.set(address, { si, edit });
     this.#post({ isDrag: true });
+  }
+
+  /* Return to the numbers of the text, after a change of them was refused. */
+  restore(addresses, edit) {
+    this.#edit = Math.max(this.#edit, edit);
+    const changed = addresses.filter(address => this.numbers.delete(address));
+    if (changed.length && this.header) this.#post({ isDrag: true });
   }
 
   /* --- Model --- */
@@ -100,6 +104,7 @@ export class Simulation {
       } catch (problem) {
         this.#wanted = null;
         if (!(problem instanceof ConnectionLost)) throw problem;
+        this.#drop();
         this.callbacks.lost();
         this.callbacks.settled(wanted.edit);
       }
@@ -109,9 +114,16 @@ export class Simulation {
   }
 
   #refuse(errors) {
-    this.physics = null;
+    this.#drop();
     this.callbacks.refused(errors);
     this.callbacks.settled(this.#edit);
+  }
+
+  /* Forget the run that is under way, because it is one of a former circuit. */
+  #drop() {
+    this.physics = this.#next = null;
+    this.#cancelFull();
+    if (this.#sent) this.#sent.isDropped = true;
   }
 
   /* --- Runs --- */
@@ -233,6 +245,7 @@ export class Simulation {
 
 /* Return the text of a circuit without the tables of its drawing, which do not change a run. */
 export function physicsOf(circuit) {
+  if (/"""|'''/.test(circuit)) return circuit;  // a text of several lines can look like a table
   const lines = [];
   let isDrawing = false;
   for (const line of circuit.split("\n")) {

@@ -34,7 +34,10 @@ export class Store extends EventTarget {
       run: result => this.#show(result),
       refused: errors => this.#setErrors(errors),
       settled: edit => this.#settle(edit),
-      lost: () => this.#setConnection("lost"),
+      lost: () => {
+        this.#setStale(true);
+        this.#setConnection("lost");
+      },
       behind: () => { if (!this.#isSending) this.#refresh().catch(problem => this.#fail(problem)); },
       busy: isBusy => this.#setBusy(isBusy),
     });
@@ -212,6 +215,7 @@ export class Store extends EventTarget {
       else if (!isStale) this.announce(text("problems.refused", { message: messageOf(errorsOf(reply)) }));
     } catch (problem) {
       this.#fail(problem);
+      this.announce(text("problems.lost"));
     }
     return this.#refuse(change);
   }
@@ -220,6 +224,7 @@ export class Store extends EventTarget {
 
   #refuse(change) {
     // The circuit is unchanged, but a former change can still be simulated.
+    this.simulation.restore((change.body.operations ?? []).map(({ address }) => address), change.edit);
     this.simulation.finish(change.edit);
     change.done(null);
     return null;
@@ -253,14 +258,16 @@ export class Store extends EventTarget {
       this.simulation.finish(edit);
       return this.state;
     }
-    if (this.errors.length || !isValid || !Object.keys(view.parts).length) {
+    if (this.#isRunnable) {
+      this.simulation.update(this.state, edit);
+    } else {
       this.#setStale(true);
       this.simulation.stop(edit);
-    } else {
-      this.simulation.update(this.state, edit);
     }
     return this.state;
   }
+
+  get #isRunnable() { return !this.errors.length && !this.state.error && Object.keys(this.state.view.parts).length > 0; }
 
   #clear() {
     Object.assign(this, { run: null, header: null, selection: new Set(), wire: null, cursor: 0 });
@@ -279,6 +286,8 @@ export class Store extends EventTarget {
         this.state = { ...this.state, changed_on_disk: body.changed_on_disk };
         this.#emit("state");
       }
+      // The server did not send the model, but answers again.
+      if (this.isStale && this.#isRunnable && this.simulation.isIdle) this.simulation.update(this.state, this.#edits);
     } catch {
       this.#setConnection("lost");
     }
