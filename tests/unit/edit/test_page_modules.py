@@ -58,6 +58,29 @@ def test_a_table_of_one_row_is_rejected(tmp_path):
     assert in_node("csv.js", body, "time,p\n0,1\n", tmp_path) == "measured.rows"
 
 
+@pytest.mark.parametrize(
+    ("typed", "present", "expected"),
+    [
+        ("a = 2\nb = 1\nc = 1\n", "a = 1\nb = 1\nc = 3\n", "a = 2\nb = 1\nc = 3\n"),
+        ("a = 1\nb = 1\nc = 2\n", "# note\na = 1\nb = 1\nc = 1\n", "# note\na = 1\nb = 1\nc = 2\n"),
+        ("a = 1\nc = 1\n", "a = 1\nb = 1\nc = 1\nd = 1\n", "a = 1\nc = 1\nd = 1\n"),
+        ("a = 2\nb = 1\nc = 1\n", "a = 1\nb = 1\nc = 1\n", "a = 2\nb = 1\nc = 1\n"),
+        ("a = 2\nb = 1\nc = 1\n", "a = 2\nb = 1\nc = 1\n", "a = 2\nb = 1\nc = 1\n"),
+        ("a = 2\nb = 1\nc = 1\n", "a = 3\nb = 1\nc = 1\n", None),
+        ("a = 1\nb = 1\nc = 1\n", "a = 1\nc = 1\n", "a = 1\nc = 1\n"),
+        ("", "a = 1\nb = 2\nc = 1\n", None),
+    ],
+)
+def test_two_changes_of_one_text(tmp_path, typed, present, expected):
+    body = "return [page.merged(...data), page.merged(data[0], data[2], data[1])];"
+    assert in_node("text_merge.js", body, ["a = 1\nb = 1\nc = 1\n", typed, present], tmp_path) == [expected] * 2
+
+
+def test_a_quantity_has_the_same_unit_in_two_runs(tmp_path):
+    body = "return data.map(unit => page.hasColumn({ columns: [{ name: 'x', unit: 'm' }] }, { name: 'x', unit }));"
+    assert in_node("compare.js", body, ["m", "rad"], tmp_path) == [True, False]
+
+
 def test_the_drawing_is_no_part_of_the_simulated_text(tmp_path):
     drawing = "[drawing]\ntank = { x = 1, y = 2 }\n[drawing.vent]\nx = 4\n"
     circuit = f'[parts.tank]\nkind = "chamber"\n\n{drawing}[run]\nduration = "2 s"\n'
@@ -68,6 +91,10 @@ def test_the_drawing_is_no_part_of_the_simulated_text(tmp_path):
     assert first == second != third
     assert "duration" in first
     assert "drawing" not in first
+    # A line of a text can look like the header of a table.
+    note = ["note = '''\n[drawing]\n'''\nvolume = 1\n", "note = '''\n[drawing]\n'''\nvolume = 2\n"]
+    first, second = in_node("simulation.js", body, note, tmp_path)
+    assert first != second
 
 
 def test_differences_of_two_variants(tmp_path):

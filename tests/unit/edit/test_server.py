@@ -156,6 +156,13 @@ def test_refusals(page, session, status, method, path, headers):
     assert page.get("/status").status == 200
 
 
+def test_an_invalid_address_is_refused(server, capfd):
+    with socket.create_connection(("127.0.0.1", server.server_port), timeout=20) as connection:
+        connection.sendall(b"GET http://[ HTTP/1.1\r\nHost: evil.example\r\n\r\n")
+        assert connection.recv(12) == b"HTTP/1.1 403"
+    assert capfd.readouterr().err == ""
+
+
 def test_the_token_is_valid_once(server, page):
     path = server.address.removeprefix(page.origin)
     assert page.get(path).status == 303  # the browser that has the cookie can open the address again

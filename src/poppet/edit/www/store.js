@@ -3,6 +3,7 @@
 import { ConnectionLost, errorsOf, request } from "./connection.js";
 import { Simulation } from "./simulation.js";
 import { text } from "./strings.js";
+import { merged } from "./text_merge.js";
 
 const POLL = 2000;  // ms between two questions whether the file was changed
 
@@ -90,8 +91,9 @@ export class Store extends EventTarget {
 
   redo() { return this.#change("/redo", {}); }
 
-  /* Replace the text of the circuit; it can be invalid. */
-  replaceText(newText) { return this.#change("/text", { text: newText }); }
+  /* Replace the text of the circuit; it can be invalid. If it is a change of the text `base`, with line feeds, the
+     changes of the circuit since then remain; the result is null if they are at the same place. */
+  replaceText(newText, base) { return this.#change("/text", { text: newText }, { base, isRepeatable: base !== undefined }); }
 
   /* Take the text of the file, which was changed on disk. */
   reload() { return this.#change("/reload", {}); }
@@ -220,7 +222,13 @@ export class Store extends EventTarget {
     return this.#refuse(change);
   }
 
-  #post({ path, body }) { return request(path, { revision: this.state.revision, ...body }); }
+  #post({ path, body, base }) {
+    const { revision, text: present } = this.state;
+    if (base === undefined) return request(path, { revision, ...body });
+    const newText = merged(base, body.text, present.replace(/\r\n/g, "\n"));
+    if (newText === null) return { status: 409, body: { message: text("page.not_applied") } };
+    return request(path, { revision, text: newText });
+  }
 
   #refuse(change) {
     // The circuit is unchanged, but a former change can still be simulated.

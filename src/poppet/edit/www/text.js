@@ -2,13 +2,15 @@
 
 import { make } from "./elements.js";
 import { text } from "./strings.js";
+import { merged } from "./text_merge.js";
 
 const QUIET = 600;  // ms after the last key, then the text is applied
 
-/* Panel with the text. A text that is being typed is never replaced. */
+/* Panel with the text. A text that is being typed is never replaced; changes elsewhere are added to it. `applied` is the
+   text of the circuit to which the typed text refers. */
 export class TextPanel {
   constructor(element, store) {
-    Object.assign(this, { element, store, applied: "" });
+    Object.assign(this, { element, store, applied: "", sent: 0 });
     this.gutter = make("pre", { class: "gutter", "aria-hidden": "true" });
     this.area = make("textarea", {
       class: "code", spellcheck: false, wrap: "off", autocomplete: "off", "aria-label": text("text.name"), "aria-describedby": "text-help",
@@ -25,6 +27,9 @@ export class TextPanel {
   }
 
   #timer = 0;
+
+  /* Text of the circuit; a text area has no carriage returns. */
+  get present() { return this.store.text().replace(/\r\n/g, "\n"); }
 
   get isDirty() { return this.area.value !== this.applied; }
 
@@ -47,26 +52,33 @@ export class TextPanel {
     const typed = this.area.value;
     const former = this.applied;
     this.applied = typed;
-    const state = await this.store.replaceText(this.#withLineEnds(typed));
-    if (!state && this.applied === typed) this.applied = former;
+    this.sent++;
+    const state = await this.store.replaceText(typed, former);
+    this.sent--;
+    // A text that was refused refers to the present circuit, so that it can be applied in its place.
+    if (!state && this.applied === typed) this.applied = this.present;
+    this.update();
     this.state.textContent = text(state ? "text.help" : "text.refused");
   }
 
-  /* A text area has no carriage returns; a file with them keeps them. */
-  #withLineEnds(typed) { return this.store.text().includes("\r\n") ? typed.replace(/\r?\n/g, "\r\n") : typed; }
-
   update() {
-    const { area, store } = this;
-    const present = store.text().replace(/\r\n/g, "\n");
-    if (!this.isDirty && area.value !== present) {
-      const { selectionStart, selectionEnd, scrollTop } = area;
-      area.value = present;
-      if (document.activeElement === area) area.setSelectionRange(selectionStart, selectionEnd);
-      area.scrollTop = scrollTop;
+    const shown = merged(this.applied, this.area.value, this.present);
+    // While a text is sent, the circuit does not contain it yet.
+    if (!this.sent && shown !== null) {
+      this.#show(shown);
+      this.applied = this.present;
     }
-    if (!this.isDirty || area.value === present) this.applied = present;
     this.#showNumbers();
     this.#showErrors();
+  }
+
+  #show(shown) {
+    const { area } = this;
+    if (area.value === shown) return;
+    const { selectionStart, selectionEnd, scrollTop } = area;
+    area.value = shown;
+    if (document.activeElement === area) area.setSelectionRange(selectionStart, selectionEnd);
+    area.scrollTop = scrollTop;
   }
 
   #showNumbers() {
