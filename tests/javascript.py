@@ -39,9 +39,9 @@ def unfused(circuit: Circuit, monkeypatch: pytest.MonkeyPatch, folder: Path) -> 
     fused = [name for name in features if name.startswith(("fma", "avx512"))]
     features.update(dict.fromkeys(fused, False))
 
-    def machine() -> Any:
+    def machine(opt: int = 2) -> Any:
         target = llvm.Target.from_default_triple()
-        return target.create_target_machine(features=features.flatten(), opt=2, jit=True)
+        return target.create_target_machine(features=features.flatten(), opt=opt, jit=True)
 
     problem = circuit.problem(circuit.run)
     with monkeypatch.context() as changed:
