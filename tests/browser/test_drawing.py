@@ -585,3 +585,16 @@ def test_a_long_chain_fits_into_the_view(start_editor):
     assert [problem for problem in editor.page.evaluate(PROBLEMS) if "outside" in problem] == []
     editor.select("hole_24")
     assert editor.part("hole_24").get_attribute("aria-pressed") == "true"
+
+
+def test_a_piston_at_rest_is_at_its_end(start_editor):
+    text = (EXAMPLES / "cylinder_meter_out.toml").read_text(encoding="utf-8")
+    at_rest = text.replace("values = [0, 1, 0]", "values = [0, 0, 0]")
+    assert at_rest != text
+    places = []
+    for content_ in (text, at_rest):
+        editor = start_editor(content_)
+        editor.page.wait_for_function("() => document.querySelector('.value').textContent !== ''")
+        piston = editor.part("cylinder").locator(".symbol > .line").first.get_attribute("d")
+        places.append(float(piston.removeprefix("M").split()[0]))
+    assert places[1] == pytest.approx(places[0], abs=0.05)

@@ -1,12 +1,14 @@
 /* State of the last run at the cursor: pistons and spools, flow arrows, colours of pressures, and values beside parts. */
 
 import { colourOf } from "./colours.js";
-import { targetOf } from "./connections.js";
+import { entryOf, targetOf } from "./connections.js";
 import { portFlows, pressureSeries } from "./flows.js";
+import { plainValue } from "./field_values.js";
 import { CHAMBERS, MOTIONS } from "./motions.js";
 import { digits, displayOf, prettyUnit } from "./quantities.js";
 import { htmlElement, svgElement } from "./symbols.js";
 import { text } from "./strings.js";
+import { siOf } from "./units.js";
 
 const AMBIENT = 1e5;  // Pa, where the model does not tell another pressure
 const LEAST_FLOW = 0.004;  // fraction of the largest flow below which there is no arrow
@@ -144,7 +146,7 @@ export class Animation {
     const { name, strokes } = item, { kind, fields } = this.drawing.view.parts[name] ?? {};
     let mover = this.movers.get(name);
     if (mover?.strokes === strokes) return mover;
-    mover = { strokes, kind, move: MOTIONS[kind]?.(strokes, fields), context: this.#context(item) };
+    mover = { strokes, kind, move: entryOf(MOTIONS, kind)?.(strokes, fields), context: this.#context(item) };
     this.movers.set(name, mover);
     return mover;
   }
@@ -155,12 +157,18 @@ export class Animation {
     const share = (local, size) => {
       const value = series(local);
       if (value === undefined) return undefined;
-      const whole = size && this.drawing.store.header?.numbers?.[`${name}.${size}`]?.value;
-      const [low, high] = whole ? [0, whole] : this.#range(`${name}.${local}`);
+      const whole = size && this.#sizeOf(name, size);
+      const [low, high] = whole > 0 ? [0, whole] : this.#range(`${name}.${local}`);
       return high > low ? (value - low) / (high - low) : 0;
     };
     share.most = local => Math.max(1e-12, this.#most(`${name}.${local}`));
     return { series, share, item };
+  }
+
+  /* Length of a part: of the model, or as typed; otherwise undefined. */
+  #sizeOf(name, field) {
+    const { store, view } = this.drawing;
+    return store.header?.numbers?.[`${name}.${field}`]?.value ?? siOf(plainValue(view.parts[name]?.fields[field]), "m", store.units);
   }
 
   /* --- Flows --- */

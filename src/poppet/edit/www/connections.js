@@ -124,6 +124,11 @@ function connect(port, to) {
   return { op: "connect", port, to };
 }
 
+/* Entry of a table by a name that a document can contain, such as "constructor"; otherwise undefined. */
+export function entryOf(table, name) {
+  return Object.hasOwn(table, name) ? table[name] : undefined;
+}
+
 /* Name of the part and of the port in an address. */
 export function split(address) {
   const at = address.indexOf(".");
@@ -134,7 +139,7 @@ export function split(address) {
 export function outputsOf(view, source, input, columns) {
   const kind = view.parts[source.part]?.kind;
   if (source.type === "output" && source.port !== "output") return [source.address];
-  const table = OUTPUTS[kind]?.map(name => `${source.part}.${name}`) ?? [];
+  const table = entryOf(OUTPUTS, kind)?.map(name => `${source.part}.${name}`) ?? [];
   const prefix = source.port && source.type !== "output" ? `${source.address}.` : `${source.part}.`;
   const seen = columns.filter(name => name.startsWith(prefix) && !(name in view.connections));
   const usual = source.type === "store" ? ["pressure", "temperature", "mass"] : source.type === "body" ? ["position", "velocity"] : [];

@@ -18,7 +18,7 @@ import { Viewport } from "./viewport.js";
 import { Wires } from "./wires.js";
 
 const EMPTY = { title: "", parts: {}, connections: {}, signals: {}, drawing: {}, run: {} };
-const GAP = 4;  // distance of a new part from the selected one
+const GAP = 6;  // distance of a new part from the selected one; a valve moves by 4 to the right
 const UNKNOWN = {
   kind: "", box: [-4, -3, 8, 6], ports: [], fields: [], svg: '<path class="dashed" d="M-4 -3L4 -3L4 3L-4 3L-4 -3"/>',
 };

@@ -1,5 +1,7 @@
 /* Gas flows of parts: the ports between which each mass flow rate of a run flows. All functions are pure. */
 
+import { entryOf } from "./connections.js";
+
 const VALVE = { supply: ["supply", "outlet"], exhaust: ["outlet", "exhaust"] };
 const PILOT = { fill: ["supply", null], supply_leak: ["supply", null], vent: [null, "exhaust"], exhaust_leak: [null, "exhaust"] };
 const INLETS = { a: ["a", "outlet"], b: ["b", "outlet"] };
@@ -40,7 +42,7 @@ export function portFlows(view, name, names) {
     if (cells.length) { add("from", cells[0], -1); add("to", cells.at(-1), 1); }
     return terms;
   }
-  for (const [flow, [source, target]] of Object.entries(FLOWS[kind] ?? PATH)) {
+  for (const [flow, [source, target]] of Object.entries(entryOf(FLOWS, kind) ?? PATH)) {
     const series = `${name}.${flow}${flow && "_"}mass_flow_rate`;
     if (!names.includes(series)) continue;
     if (source) add(source, series, -1);

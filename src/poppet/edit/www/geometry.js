@@ -4,6 +4,7 @@
 
 export const MARGIN = 2;  // free space around a new part
 const LETTER = 0.68, LINE = 1.6, VALUE = 7;  // width of a letter, height of a line, and letters of a value
+const ASIDE = 1.3;  // distance of a name from the ports beside it
 const SIDES = ["top", "right", "bottom", "left"];
 
 /* Point of a symbol after mirroring and rotation, relative to the place of the part. */
@@ -73,7 +74,7 @@ export function labelOf(name, box, ends) {
   if (!at("right").length && box.width < 8) return label("start", box.x + box.width + 0.4, centre);
   if (!at("left").length && box.width < 8) return label("end", box.x - 0.4, centre);
   const [first, last] = [Math.min(...at("bottom")), Math.max(...at("bottom"))];
-  return first - box.x >= box.x + box.width - last ? label("end", first - 0.7, below) : label("start", last + 0.7, below);
+  return first - box.x >= box.x + box.width - last ? label("end", first - ASIDE, below) : label("start", last + ASIDE, below);
 }
 
 /* True if two boxes overlap, where the first one is larger by a margin on all sides. */

@@ -160,13 +160,12 @@ function drawLead(path, { side, lead }) {
 }
 
 /* Name of a port along its wire, outside the box. */
-function drawName(label, { port, side, type }) {
+function drawName(label, { port, side }) {
   const angle = { left: 0, right: 0, top: -90, bottom: -90 }[side], isAhead = side === "right" || side === "top";
   label.textContent = port && port.replaceAll("_", " ");
   label.setAttribute("text-anchor", isAhead ? "start" : "end");
   label.setAttribute("x", isAhead ? 0.8 : -0.8);
-  // Above the wire of a port; inputs are too close to each other for that.
-  label.setAttribute("y", type === "input" || type === "output" || angle ? 0.3 : -0.4);
+  label.setAttribute("y", -0.2);
   label.setAttribute("transform", `rotate(${angle})`);
 }
 

@@ -87,9 +87,9 @@ export class Store extends EventTarget {
     return this.#change("/apply", { operations, continues }, { aims, select, isRepeatable: true });
   }
 
-  undo() { return this.#change("/undo", {}); }
+  undo() { return this.#isIdle && !this.state.can_undo ? Promise.resolve(null) : this.#change("/undo", {}); }
 
-  redo() { return this.#change("/redo", {}); }
+  redo() { return this.#isIdle && !this.state.can_redo ? Promise.resolve(null) : this.#change("/redo", {}); }
 
   /* Replace the text of the circuit; it can be invalid. If it is a change of the text `base`, with line feeds, the
      changes of the circuit since then remain; the result is null if they are at the same place. */
@@ -163,6 +163,9 @@ export class Store extends EventTarget {
   }
 
   /* --- Queue of changes --- */
+
+  /* True if the state is that of the server. */
+  get #isIdle() { return this.state !== null && !this.#isSending && !this.#queue.length; }
 
   #newEdit() {
     const edit = ++this.#edits;
