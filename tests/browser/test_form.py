@@ -234,6 +234,24 @@ def test_an_input_is_connected_to_an_output(start_editor):
     assert "valveA.command" not in tomllib.loads(editor.text())["connections"]
 
 
+def test_values_beside_fields_are_applied_before_they_are_saved(bench):
+    """Ctrl+S in a field of a signal or of a source."""
+    file = bench.folder / "bench.toml"
+    bench.page.get_by_label("Signal of hole.opening").select_option("sine")
+    bench.wait()
+    field = bench.page.get_by_label("frequency of the signal of hole.opening")
+    field.fill("7 Hz")
+    field.press("Control+s")
+    bench.wait()
+    assert tomllib.loads(file.read_text(encoding="utf-8"))["signals"]["hole.opening"]["frequency"] == "7 Hz"
+    bench.page.get_by_label("Source of critical ratio").click()
+    note = bench.page.get_by_label("Note on critical ratio")
+    note.fill("bench 3")
+    note.press("Control+s")
+    bench.wait()
+    assert tomllib.loads(file.read_text(encoding="utf-8"))["parts"]["hole"]["critical_ratio"]["note"] == "bench 3"
+
+
 def test_points_of_a_signal_are_dragged_and_typed(bench):
     bench.page.get_by_label("Signal of hole.opening").select_option("steps")
     bench.wait()

@@ -282,3 +282,21 @@ def test_results_are_reached_by_keys_and_announced(start_editor):
     editor.page.get_by_text("Export: Live page is finished.").wait_for()
     entry.get_by_role("link", name="Download plant.html").focus()
     assert editor.page.evaluate("() => document.activeElement.getAttribute('aria-label')") == "Download plant.html"
+
+
+def test_a_task_without_the_server_says_so(start_editor):
+    editor = start_editor(FILL)
+    open_tasks(editor)
+    task(editor, "identify").click()
+    form = editor.page.locator("dialog[data-form=identify]")
+    form.wait_for()
+    editor.server.stop()
+    file = {"name": "run.csv", "mimeType": "text/csv", "buffer": b"t,p\n0,1\n1,2\n"}
+    form.locator("input[type=file]").set_input_files(file)
+    form.get_by_role("alert").filter(has_text="does not answer").wait_for()
+    form.get_by_role("button", name="Close").click()
+    for name in ("report", "ensemble"):
+        task(editor, name).click()
+        editor.page.locator("#tasks > .why").filter(has_text="does not answer").wait_for()
+    # The browser reports each request that had no answer.
+    editor.problems[:] = [problem for problem in editor.problems if "ERR_CONNECTION_REFUSED" not in problem]

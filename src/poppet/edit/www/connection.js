@@ -1,5 +1,7 @@
 /* Requests to the server of the editor. */
 
+import { text } from "./strings.js";
+
 /* The server does not answer. */
 export class ConnectionLost extends Error {}
 
@@ -15,6 +17,15 @@ export async function request(path, body) {
     return { status: reply.status, body: isJson ? await reply.json() : await reply.arrayBuffer() };
   } catch (problem) {
     throw new ConnectionLost(path, { cause: problem });
+  }
+}
+
+/* As `request`; if the server does not answer, the reply has an error that says so. */
+export async function attempt(path, body) {
+  try {
+    return await request(path, body);
+  } catch {
+    return { status: 0, body: { state: "lost", errors: [{ code: "", address: "", line: null, message: text("problems.lost"), hint: "" }] } };
   }
 }
 

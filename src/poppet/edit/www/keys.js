@@ -6,6 +6,8 @@ export function listenToKeys(commands, drawing) {
     if (event.defaultPrevented || !(event.target instanceof Element)) return;
     if (isControl(event) && event.key.toLowerCase() === "s") {
       event.preventDefault();
+      // As if the focus left the field, so that the file contains the typed value.
+      if (event.target.matches("input[type=text], textarea")) event.target.dispatchEvent(new Event("change", { bubbles: true }));
       commands.save();
     } else if (isField(event.target)) {
       if (event.key === "Escape") leaveField(event.target);

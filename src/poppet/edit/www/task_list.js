@@ -1,6 +1,6 @@
 /* Results of tasks: progress, tables, files, and the changes of the circuit that a result offers. */
 
-import { errorsOf, request } from "./connection.js";
+import { attempt, errorsOf } from "./connection.js";
 import { make } from "./elements.js";
 import { text } from "./strings.js";
 import { sizedCurve } from "./task_curve.js";
@@ -110,7 +110,7 @@ export class TaskList {
     const name = file.replace(/^\d+-/, ""), dot = name.lastIndexOf(".");
     for (let number = 1; number < 100; number += 1) {
       const wanted = number === 1 ? name : `${name.slice(0, dot)}-${number}${name.slice(dot)}`;
-      const reply = await request("/tasks/keep", { file, name: wanted });
+      const reply = await attempt("/tasks/keep", { file, name: wanted });
       if (reply.status === 200) {
         note.textContent = text("tasks.kept", { name: reply.body.name });
         return;

@@ -36,11 +36,11 @@ async function read(form, facts, file, area, state) {
   area.replaceChildren(make("p", { class: "task-note" }, text("tasks.reading", { file: file.name })));
   const reply = await fetch(`/upload?name=${encodeURIComponent(file.name)}`, {
     method: "POST", body: file, headers: { "Content-Type": "application/octet-stream" }, credentials: "same-origin",
-  });
-  const body = await reply.json().catch(() => ({}));
-  if (!reply.ok) {
+  }).catch(() => null);
+  const body = await reply?.json().catch(() => ({}));
+  if (!reply?.ok) {
     area.replaceChildren();
-    form.problem.textContent = reply.status === 413 ? text("tasks.too_large") : errorsOf({ status: reply.status, body })[0].message;
+    form.problem.textContent = !reply ? text("problems.lost") : reply.status === 413 ? text("tasks.too_large") : errorsOf({ status: reply.status, body })[0].message;
     return;
   }
   const id = await form.tasks.start("columns", { recording: body.name }, refusal => form.refuse(refusal));

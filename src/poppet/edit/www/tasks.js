@@ -1,6 +1,6 @@
 /* Tasks of the server: reports, studies, audits and exports, with their progress and results. */
 
-import { errorsOf, request } from "./connection.js";
+import { attempt, errorsOf } from "./connection.js";
 import { make } from "./elements.js";
 import { download, pictureOf, pngOf } from "./picture.js";
 import { FORMS } from "./task_forms.js";
@@ -53,14 +53,14 @@ export class Tasks {
       await this.start(...DIRECT[name]);
       return;
     }
-    const { status, body } = await request("/tasks/facts");
+    const { status, body } = await attempt("/tasks/facts");
     if (status === 200) FORMS[name](this, body, file);
     else this.#refuse({ status, body });
   }
 
   /* Start a task; the result is its identifier, or null with the errors in `show`. */
   async start(task, options = {}, show = reply => this.#refuse(reply)) {
-    const reply = await request("/tasks", { task, options });
+    const reply = await attempt("/tasks", { task, options });
     if (reply.status !== 200) {
       show(reply);
       return null;
@@ -72,7 +72,7 @@ export class Tasks {
   /* Wait for the end of a task, and return its state. */
   async result(id) {
     for (;;) {
-      const { body } = await request(`/tasks/${id}`);
+      const { body } = await attempt(`/tasks/${id}`);
       if (body.state !== "running") return body;
       await new Promise(resolve => setTimeout(resolve, PERIOD));
     }
@@ -81,18 +81,14 @@ export class Tasks {
   /* Ask for all tasks, and again while one of them runs. */
   async refresh() {
     clearTimeout(this.timer);
-    try {
-      const { status, body } = await request("/tasks");
-      if (status !== 200) return;
-      this.list.show(body.tasks.filter(({ task }) => task !== "columns"));
-      if (body.tasks.some(({ state }) => state === "running")) this.timer = setTimeout(() => this.refresh(), PERIOD);
-    } catch {
-      // The page shows that the server does not answer.
-    }
+    const { status, body } = await attempt("/tasks");
+    if (status !== 200) return;
+    this.list.show(body.tasks.filter(({ task }) => task !== "columns"));
+    if (body.tasks.some(({ state }) => state === "running")) this.timer = setTimeout(() => this.refresh(), PERIOD);
   }
 
   async #cancel(id) {
-    await request(`/tasks/${id}/cancel`, {});
+    await attempt(`/tasks/${id}/cancel`, {});
     await this.refresh();
   }
 
