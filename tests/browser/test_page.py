@@ -360,6 +360,34 @@ def test_curves_of_the_selected_part_come_first(vent):
     first.filter(has_text="bleed.mass_flow").wait_for()
 
 
+def test_noise_is_no_curve(start_editor):
+    """A mass at rest in a closed cylinder moves by rounding errors only."""
+    drive = """
+[parts.cylinder]
+kind = "cylinder"
+bore = "32 mm"
+stroke_length = "100 mm"
+cap.dead_volume = "5 cm^3"
+rod.dead_volume = "5 cm^3"
+body = "mass"
+
+[parts.mass]
+kind = "mass"
+mass = "5 kg"
+
+[parts.plug]
+kind = "orifice"
+from = "cylinder.cap"
+to = "cylinder.rod"
+sonic_conductance = "1 dm^3/(s bar)"
+critical_ratio = 0.3
+
+[run]"""
+    editor = start_editor(VENT.replace("[run]", drive))
+    editor.page.locator("#curves .plot", has_text="tank.pressure").wait_for()
+    assert editor.page.locator("#curves .plot", has_text="mass.").count() == 0
+
+
 def test_curves_by_the_checklist(vent):
     vent.page.locator(".choice summary").click()
     box = vent.page.locator(".choice fieldset", has_text="tank").get_by_label("temperature", exact=True)
@@ -386,6 +414,24 @@ def test_the_time_cursor_plays(vent):
     slider = vent.page.get_by_role("slider", name="time of the values in the drawing")
     slider.press("End")
     assert evaluate(vent, "return store.cursor;") == pytest.approx(4.0)
+
+
+def test_the_legend_has_the_values_of_its_curves(vent):
+    """The values at the time cursor follow each run, also if the axes stay as they are."""
+    body = """
+      store.setCursor(2);
+      await store.apply(values);
+      await window.poppet.ready;
+      await new Promise(resolve => requestAnimationFrame(() => requestAnimationFrame(resolve)));
+      const keys = [...document.querySelectorAll("#curves .key")];
+      const key = keys.find(item => item.textContent.startsWith("tank.pressure"));
+      return parseFloat(key.querySelector("output").textContent);
+    """
+    for volume in ("10.1 l", "11 l", "30 l"):
+        curve = pressure_of(VENT.replace("10 l", volume))
+        assert evaluate(vent, body, setting("tank.volume", volume)) == pytest.approx(curve[200] / 1e5, rel=0.01)
+    apply(vent, {"op": "remove", "parts": ["tank", "bleed"]})
+    vent.page.locator(".clock button:disabled").wait_for()
 
 
 def test_two_variants(vent):

@@ -1,6 +1,6 @@
 /* Choice of the curves: those of the selected parts and the usual ones, or those of a checklist. */
 
-import { isStaircase } from "./quantities.js";
+import { isStaircase, varies } from "./quantities.js";
 import { text } from "./strings.js";
 
 const LINES = 8;  // of a plot
@@ -69,7 +69,7 @@ export class Choice extends EventTarget {
 
   /* Columns that vary: those of the selected parts, then pressures and positions, or what there is. */
   usual(run, isSelected) {
-    const columns = this.columns.filter(column => varies(run, column)).sort((a, b) => rankOf(a) - rankOf(b));
+    const columns = this.columns.filter(({ name, unit }) => varies(run.series.get(name) ?? [], unit)).sort((a, b) => rankOf(a) - rankOf(b));
     const best = (list, rank) => {
       const useful = list.filter(column => rankOf(column) <= rank);
       return useful.length ? useful : list.filter(column => rankOf(column) === rankOf(list[0]));
@@ -124,17 +124,6 @@ function withoutTwins(columns, run) {
     const values = run.series.get(column.name);
     return !columns.slice(0, k).some(({ name, unit }) => unit === column.unit && isTwin(values, run.series.get(name)));
   });
-}
-
-function varies(run, { name }) {
-  const values = run?.series.get(name);
-  if (!values) return false;
-  let low = Infinity, high = -Infinity;
-  for (const value of values) {
-    if (value < low) low = value;
-    if (value > high) high = value;
-  }
-  return high - low > 1e-6 * Math.max(Math.abs(low), Math.abs(high));
 }
 
 function checkbox(label, isChecked, change) {

@@ -33,6 +33,7 @@ export class Curves {
     this.notes = below.appendChild(document.createElement("details"));
     this.notesTitle = this.notes.appendChild(document.createElement("summary"));
     this.notesList = this.notes.appendChild(document.createElement("ul"));
+    this.notes.appendChild(document.createElement("p")).textContent = text("curves.notes_more");
     this.values = new Values(below, store);
     for (const event of ["run", "selection", "state", "busy"]) store.addEventListener(event, () => this.later());
     for (const source of [this.choice, this.compare, this.measured]) source.addEventListener("change", () => this.later());
@@ -151,7 +152,7 @@ export class Curves {
   showNotes() {
     const { run, state } = this.store;
     const notes = [...new Set([...state?.notes ?? [], ...run?.notes ?? []])];
-    this.notes.hidden = !notes.length;
+    this.notes.hidden = !run;
     this.notesTitle.textContent = `${text("curves.notes")} (${notes.length})`;
     const isShown = this.notesList.childElementCount === notes.length;
     if (isShown && [...this.notesList.children].every((item, k) => item.textContent === notes[k])) return;

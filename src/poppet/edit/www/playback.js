@@ -21,6 +21,7 @@ export class Playback {
     for (const name of ["whole", "real"]) this.speed.add(new Option(text(`curves.speed_${name}`), name));
     store.addEventListener("cursor", () => this.show());
     store.addEventListener("run", () => this.show());
+    store.addEventListener("state", () => this.show());
     store.addEventListener("open", () => this.stop());
     this.stop();
   }
@@ -64,7 +65,8 @@ export class Playback {
 
   show() {
     const { duration, store } = this;
-    this.button.disabled = this.slider.disabled = !store.run;
+    const isEmpty = !Object.keys(store.state?.view.parts ?? {}).length;
+    this.button.disabled = this.slider.disabled = !store.run || isEmpty;
     this.slider.max = duration || 1;
     this.slider.step = (duration || 1) / 1000;
     this.slider.value = store.cursor;

@@ -1,6 +1,6 @@
 /* One plot of curves with the same unit. */
 
-import { digits, displayOf, prettyUnit, quantityName, valueAt } from "./quantities.js";
+import { digits, displayOf, noiseOf, prettyUnit, quantityName, valueAt } from "./quantities.js";
 import { text } from "./strings.js";
 
 const COLOURS = 8;
@@ -26,6 +26,7 @@ export class Plot {
   constructor(parent, unit, store) {
     Object.assign(this, { unit, store, lines: [], zoom: null, end: 1 });
     this.display = displayOf(unit, store.units);
+    this.noise = Math.abs(this.display.from(noiseOf(unit)) - this.display.from(0));
     this.element = parent.appendChild(document.createElement("figure"));
     this.element.className = "plot";
     this.caption = this.element.appendChild(document.createElement("figcaption"));
@@ -59,7 +60,7 @@ export class Plot {
     return {
       width, height, pxAlign: false, padding: [6, 10, 0, 0], legend: { show: false },
       cursor: { x: false, y: false, points: { show: false }, drag: { x: true, y: false } },
-      scales: { x: { time: false, range: (u, low, high) => this.rangeX(low, high) }, y: { range: (u, low, high) => rangeY(low, high) } },
+      scales: { x: { time: false, range: (u, low, high) => this.rangeX(low, high) }, y: { range: (u, low, high) => rangeY(low, high, this.noise) } },
       axes: [
         { ...axis, size: 26, space: 50 },
         {
@@ -97,6 +98,8 @@ export class Plot {
     const [min, max] = this.rangeX(0, end);
     this.u.setScale("x", { min, max });
     this.place.setAttribute("aria-label", this.describe());
+    // The hook of the scale is only called when the scale changes, and that later.
+    this.showClock();
   }
 
   shown(values) {
@@ -144,7 +147,8 @@ export class Plot {
     this.clock.style.transform = `translateX(${left}px)`;
     this.lines.forEach((line, k) => {
       const [time, values] = this.values[k];
-      const shown = digits(valueAt(time, values, cursor, line.isStep), spanOf(this.u));
+      const value = valueAt(time, values, cursor, line.isStep);
+      const shown = digits(Math.abs(value) < this.noise ? 0 : value, spanOf(this.u));
       if (line.value.textContent !== shown) line.value.textContent = shown;
     });
   }
@@ -200,10 +204,10 @@ function plain(value, step) {
 }
 
 /* Range of the vertical axis; a constant curve lies in the middle. */
-function rangeY(low, high) {
+function rangeY(low, high, noise) {
   if (low === null || high === null) return [0, 1];
   const size = Math.max(Math.abs(low), Math.abs(high));
-  const span = high - low > 1e-6 * size ? high - low : 0.1 * size || 1;
+  const span = high - low > Math.max(noise, 1e-6 * size) ? high - low : 0.1 * size > noise ? 0.1 * size : 1;
   const middle = (low + high) / 2;
   return [middle - 0.56 * span, middle + 0.56 * span];
 }

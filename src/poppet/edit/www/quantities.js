@@ -57,6 +57,25 @@ export function valueAt(time, values, at, isStep = false) {
   return values[low] + (values[high] - values[low]) * (at - time[low]) / (time[high] - time[low]);
 }
 
+/* Usual sizes in SI, as in the figures of reports. Changes that are smaller by STILL are noise of the solver. */
+const SIZES = {
+  Pa: 1e5, K: 300, m: 1e-3, "m/s": 0.1, N: 100, rad: 1, "rad/s": 10, "N m": 10, J: 10, 1: 1, "kg/s": 1e-3, W: 10, kg: 1e-3, "m^3": 1e-3,
+};
+const STILL = 1e-6;
+
+/* Smallest change of a quantity that is not noise, in SI, for values of a size. */
+export function noiseOf(si, size = 0) { return STILL * Math.max(SIZES[si] ?? 0, size); }
+
+/* True if a curve is not constant. */
+export function varies(values, si) {
+  let low = Infinity, high = -Infinity;
+  for (const value of values) {
+    if (value < low) low = value;
+    if (value > high) high = value;
+  }
+  return high - low > noiseOf(si, Math.max(Math.abs(low), Math.abs(high)));
+}
+
 /* Largest absolute value of a curve. */
 export function sizeOf(values) { return values.reduce((size, value) => (Math.abs(value) > size ? Math.abs(value) : size), 0); }
 

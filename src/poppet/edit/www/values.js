@@ -1,6 +1,6 @@
 /* Results for screen readers: a table of the curves, and an announcement after each run. */
 
-import { digits, displayOf, prettyUnit, sizeOf, valueAt } from "./quantities.js";
+import { digits, displayOf, noiseOf, prettyUnit, sizeOf, valueAt } from "./quantities.js";
 import { text } from "./strings.js";
 
 const ROWS = 11;
@@ -46,9 +46,9 @@ export class Values {
     const titles = this.columns.map(({ name }, k) => (displays[k].unit ? `${name} [${prettyUnit(displays[k].unit)}]` : name));
     const body = Array.from({ length: ROWS }, (_, row) => {
       const time = (run.time.at(-1) ?? 0) * row / (ROWS - 1);
-      const values = this.columns.map(({ name, isStep }, k) => {
+      const values = this.columns.map(({ name, unit, isStep }, k) => {
         const curve = run.series.get(name);
-        return this.shown(curve, valueAt(run.time, curve, time, isStep), displays[k]);
+        return this.shown(curve, valueAt(run.time, curve, time, isStep), displays[k], unit);
       });
       return rowOf("td", [digits(time, run.duration), ...values]);
     });
@@ -59,15 +59,19 @@ export class Values {
     this.table.replaceChildren(caption, head, tbody);
   }
 
-  /* Value with the digits that suit the largest value of its curve, so that rounding errors are 0. */
-  shown(values, value, display) { return digits(display.from(value), 0.1 * Math.abs(display.from(sizeOf(values)))); }
+  /* Value with the digits that suit the largest value of its curve; noise of the solver is 0. */
+  shown(values, value, display, si) {
+    const size = sizeOf(values);
+    const clean = Math.abs(value) < noiseOf(si, size) ? 0 : value;
+    return digits(display.from(clean), 0.1 * Math.abs(display.from(Math.max(size, noiseOf(si)))));
+  }
 
   announce() {
     const { run, units } = this.store;
     if (!run) return;
     const values = this.columns.slice(0, ANNOUNCED).map(({ name, unit }) => {
       const display = displayOf(unit, units);
-      const value = this.shown(run.series.get(name) ?? [], run.series.get(name)?.at(-1) ?? NaN, display);
+      const value = this.shown(run.series.get(name) ?? [], run.series.get(name)?.at(-1) ?? NaN, display, unit);
       return text("curves.summary_value", { name, value, unit: prettyUnit(display.unit) }).trim();
     });
     const message = text("curves.summary", { values: values.join("; ") });
