@@ -189,9 +189,11 @@ def sections() -> dict[str, list[Entry]]:
     ['pressure', 'temperature']
     """
     tables = {name: list(_fields(owner)) for name, owner in {"run": Run, "ambient": Ambient, "gas": GasChoice}.items()}
-    for field in tables["gas"]:
+    for field in (*tables["gas"], *tables["run"]):
         if field["name"] == "name":
             field["choices"] = list(library.gas_names())
+        if field["name"] == "duration":
+            field["units"] = ["s", "ms", "min"]
     return tables
 
 

@@ -49,7 +49,8 @@ export function candidates(view, ends, from, part) {
    `insert` is the kind of a part between the ends, which the operations expect with the name `between`. With `link`,
    the user can choose among several outputs. */
 export function connection(view, from, to, outputs = () => [], between = "") {
-  if (from.address === to.address && from.type === to.type) return { reason: "drawing.no_itself" };
+  const isOwn = from.part !== "" && from.part === to.part && mediumOf(from) === "gas" && mediumOf(to) === "gas";
+  if ((from.address === to.address && from.type === to.type) || (isOwn && to.type !== "wire")) return { reason: "drawing.no_itself" };
   if (to.type === "wire") return ontoWire(view, from, to);
   if (from.type === "input" || to.type === "input") return signal(from, to, outputs);
   if (from.type === "output" || to.type === "output") return { reason: "drawing.no_output" };

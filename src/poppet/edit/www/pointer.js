@@ -2,6 +2,7 @@
 
 import { overlaps } from "./geometry.js";
 import { svgElement } from "./symbols.js";
+import { MODULE } from "./viewport.js";
 
 const SLACK = { mouse: 3, pen: 5, touch: 9 };  // pixels before a press becomes a drag
 const NEAR = { mouse: 8, pen: 12, touch: 18 };  // pixels around a port
@@ -32,18 +33,21 @@ export class Pointer {
     return wire ? { wire } : null;
   }
 
-  /* Nearest port to a position, at most some pixels away; ports of overlapping areas are told apart by the distance. */
+  /* Nearest port to a position, at most some pixels away, and less far in a part. Ports of overlapping areas are told apart
+     by the distance; ports that a connection in progress cannot end at must be hit themselves. */
   #portNear(event, element) {
-    const { viewport, items } = this.drawing, { x, y } = viewport.point(event);
-    const onPort = element.closest(".end") !== null, reach = onPort ? 2 : NEAR[event.pointerType || "mouse"] / 10 / viewport.zoom;
+    const { viewport, items, connecting } = this.drawing, { x, y } = viewport.point(event), isPort = element.closest(".end") !== null;
+    const near = NEAR[event.pointerType || "mouse"] / MODULE / viewport.zoom;
+    const reach = isPort ? 2 : element.closest("[data-part]") ? Math.min(near, 1) : near;
     let best = null, least = reach;
     for (const item of items.values()) {
-      for (const { end } of item.ports.values()) {
+      for (const { end, node } of item.ports.values()) {
         const distance = Math.hypot(end.x - x, end.y - y);
+        if (!isPort && connecting.isActive && node.classList.contains("is-impossible")) continue;
         if (distance < least) [best, least] = [end, distance];
       }
     }
-    const isFar = best && !onPort && this.drawing.viewport.zoom < 0.4;  // parts are easier to hit in a small drawing
+    const isFar = best && !isPort && viewport.zoom < 0.4;  // parts are easier to hit in a small drawing
     return isFar ? null : best;
   }
 
