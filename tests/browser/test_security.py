@@ -116,6 +116,19 @@ def test_texts_of_a_file_are_never_markup(start_editor, payload):
         look_everywhere(editor)
 
 
+def test_names_of_javascript_are_names_of_parts(start_editor):
+    names = ("constructor", "toString", "valueOf")
+    chambers = "".join(f'[parts.{name}]\nkind = "chamber"\nvolume = "1 l"\n' for name in names)
+    editor = start_editor(f'{chambers}[run]\nduration = "1 s"\n')
+    assert {f"{name}.pressure" for name in names} <= editor.recording().keys()
+    for name in names:
+        editor.select(name)
+        editor.page.keyboard.press("Delete")
+        editor.wait()
+        assert editor.page.evaluate("() => window.poppet.store.selection.size") == 0
+        assert f"[parts.{name}]" not in editor.text()
+
+
 def test_names_of_files_are_never_markup(start_editor):
     name = "<img src=x onerror=window.hacked=1>.toml"
     editor = start_editor(files={name: PLANT.format(payload=PAYLOADS[0], more="")})

@@ -252,6 +252,8 @@ export class Store extends EventTarget {
     const isValid = !reply.view.error;
     const former = isOpen ? null : this.state;
     const view = isValid ? reply.view : former?.view ?? EMPTY_VIEW;
+    // Names of parts such as `constructor` are names in tables without a prototype only.
+    for (const table of [reply.places, reply.symbols, ...Object.values(reply.view)]) withoutPrototype(table);
     const kept = isValid ? {} : { places: former?.places ?? {}, symbols: former?.symbols ?? {} };
     this.state = { ...reply, ...kept, view, error: reply.view.error ?? null };
     this.errors = reply.errors ?? [];
@@ -351,5 +353,9 @@ export class Store extends EventTarget {
 }
 
 const EMPTY_VIEW = { title: "", parts: {}, connections: {}, signals: {}, drawing: {}, run: {} };
+
+function withoutPrototype(table) {
+  if (table !== null && typeof table === "object") Object.setPrototypeOf(table, null);
+}
 
 function messageOf(errors) { return errors.map(({ message }) => message).join(" "); }
