@@ -118,9 +118,10 @@ def test_texts_of_a_file_are_never_markup(start_editor, payload):
 
 def test_names_of_javascript_are_names_of_parts(start_editor):
     names = ("constructor", "toString", "valueOf")
-    chambers = "".join(f'[parts.{name}]\nkind = "chamber"\nvolume = "1 l"\n' for name in names)
-    editor = start_editor(f'{chambers}[run]\nduration = "1 s"\n')
-    assert {f"{name}.pressure" for name in names} <= editor.recording().keys()
+    stores = "".join(f'[parts.{name}]\nkind = "chamber"\nvolume = "1 l"\n' for name in names[:2])
+    hole = 'sonic_conductance = "1 dm^3/(s bar)"\ncritical_ratio = 0.3\nfrom = "constructor"\nto = "toString"\n'
+    editor = start_editor(f'{stores}[parts.valueOf]\nkind = "orifice"\n{hole}[run]\nduration = "1 s"\n')
+    assert {"constructor.pressure", "valueOf.mass_flow_rate"} <= editor.recording().keys()
     for name in names:
         editor.select(name)
         editor.page.keyboard.press("Delete")
