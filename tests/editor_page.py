@@ -9,7 +9,7 @@ import signal
 import subprocess
 import sys
 import time
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from functools import cached_property
 from http.client import HTTPConnection
 from pathlib import Path
@@ -227,7 +227,7 @@ def write_files(folder: Path, files: dict[str, str | bytes]) -> None:
         (folder / name).write_bytes(content.encode() if isinstance(content, str) else content)
 
 
-def overlaps(boxes: Iterable[tuple[float, float, float, float]]) -> list[tuple[int, int]]:
+def overlaps(boxes: Iterable[Sequence[float]]) -> list[tuple[int, int]]:
     """Return the pairs of boxes that cover each other."""
     all_ = list(boxes)
     return [

@@ -83,6 +83,7 @@ KINDS = ("orifice", "chamber", "reservoir", "check_valve", "cylinder", "mass", "
 
 def random_action(editor: Editor, random_: random.Random) -> None:
     """Perform one random action of a user."""
+    editor.wait()
     names, ports = editor.names(), editor.names("data-port")
     choice = random_.random()
     if choice < 0.2 or len(names) < 2:
@@ -135,6 +136,6 @@ def test_random_actions_keep_page_and_server_alike(start_editor, seed):
         expected = {problem.address for problem in errors.problems}
     assert expected <= {*editor.names("data-address")}
     while state["can_undo"]:
-        editor.press("Control+z")
+        editor.press(*["Control+z"] * 10)
         state = editor.page.evaluate("async () => (await fetch('/document')).json()")
     assert editor.text() == first
