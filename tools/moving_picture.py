@@ -46,7 +46,7 @@ def film(browser: Any) -> list[Image.Image]:
         for value in np.linspace(begin, end, 9)[1:]:
             move("tank.volume", float(value))
     for moment in np.linspace(0.0, 60.0, 21):
-        move("time of the values in the drawing", float(moment))
+        move("time shown in the drawing", float(moment))
     return pictures
 
 

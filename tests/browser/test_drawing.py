@@ -240,7 +240,7 @@ def test_two_ports_get_a_chamber_or_a_tube(editor):
     assert (parts["orifice"]["to"], parts["orifice_2"]["from"]) == ("chamber", "chamber")
     assert parts["chamber"]["volume"]["value"] == "20 cm^3"
     assert editor.page.evaluate(PROBLEMS) == []
-    editor.button("Tube instead").click()
+    editor.button("Use a tube instead").click()
     editor.wait()
     parts = content(editor)["parts"]
     assert "chamber" not in parts
@@ -252,7 +252,7 @@ def test_the_offer_can_take_a_chamber_back(editor):
     add(editor, "orifice", "orifice")
     before = editor.text()
     editor.connect("orifice.to", "orifice_2.from")
-    editor.button("Take it back").click()
+    editor.button("Revert").click()
     editor.wait()
     assert editor.text() == before
 
@@ -288,12 +288,12 @@ def test_names_for_screen_readers(editor):
     drawing = editor.page.get_by_role("application")
     assert "2 parts" in drawing.get_attribute("aria-label")
     assert drawing.get_by_role("button", name="chamber, chamber").count() == 1
-    assert drawing.get_by_role("button", name="orifice.to, port, connected to chamber.").count() == 1
-    start = drawing.get_by_role("button", name="orifice.from, port, not connected, but necessary.")
+    assert drawing.get_by_role("button", name="orifice.to, gas port, connected to chamber.").count() == 1
+    start = drawing.get_by_role("button", name="orifice.from, gas port, not connected (required).")
     assert "Specify" in start.get_attribute("aria-label")
     start.focus()
     editor.press("Enter")
-    assert message(editor) == "Connection of orifice.from: choose a port or a part."
+    assert message(editor) == "Connect orifice.from: choose a port or a part. Escape cancels."
     editor.press("a")
     assert message(editor) == "orifice.from is connected to ambient."
 
@@ -319,7 +319,7 @@ def test_an_output_drives_an_input(editor):
     add(editor, "pid", "orifice", "chamber")
     editor.connect("pid.output", "orifice.opening")
     assert content(editor)["connections"] == {"orifice.opening": "pid.command"}
-    editor.page.get_by_label("Source of orifice.opening").last.select_option("pid.fill_command")
+    editor.page.get_by_label("Output that drives orifice.opening").last.select_option("pid.fill_command")
     editor.wait()
     assert content(editor)["connections"] == {"orifice.opening": "pid.fill_command"}
     editor.connect("pid.measurement", "chamber")
@@ -329,12 +329,12 @@ def test_an_output_drives_an_input(editor):
 @pytest.mark.parametrize(
     ("kinds", "start", "end", "reason"),
     [
-        (("orifice", "mass"), "orifice.to", "mass", "no free port for gas"),
-        (("orifice", "mass"), "orifice.to", "orifice", "A part is not connected to itself"),
-        (("orifice", "mass"), "orifice.to", "orifice.from", "A part is not connected to itself"),
-        (("cylinder", "chamber"), "cylinder.body", "chamber", "no free connection for a body"),
-        (("pid", "switch"), "pid.output", "switch.output", "An output is connected to an input"),
-        (("pid", "chamber"), "pid.output", "chamber", "no free end for a signal"),
+        (("orifice", "mass"), "orifice.to", "mass", "neither a gas node nor a free gas port"),
+        (("orifice", "mass"), "orifice.to", "orifice", "A part cannot be connected to itself"),
+        (("orifice", "mass"), "orifice.to", "orifice.from", "A part cannot be connected to itself"),
+        (("cylinder", "chamber"), "cylinder.body", "chamber", "neither a body nor a free mechanical port"),
+        (("pid", "switch"), "pid.output", "switch.output", "An output can be connected to an input only"),
+        (("pid", "chamber"), "pid.output", "chamber", "no input for an output"),
     ],
 )
 def test_impossible_ends_are_grey_and_say_why(editor, kinds, start, end, reason):
@@ -388,8 +388,8 @@ def test_the_list_of_all_possible_ends(editor):
     add(editor, "orifice", "chamber", "mass")
     editor.port("orifice.from").focus()
     editor.press("Enter")
-    targets = editor.page.get_by_label("All possible ends")
-    assert targets.locator("option").all_text_contents() == ["All possible ends", "chamber"]
+    targets = editor.page.get_by_label("All possible targets")
+    assert targets.locator("option").all_text_contents() == ["All possible targets", "chamber"]
     targets.select_option("chamber")
     editor.button("Connect").click()
     editor.wait()

@@ -69,7 +69,7 @@ def test_an_empty_field_removes_the_value(bench):
     bench.type("hole.critical_ratio", "")
     assert bench.text() == BENCH.replace("critical_ratio = 0.35\n", "")
     # The assumed value without a critical ratio is 0.3.
-    assert bench.field("hole.critical_ratio").get_attribute("placeholder") == "0.3 (effective)"
+    assert bench.field("hole.critical_ratio").get_attribute("placeholder") == "0.3 (used in the run)"
 
 
 def test_escape_restores_the_value(bench):
@@ -129,7 +129,7 @@ def test_a_slider_works_by_keys(bench):
 
 
 def test_a_size_is_replaced_in_one_step(bench):
-    bench.page.get_by_label("Size stated by").select_option("nominal_flow")
+    bench.page.get_by_label("Size given as").select_option("nominal_flow")
     bench.wait()
     values = part(bench, "hole")
     assert "sonic_conductance" not in values
@@ -151,10 +151,10 @@ def test_a_size_is_replaced_in_one_step(bench):
 def test_the_source_of_a_value_can_be_stated(bench):
     bench.page.get_by_role("button", name="Source of critical ratio: given").click()
     form = bench.page.locator("#form")
-    form.get_by_label("Kind of source of critical ratio").select_option("measured")
+    form.get_by_label("Kind of source for critical ratio").select_option("measured")
     bench.wait()
-    form.get_by_label("Location of critical ratio in its source").fill("bench 3")
-    form.get_by_label("Location of critical ratio in its source").press("Tab")
+    form.get_by_label("Page or table in the source of critical ratio").fill("bench 3")
+    form.get_by_label("Page or table in the source of critical ratio").press("Tab")
     bench.wait()
     assert part(bench, "hole")["critical_ratio"] == {"value": 0.35, "source": "measured", "locator": "bench 3"}
 
@@ -425,7 +425,7 @@ def test_a_characteristic_is_entered_as_a_table(start_editor, kind):
     )
     editor = start_editor(text, "bench.toml")
     editor.select("valve")
-    editor.page.get_by_label("Size stated by").select_option("characteristic")
+    editor.page.get_by_label("Size given as").select_option("characteristic")
     editor.wait()
     assert editor.page.locator("#problems li").count() == 0
     table = part(editor, "valve")["characteristic"]

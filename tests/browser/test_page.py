@@ -411,7 +411,7 @@ def test_the_time_cursor_plays(vent):
     vent.page.get_by_role("button", name="Play").click()
     vent.page.wait_for_function("() => window.poppet.store.cursor > 0.1")
     vent.page.get_by_role("button", name="Pause").click()
-    slider = vent.page.get_by_role("slider", name="time of the values in the drawing")
+    slider = vent.page.get_by_role("slider", name="time shown in the drawing")
     slider.press("End")
     assert evaluate(vent, "return store.cursor;") == pytest.approx(4.0)
 
@@ -439,7 +439,7 @@ def test_two_variants(vent):
     apply(vent, setting("tank.volume", "20 l"))
     vent.page.locator("#curves .key.is-kept", has_text="A: tank.pressure").wait_for()
     vent.page.get_by_text("Differences from A").click()
-    assert vent.page.locator(".below li").first.text_content() == "tank.volume: A 10 l, now 20 l"
+    assert vent.page.locator(".below li").first.text_content() == "tank.volume: 10 l in A, now 20 l"
     vent.page.get_by_role("button", name="Back to A").click()
     vent.page.get_by_role("button", name="Forget A").click()
     vent.wait()
@@ -456,12 +456,12 @@ def test_measured_values_beside_the_curves(start_editor):
     file = {"name": "run.csv", "mimeType": "text/csv", "buffer": content.encode()}
     vent.page.locator('#curves input[type="file"]').set_input_files(file)
     row = vent.page.locator(".measured p")
-    row.get_by_label("gauge measures").select_option("tank.pressure")
+    row.get_by_label("gauge corresponds to").select_option("tank.pressure")
     vent.page.locator("#curves .key.is-measured", has_text="gauge").wait_for()
     # The gauge reads 0.5 bar too little.
-    vent.page.locator(".measured output", has_text=re.compile(r"RMS 0\.50+ bar")).wait_for()
+    vent.page.locator(".measured output", has_text=re.compile(r"RMS deviation 0\.50+ bar")).wait_for()
     row.get_by_label("Unit of gauge").select_option("bar")
-    vent.page.locator(".measured output", has_text=re.compile(r"RMS 1\.40+ bar")).wait_for()
+    vent.page.locator(".measured output", has_text=re.compile(r"RMS deviation 1\.40+ bar")).wait_for()
     vent.page.get_by_role("button", name="Remove gauge").click()
     row.wait_for(state="detached")
 
@@ -504,7 +504,7 @@ def test_save_under_another_name(vent):
     vent.page.locator("#file-menu summary").click()
     vent.page.locator("#save-as").click()
     vent.page.get_by_label("File name").fill("copy")
-    vent.page.get_by_role("button", name="Write").click()
+    vent.page.locator("dialog").get_by_role("button", name="Save").click()
     vent.page.locator("#name", has_text="copy.toml").wait_for()
     assert (vent.folder / "copy.toml").read_text() == VENT
 
@@ -557,11 +557,11 @@ def test_the_file_changes_on_disk(vent):
     path = vent.folder / "plant.toml"
     path.write_text(VENT.replace("10 l", "30 l"))
     banner.wait_for()
-    vent.page.get_by_role("button", name="Use the text of the file").click()
+    vent.page.get_by_role("button", name="Load the file").click()
     vent.page.wait_for_function("() => window.poppet.text().includes('30 l')")
     vent.wait()
     path.write_text(VENT.replace("10 l", "40 l"))
-    vent.page.get_by_role("button", name="Keep mine").click()
+    vent.page.get_by_role("button", name="Keep my text").click()
     apply(vent, setting("tank.volume", "50 l"))
     vent.button("Save").click()
     vent.page.get_by_role("button", name="Replace the file").click()

@@ -107,7 +107,7 @@ def test_a_report_opens_without_rights_and_is_copied_without_replacing_a_file(st
     assert page.evaluate("() => fetch('/document').then(() => 'read', () => 'refused')") == "refused"
     page.close()
     entry.get_by_role("button", name="Copy plant.html into the folder of the circuit").click()
-    entry.get_by_text("In the folder as plant-2.html").wait_for()
+    entry.get_by_text("Copied into the folder as plant-2.html").wait_for()
     assert (editor.folder / "plant.html").read_text(encoding="utf-8") == "mine"
     assert (editor.folder / "plant-2.html").read_text(encoding="utf-8").startswith("<!DOCTYPE html>")
     assert (editor.folder / "plant.toml").read_text(encoding="utf-8") == FILL

@@ -117,9 +117,9 @@ def vertical(editor, key):
 
 def test_four_kinds_of_wires_with_their_names(editor):
     names = {
-        "valve.from": ("pipe", "Pipe from valve.from to supply"),
-        "hose.from": ("tube", "Tube end hose.from at bleed.to"),
-        "hose.to": ("tube", "Tube end hose.to at cylinder.cap"),
+        "valve.from": ("pipe", "Gas connection from valve.from to supply"),
+        "hose.from": ("tube", "Connection of the tube end hose.from to bleed.to"),
+        "hose.to": ("tube", "Connection of the tube end hose.to to cylinder.cap"),
         "cylinder.body": ("body", "Mechanical connection from cylinder.body to slide"),
         "pressed.measurement": ("signal", "Signal from cylinder.cap.pressure to pressed.measurement"),
     }

@@ -71,7 +71,7 @@ export class LinkRow extends InputRow {
     Object.assign(this, { part, source: input });
     this.element.dataset.type = "link";
     this.input.readOnly = isGiven(store, part, input);
-    this.input.placeholder = text("form.not_connected");
+    this.input.placeholder = text("form.connect_optional");
     if (!isNamed) {
       this.input.removeAttribute("name");
       this.input.setAttribute("aria-label", text("form.driver_of", { name: inWords(input.name) }));

@@ -12,6 +12,7 @@ import { Values } from "./values.js";
 const WIDE = 560;  // px above which two plots are side by side
 const [LOWEST, HIGHEST] = [110, 260];  // px of a plot
 const GAP = 12;
+const FAILURES = { stalled: "curves.status_stalled", "too many": "curves.status_steps", "not finite": "curves.status_infinite" };
 
 /* Panel of the curves. */
 export class Curves {
@@ -165,8 +166,10 @@ function statusOf({ status, time, seconds, duration, isShort, until }, condition
   if (isShort) return text("curves.short", { until: digits(until, duration) });
   const milliseconds = 1000 * seconds < 10 ? (1000 * seconds).toPrecision(2) : Math.round(1000 * seconds);
   if (status === "done") return text("curves.status_done", { duration: last, milliseconds });
-  if (status === "stopped") return text("curves.status_stopped", { time: last, conditions: [conditions ?? []].flat().join(", ") });
-  return text("curves.status_other", { time: last, status });
+  if (status !== "stopped") return text(FAILURES[status], { time: last });
+  // The domain of a characteristic is a condition that the file does not state.
+  return conditions ? text("curves.status_stopped", { time: last, conditions: [conditions].flat().join(", ") })
+    : text("curves.status_domain", { time: last });
 }
 
 function isSame(a, b) {

@@ -4,7 +4,7 @@ import { text } from "./strings.js";
 
 const KEYS = [
   ["Ctrl+S", "toolbar.save"], ["Ctrl+Z, Ctrl+Y", "help.undo"], ["Del", "toolbar.delete"], ["R", "toolbar.rotate"], ["M", "toolbar.mirror"],
-  ["Ctrl+A, C, X, V", "help.select"], ["← ↑ → ↓, Shift", "help.move"], ["P, W", "help.ports"], ["C, A", "help.begin"],
+  ["Ctrl+A, C, X, V", "help.select"], ["← ↑ → ↓, Shift", "help.move"], ["P, W", "help.ports"], ["C", "help.begin"], ["A", "help.vent"],
   ["+, -, 0", "help.zoom"], ["Space", "help.play"], ["/", "help.search"],
   ["Esc", "help.escape"],
 ];

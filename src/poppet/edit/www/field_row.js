@@ -187,7 +187,7 @@ export class FieldRow extends InputRow {
     const preset = defaultOf(field);
     const si = store.header?.numbers?.[address]?.value;
     if (preset || si === undefined || field.type !== "number") {
-      return preset || (this.isRequired ? text("form.needed") : text("form.optional"));
+      return preset || (this.isRequired ? text("form.required") : text("form.optional"));
     }
     const number = fromSi(si, field.unit, field.units[0], store.units, ambientOf(store.state.view, store.units));
     return text("form.effective", { value: withUnit(number, field.units[0]) });

@@ -266,7 +266,8 @@ class RenameRow extends InputRow {
   problem(typed) {
     const name = typed.trim();
     if (name !== this.part && name in this.store.state.view.parts) return text("form.name_taken", { name });
-    return NAME.test(name) && !RESERVED.has(name) ? "" : text("form.name_invalid");
+    if (RESERVED.has(name)) return text("form.name_reserved", { name });
+    return NAME.test(name) ? "" : text("form.name_invalid");
   }
 
   operations(typed) {
