@@ -285,11 +285,11 @@ _COMMANDS = {
         ("poppet new", "poppet new valve-fill", "poppet new two-tanks -o rig.toml"),
     ),
     "edit": Command(
-        "draw a circuit in the browser, with its curves",
+        "draw a circuit in the browser, and simulate it after each change",
         "edit:execute",
         (
-            Option("[FILE]", "circuit file (.toml), which Save creates if it does not exist; or a folder"),
-            Option("--no-browser", "print the address only, and do not open the browser"),
+            Option("[FILE]", "circuit file (.toml), created by Save if it is missing; or a folder (default: this one)"),
+            Option("--no-browser", "print the address, but do not open the browser"),
             Option(
                 "--port N",
                 "port of the server on this computer (default: any free one)",

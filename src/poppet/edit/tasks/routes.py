@@ -79,5 +79,5 @@ def _file(tasks: Tasks, request: Request) -> Reply:
 def _text(request: Request, name: str) -> str:
     value: Any = request.json.get(name, "")
     if not isinstance(value, str):
-        raise InputError("edit.no_request", name, wanted="str", value=value)
+        raise InputError("edit.no_request", name, wanted="a text", value=value)
     return value
