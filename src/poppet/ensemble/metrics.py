@@ -33,6 +33,8 @@ KINDS: dict[str, Kind] = {"Pa": "pressure", "K": "temperature", "kg/s": "mass_fl
 _INTEGRALS = {"kg/s": "kg", "m^3/s": "m^3", "W": "J", "1": "s", "m/s": "m", "m^3/s ANR": "m^3 ANR"}
 """Mapping from the SI unit of an output to the SI unit of its integral over time, if that has a shorter name."""
 MARKED = re.compile(r"(.*\S)\s+(ANR|N)")
+REST = 1e-9
+"""Largest step of an output at rest relative to its largest value: a smaller one is noise of the solver."""
 
 
 @dataclass(frozen=True)
@@ -162,9 +164,11 @@ def _mean(t: Array, y: Array) -> Array:
 def _relative_step(y: Array, aim: Array) -> Array:
     """Return responses as fractions of their steps from the first value to the target, (m, n).
 
-    Each row of `y`, (m, n), is a response. `aim`, (m,), contains its target.
+    Each row of `y`, (m, n), is a response. `aim`, (m,), contains its target. A response without a step is NaN.
     """
-    return np.asarray((y - y[:, :1]) / (aim[:, np.newaxis] - y[:, :1]))
+    step = aim - y[:, 0]
+    step = np.where(np.abs(step) <= REST * np.abs(y).max(axis=1), np.nan, step)
+    return np.asarray((y - y[:, :1]) / step[:, np.newaxis])
 
 
 def _first_crossing(t: Array, y: Array, level: float) -> Array:

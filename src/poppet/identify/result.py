@@ -15,6 +15,7 @@ from poppet.core.codes import Note, notes_of
 from poppet.core.errors import InputError, NameSuggestion, needed
 from poppet.core.note_groups import grouped
 from poppet.core.notebook import HtmlMixin
+from poppet.core.number_format import readable_unit, scaled
 from poppet.core.provenance import Number, Source
 from poppet.core.toml import ResultFileMixin, from_json
 from poppet.timeseries.checks import FloatArray
@@ -308,7 +309,9 @@ def fitted_number(estimate: Estimate, title: str) -> Number:
 
     `title` is the title of the fit, which the source states.
     """
-    note = f"+/- {estimate.standard_error:.3g} ({estimate.verdict})"
+    shown = readable_unit(estimate.unit, estimate.value)
+    unit = "" if shown == "1" else f" {shown}"
+    note = f"+/- {scaled(estimate.standard_error, estimate.unit, shown):.3g}{unit} ({estimate.verdict})"
     return Number(estimate.value, estimate.unit, Source("fitted", title, note))
 
 

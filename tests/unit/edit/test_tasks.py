@@ -6,6 +6,7 @@ import csv
 import io
 import json
 import os
+import re
 import sys
 import time
 import zipfile
@@ -131,6 +132,15 @@ def test_a_curve_has_the_usual_units(job):
     assert curve["y"][0] == pytest.approx(1.0 + 1e-9 * 1e6 * RATE * 2.0 / 2e-3 / 1e5, rel=1e-3)
 
 
+def test_a_parameter_is_sized_in_the_range_of_the_form(job):
+    order = job(address="supply.pressure", metric=TIME_TO_3_BAR, requirement="<= 1.6 s")
+    result = studies.size_parameter(order)
+    low, high = task_facts(order.circuit)["parameters"]["supply.pressure"]["range"]
+    assert (low, high) == ("2.33 bar g", "29 bar g")  # a third and three times 10 bar absolute
+    assert [min(result.data["curve"]["x"]), max(result.data["curve"]["x"])] == pytest.approx([7 / 3, 29], rel=1e-3)
+    assert "limited by time_to_tank_pressure" in result.text
+
+
 def test_no_value_meets_the_requirement(job):
     result = studies.size_parameter(job(address="tank.volume", metric=TIME_TO_3_BAR, requirement="< 0 s"))
     assert result.operations == ()
@@ -156,13 +166,13 @@ def test_an_ensemble_of_stated_spreads(job):
     result = studies.run_ensemble(order)
     rows = [*csv.DictReader(order.path("-ensemble.csv").read_text(encoding="utf-8").splitlines())]
     volumes = np.array([float(row["tank.volume"]) for row in rows])
-    times = np.array([float(row["result"]) for row in rows])
+    times = np.array([float(row["time_to_tank_pressure"]) for row in rows])
     # About 1 l takes 2 s: the run ends before for larger volumes.
     reached = np.isfinite(times)
     assert times[reached] == pytest.approx(volumes[reached] * 2e5 / (1e-9 * 1e6 * RATE), rel=1e-3)
     assert 0.9e-3 < volumes.min() < volumes.max() < 1.1e-3
     assert order.path("-ensemble.html").stat().st_size > 10_000
-    assert "result" in result.text
+    assert "time_to_tank_pressure" in result.text
 
 
 @pytest.mark.parametrize("metric", ["../metrics.py:peak", "metrics.py:peak", None, 3])
@@ -215,6 +225,8 @@ def test_a_recording_gives_the_parameter_of_the_circuit_that_made_it(job):
     result = fits.fit_parameters(order)
     (operation,) = result.operations
     assert operation["value"]["source"] == "fitted"
+    # The uncertainty has a unit, as the value: without one it would read as one of the unit beside it.
+    assert re.fullmatch(r"\+/- \S+ dm\^3/\(s bar\) \(determined\)", operation["value"]["note"])
     text = Document(FILL).apply([operation]).text
     assert "# of the catalogue" in text
     assert float(loads(text).parts["fill"].sonic_conductance) == pytest.approx(0.13e-8, rel=1e-4)

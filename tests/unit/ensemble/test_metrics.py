@@ -44,6 +44,8 @@ def test_times_of_a_first_order_step():
     # A constant output has no step and no settling band.
     for metric in ("settling_time", "rise_time", "overshoot"):
         assert math.isnan(value(np.full(TIME.size, 3e5), metric=metric))
+        # Noise of the solver is no step either.
+        assert math.isnan(value(3e5 * (1.0 + 1e-12 * np.sin(TIME)), metric=metric))
     assert value(FIRST_ORDER, metric="steady_error", target="5 bar") == pytest.approx(-4e5 * math.exp(-5.0))
 
 

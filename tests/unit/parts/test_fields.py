@@ -162,7 +162,8 @@ def test_missing_fields_say_how_to_give_them():
         complete(Outer(), {})
     assert [str(problem) for problem in caught.value.problems] == [
         "size is missing: the size has no default. Specify the value in m.",
-        "to is missing: the store it feeds must be the name of a part. Specify the name of a reservoir or a chamber.",
+        "to is missing: the store it feeds must be the name of a part. "
+        'Specify the name of a reservoir or a chamber, or "ambient" for the surroundings.',
         "spring.rate is missing: the rate has no default. Specify the value in N/m.",
     ]
 

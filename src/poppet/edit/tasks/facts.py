@@ -7,6 +7,7 @@ from typing import Any
 from poppet.circuit.circuit import BaseCircuit
 from poppet.deploy.controller import find_controllers
 from poppet.deploy.targets import TARGETS
+from poppet.edit.tasks.order import default_range, written_value
 from poppet.ensemble.ensemble_plan import varied_specs
 from poppet.ensemble.metrics import METRIC_KINDS
 from poppet.parts.pid import PID
@@ -21,7 +22,15 @@ def task_facts(circuit: BaseCircuit) -> dict[str, Any]:
     numbers, ambient = circuit.numbers(), circuit.surroundings.pressure
     driven = {*circuit.signals, *circuit.connections}
     parameters = {
-        address: {"text": numbers[address].display(), "unit": spec.unit, "value": numbers[address].absolute(ambient)}
+        address: {
+            "text": numbers[address].display(),
+            "unit": spec.unit,
+            "value": numbers[address].absolute(ambient),
+            "range": [
+                str(written_value(end, spec.unit, numbers[address], digits=3, ambient=ambient))
+                for end in default_range(circuit, address, spec)
+            ],
+        }
         for address, spec in varied_specs(circuit).items()
         if address not in driven
     }

@@ -11,11 +11,13 @@ from pathlib import Path
 from typing import Any
 
 from poppet.api import Circuit, loads
+from poppet.circuit.circuit import BaseCircuit
 from poppet.core.errors import InputError
 from poppet.core.number_format import readable_unit
 from poppet.core.provenance import Number
 from poppet.core.units import convert, is_known, same_dimension
 from poppet.edit.document import MARK, Document
+from poppet.parts.fields import NumberSpec
 
 _NUMBER = re.compile(r"\s*[-+]?[0-9.]+(?:[eE][-+]?[0-9]+)?\s*(?P<unit>.*?)\s*")
 _CLOSE = 1e-4
@@ -114,6 +116,13 @@ def shown_unit(value: float, unit: str, like: Number | None = None) -> str:
     match = _NUMBER.fullmatch(like.text if like is not None else "")
     written = match["unit"] if match is not None else ""
     return written if is_known(written) and same_dimension(written, unit) else readable_unit(unit, value)
+
+
+def default_range(circuit: BaseCircuit, address: str, spec: NumberSpec) -> tuple[float, float]:
+    """Return the range in which a parameter is sized by default, absolute in SI: a third to three times its value."""
+    present = circuit.numbers()[address].absolute(circuit.surroundings.pressure)
+    low, high = spec.ends
+    return min(max(present / 3.0, low), high), min(max(3.0 * present, low), high)
 
 
 def sourced(number: Number, like: Number | None = None, ambient: float = 1e5) -> dict[str, Any]:

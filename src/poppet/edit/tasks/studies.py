@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import csv
 import math
+import re
 from collections.abc import Mapping
 from typing import Any
 
@@ -12,16 +13,15 @@ import numpy as np
 from poppet.core.errors import InputError, NameSuggestion
 from poppet.core.number_format import USUAL
 from poppet.core.units import convert, quantity
-from poppet.edit.tasks.order import TaskOrder, TaskResult, sets_value, shown_unit, written_value
+from poppet.edit.tasks.order import TaskOrder, TaskResult, default_range, sets_value, shown_unit, written_value
 from poppet.edit.tasks.runs import sentences
 from poppet.ensemble import plan_of, run_plan, size
 from poppet.ensemble.ensemble_plan import varied_specs
 from poppet.ensemble.metrics import METRIC_KINDS
 from poppet.ensemble.shards import PreparedPlan
+from poppet.ensemble.sizing import Sizing
 from poppet.timeseries.plotting.figures import style
 
-RESULT = "result"
-"""Name of the metric and of the requirement that a user has chosen."""
 RUNS = 200
 """Default number of runs of an ensemble."""
 POINTS = 41
@@ -69,11 +69,22 @@ def _find_size(order: TaskOrder) -> TaskResult:
     options, address = order.options, order.options["address"]
     fields: dict[str, Any] = _metric_fields(order, {})
     if "requirement" in options:
-        fields["requirements"] = {RESULT: f"{RESULT} {options['requirement']}"}
-    sizing = size(
-        order.circuit, address, between=_range(order), largest=options.get("extreme") == "largest",
-        progress=lambda done, total, _: order.report("rounds", done, total), **fields,
-    )  # fmt: skip
+        (name,) = fields["metrics"]
+        fields["requirements"] = {name: f"{name} {options['requirement']}"}
+
+    def sized(between: tuple[Any, Any] | None) -> Sizing:
+        return size(
+            order.circuit, address, between=between, largest=options.get("extreme") == "largest",
+            progress=lambda done, total, _: order.report("rounds", done, total), **fields,
+        )  # fmt: skip
+
+    is_stated = "low" in options or "high" in options
+    # A value of zero has no range around it.
+    number = order.circuit.numbers().get(address)
+    is_zero = number is not None and number.absolute(order.circuit.surroundings.pressure) <= 0.0
+    sizing = sized(None if is_zero and not is_stated else _bounds(order))
+    if not is_stated and not sizing.limiting:  # the value is beyond the default range
+        sizing = sized(None)
     # Only the metrics with bounds: a file can have many others.
     name = next(name for name in sizing.metrics if name in sizing.bounds)
     bounds = sizing.bounds[name]
@@ -118,30 +129,24 @@ def _metric_fields(order: TaskOrder, fields: Mapping[str, Any]) -> dict[str, Any
     si = METRIC_KINDS[kind].unit(dict(order.circuit.model.outputs).get(str(metric.get("of")), "1"))
     # The zero of a temperature scale does not apply to differences.
     unit = {} if si == "K" or kind == "overshoot" else {"unit": USUAL.get(si, si)}
-    chosen: dict[str, Any] = {"metrics": {RESULT: {**unit, **metric}}}
+    name = re.sub(r"\W", "_", f"{kind}_{metric.get('of', '')}")
+    chosen: dict[str, Any] = {"metrics": {name: {**unit, **metric}}}
     # The requirements of the file refer to the metrics of the file.
     return chosen | ({"requirements": {}} if "requirements" not in fields else {})
 
 
-def _range(order: TaskOrder) -> tuple[Any, Any] | None:
-    if "low" in order.options or "high" in order.options:
-        return _bounds(order)
-    return None
-
-
 def _bounds(order: TaskOrder) -> tuple[float, float]:
-    """Return the range of the parameter in SI units, absolute; its default is a third to three times the value."""
+    """Return the range of the parameter in SI units, absolute."""
     circuit, address = order.circuit, order.options["address"]
     spec = varied_specs(circuit).get(address)
     if spec is None:
         near = NameSuggestion(address, varied_specs(circuit))
         raise InputError("names.unknown", address, meaning="a parameter of this circuit", suggestion=near)
     ambient = circuit.surroundings.pressure
-    present = circuit.numbers()[address].absolute(ambient)
     ends = []
-    for key, factor in (("low", 1.0 / 3.0), ("high", 3.0)):
+    for key, default in zip(("low", "high"), default_range(circuit, address, spec), strict=True):
         if key not in order.options:
-            ends.append(float(np.clip(factor * present, *spec.ends)))
+            ends.append(default)
             continue
         parsed = quantity(order.options[key], spec.unit, kind=spec.kind, name=key)
         value = parsed.value + (ambient if parsed.reference == "gauge" else 0.0)

@@ -128,8 +128,8 @@ export const FORMS = {
     const field = form.address("parameter", Object.keys(facts.parameters), proposedParameter(tasks, facts));
     const low = form.input("low"), high = form.input("high");
     const update = () => {
-      const { value, text: shown } = facts.parameters[field.value.trim()] ?? {};
-      for (const [end, factor] of [[low, 1 / 3], [high, 3]]) end.placeholder = value > 0 ? scaled(shown, factor) : "";
+      const { value, range } = facts.parameters[field.value.trim()] ?? {};
+      for (const [k, end] of [low, high].entries()) end.placeholder = value > 0 ? range[k] : "";
     };
     field.addEventListener("input", update);
     update();
@@ -239,12 +239,6 @@ function proposedOutput({ selection, run }, { outputs }) {
   const own = [...selection].flatMap(part => names.filter(address => address.startsWith(`${part}.`)));
   const usual = ["position", "pressure"].flatMap(word => names.filter(address => address.endsWith(`.${word}`)));
   return [...own, ...usual, ...names].find(changes) ?? own[0] ?? usual[0] ?? names[0] ?? "";
-}
-
-/* Text of a number with another factor: "0.1 l" and 3 give "0.3 l". */
-function scaled(shown, factor) {
-  const match = /^\s*([-+]?[\d.]+(?:e[-+]?\d+)?)(.*)$/i.exec(shown);
-  return match ? `${Number((Number(match[1]) * factor).toPrecision(3))}${match[2]}` : "";
 }
 
 const numberOr = value => (value !== "" && Number.isFinite(Number(value)) ? Number(value) : value);
