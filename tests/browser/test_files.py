@@ -116,7 +116,7 @@ def random_action(editor: Editor, random_: random.Random) -> None:
         editor.page.keyboard.press(random_.choice(["Control+z", "Control+z", "Control+y", "Control+v", "Escape"]))
 
 
-@pytest.mark.parametrize("seed", [1, 2])
+@pytest.mark.parametrize("seed", [1, pytest.param(2, marks=pytest.mark.slow)])
 def test_random_actions_keep_page_and_server_alike(start_editor, seed):
     editor = start_editor(name="plant.toml")
     first = editor.text()

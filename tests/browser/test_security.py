@@ -90,7 +90,7 @@ pressure = "{payload}"
 ["{payload}"]
 x = 1
 """
-MORE = ("", HOSTILE, "{payload} = ")
+MORE = (HOSTILE, "{payload} = ")
 IS_CLEAN = """() => window.hacked === undefined && document.getElementById("hacked") === null
   && document.querySelector("img[src='x'], [onerror], [onload], iframe, object, embed") === null
   && [...document.scripts].every(s => s.src.startsWith(location.origin))
