@@ -139,6 +139,7 @@ export class Connecting {
     const state = await drawing.insert([drawing.adding(kind, name, place, BETWEEN[kind]), ...renamed(operations, name)]);
     if (!state) return;
     store.announce(text(`drawing.inserted_${kind}`, { name }));
+    drawing.reveal([name]);
     const back = [text("drawing.take_back"), () => store.undo()];
     drawing.offers.show(text(`drawing.inserted_${kind}`, { name }), tube ? [this.#tube(name, tube, place), back] : [back]);
   }

@@ -229,10 +229,11 @@ export class Drawing {
   #wanted(entry) {
     const { x, y, width, height } = this.viewport.area, [name] = this.selected;
     const last = [...this.coming.values()].at(-1);
-    if (last) return { x: last.x + last.width + GAP - entry.box[0], y: last.row };
+    const gap = GAP + roomForNames(entry);
+    if (last) return { x: last.x + last.width + gap - entry.box[0], y: last.row };
     if (this.selected.length !== 1) return { x: x + width / 4, y: y + height / 2 };
     const { box } = this.items.get(name);
-    return { x: box.x + box.width + GAP - entry.box[0], y: this.place(name).y };
+    return { x: box.x + box.width + gap - entry.box[0], y: this.place(name).y };
   }
 
   /* Operation that adds a part with starting values, of which some can be other ones. */
@@ -354,6 +355,12 @@ export class Drawing {
     this.svg.classList.toggle("is-far", this.viewport.zoom < 0.5);
     this.svg.style.setProperty("--pixel", `${0.1 / this.viewport.zoom}`);
   }
+}
+
+/* Width for the names of the inputs at the left of a controller. */
+function roomForNames({ ports }) {
+  const names = ports.filter(({ type, side }) => type === "input" && side === "left").map(({ name }) => name.length);
+  return names.length > 2 ? Math.ceil(0.4 * Math.max(...names)) : 0;
 }
 
 /* Place with valid rotation and mirror. */
