@@ -33,7 +33,7 @@ export const CATALOGUE = {
     short: "Only the first {until} s while you drag; the whole run follows.",
     speed: "Speed",
     speed_real: "real time",
-    speed_whole: "whole run in 8 s",
+    speed_whole: "8 s per run",
     stale: "The present circuit is not simulated. The grey curves are those of the last circuit that was.",
     status_domain: "The run ended at {time} s, because a value left the range of its characteristic.",
     status_done: "{duration} s simulated in {milliseconds} ms.",
@@ -194,7 +194,7 @@ export const CATALOGUE = {
     name: "Recordings",
     no_time: "The time column of {file} has the unit {unit}, which is not a unit of time. Name the column, for example, time [s].",
     none: "no output",
-    open: "Add recording (CSV)",
+    open: "Add recording",
     rms: "RMS deviation {value} {unit}",
     rms_kept: "RMS deviation {value} {unit}, of A {kept} {unit}",
     rows: "fewer than two rows",
@@ -490,7 +490,7 @@ export const CATALOGUE = {
   },
 
   text: {
-    help: "The text is applied shortly after you stop typing, or at once by Ctrl+Enter.",
+    help: "The text is applied shortly after you stop typing, or immediately by Ctrl+Enter.",
     line: "Line {line}:",
     name: "Text of the circuit file",
     refused: "Your text was not applied. Ctrl+Enter applies it in place of the present text.",
