@@ -130,6 +130,15 @@ def test_names_of_javascript_are_names_of_parts(start_editor):
         assert f"[parts.{name}]" not in editor.text()
 
 
+def test_positions_that_are_too_far_away_are_ignored(start_editor):
+    """The page would compute without end."""
+    hole = 'sonic_conductance = "1 dm^3/(s bar)"\ncritical_ratio = 0.3\nfrom = "tank"\nto = "ambient"\n'
+    drawing = '[drawing]\ntank = { x = 1e300, y = -1e300 }\n"hole.from" = { points = [[1e300, 2]] }\n'
+    tank = '[parts.tank]\nkind = "chamber"\nvolume = "1 l"\n'
+    editor = start_editor(f'{tank}[parts.hole]\nkind = "orifice"\n{hole}[run]\nduration = "1 s"\n{drawing}')
+    assert editor.part("tank").is_visible()
+
+
 def test_names_of_files_are_never_markup(start_editor):
     name = "<img src=x onerror=window.hacked=1>.toml"
     editor = start_editor(files={name: PLANT.format(payload=PAYLOADS[0], more="")})

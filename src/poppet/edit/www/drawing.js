@@ -7,7 +7,7 @@ import { Animation } from "./animation.js";
 import { Clipboard } from "./clipboard.js";
 import { Connecting } from "./connecting.js";
 import { split } from "./connections.js";
-import { around, boxOf, freePlace, mirroredPlace, overlaps, rotatedPlace } from "./geometry.js";
+import { around, boxOf, freePlace, isCoordinate, mirroredPlace, overlaps, rotatedPlace } from "./geometry.js";
 import { Keys } from "./drawing_keys.js";
 import { Offers } from "./offers.js";
 import { PartNode } from "./part_node.js";
@@ -69,7 +69,7 @@ export class Drawing {
   /* True if the file contains the position of a part. */
   isPlaced(name) {
     const place = this.view.drawing[name];
-    return typeof place?.x === "number" && typeof place?.y === "number";
+    return isCoordinate(place?.x) && isCoordinate(place?.y);
   }
 
   /* Ends of all parts at which wires begin or end. */
@@ -369,6 +369,6 @@ function cleanPlace({ x, y, rotation, mirror }) {
 }
 
 /* Operation that stores the place of a part. */
-export function placing(part, { x, y, rotation = 0, mirror = false }) {
+function placing(part, { x, y, rotation = 0, mirror = false }) {
   return { op: "place", part, x, y, rotation, mirror };
 }

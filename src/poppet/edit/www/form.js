@@ -1,7 +1,7 @@
 /* Form of the selected part: name, size, fields, ports and inputs. */
 
 import { LinkRow, PortRow, driverOf } from "./connection_rows.js";
-import { make, newId, show } from "./elements.js";
+import { make, show } from "./elements.js";
 import { FieldRow, InputRow, bare } from "./field_row.js";
 import { CurveTable, startTable } from "./curve_tables.js";
 import { ModelRow } from "./model_row.js";

@@ -3,9 +3,13 @@
    A symbol is first mirrored (left and right exchanged), then rotated clockwise, then moved to the place of its part. */
 
 export const MARGIN = 2;  // free space around a new part
+const FARTHEST = 1e5;  // largest coordinate, as in poppet.edit.operations
 const LETTER = 0.68, LINE = 1.6, VALUE = 7;  // width of a letter, height of a line, and letters of a value
 const ASIDE = 1.3;  // distance of a name from the ports beside it
 const SIDES = ["top", "right", "bottom", "left"];
+
+/* True if a value of the file is a coordinate. */
+export function isCoordinate(value) { return Number.isFinite(value) && Math.abs(value) <= FARTHEST; }
 
 /* Point of a symbol after mirroring and rotation, relative to the place of the part. */
 export function turned({ rotation = 0, mirror = false }, x, y) {

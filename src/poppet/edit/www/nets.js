@@ -1,6 +1,7 @@
 /* Nets of a circuit: which ends of the drawing a wire joins, and the scene for the router. All functions are pure. */
 
 import { sourceOf, split } from "./connections.js";
+import { isCoordinate } from "./geometry.js";
 
 /* Kinds of wires by the type of the end at which they begin. */
 const KINDS = { port: "pipe", tube: "tube", body: "body", input: "signal" };
@@ -47,7 +48,7 @@ function* signals(view, ends, borders) {
 /* Valid points of an entry of the drawing. */
 function pointsOf(entry) {
   const { points } = entry ?? {};
-  const isPoint = point => Array.isArray(point) && point.length === 2 && point.every(Number.isFinite);
+  const isPoint = point => Array.isArray(point) && point.length === 2 && point.every(isCoordinate);
   return Array.isArray(points) && points.every(isPoint) ? points : [];
 }
 
