@@ -169,6 +169,13 @@ def test_a_model_replaces_the_starting_values(editor):
     assert "2.8 dm^3/(s bar)" in editor.page.locator("#form .sets").inner_text()
 
 
+def test_a_kind_without_models_says_so(bench):
+    bench.add("cylinder")
+    assert "no models" in bench.field("cylinder.model").get_attribute("placeholder")
+    bench.add("spool_valve")
+    assert "no models" not in bench.field("spool_valve.model").get_attribute("placeholder")
+
+
 def test_a_part_is_renamed(bench):
     name = bench.page.locator("#form").get_by_label("Name", exact=True)
     name.fill("throttle")
@@ -412,6 +419,18 @@ def test_a_unit_of_another_quantity_is_refused(start_editor):
     editor.wait()
     assert editor.text() == text
     assert "cannot be converted" in editor.page.locator("#form .bad:visible").first.inner_text()
+
+
+def test_a_wrong_unit_does_not_stay(bench):
+    bench.select("tank")
+    unit = bench.page.get_by_label("Unit of volume", exact=True)
+    bench.type("tank.volume", "5 bar")
+    assert unit.input_value() == "l"
+    bench.type("tank.volume", "")
+    assert bench.field("tank.volume").get_attribute("placeholder") == "required"
+    assert (unit.input_value(), unit.locator("option").all_inner_texts()) == ("l", ["l", "cm^3", "m^3"])
+    bench.type("tank.volume", "3")
+    assert part(bench, "tank")["volume"] == "3 l"
 
 
 @pytest.mark.parametrize("kind", ["orifice", "spool_valve"])

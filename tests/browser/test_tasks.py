@@ -245,6 +245,39 @@ def test_exports(start_editor, tmp_path):
     page.close()
 
 
+def test_results_of_other_texts_are_marked(start_editor):
+    editor = start_editor(FILL, "fill.toml", own=True)
+    open_tasks(editor)
+    task(editor, "size").click()
+    form = editor.page.locator("[data-form=size]")
+    form.locator("[name=parameter]").fill("tank.volume")
+    form.locator("[name=metric]").select_option("time_to")
+    form.locator("[name=of]").fill("tank.pressure")
+    form.locator("[name=value]").fill("3 bar")
+    form.locator("[name=extreme]").select_option("largest")
+    form.locator("[name=requirement]").fill("<= 1 s")
+    form.get_by_role("button", name="Start").click()
+    entry = result(editor, "size")
+    mark, apply = entry.locator(".task-mark"), entry.get_by_role("button", name="Apply value")
+    assert not mark.is_visible()
+    editor.select("supply")
+    editor.type("supply.pressure", "8 bar g")
+    open_tasks(editor)
+    assert "earlier text" in mark.inner_text()
+    assert apply.is_visible()
+    editor.button("Undo").click()
+    editor.wait()
+    assert not mark.is_visible()
+    editor.page.evaluate(
+        "async () => { await fetch('/open', {method: 'POST', headers: {'Content-Type': 'application/json'},"
+        " body: JSON.stringify({empty: true})}); }"
+    )
+    editor.page.reload()
+    open_tasks(editor)
+    assert "another circuit" in mark.inner_text()
+    assert not apply.is_visible()
+
+
 def test_tasks_of_an_incomplete_circuit_are_disabled(start_editor):
     editor = start_editor(own=True)
     open_tasks(editor)
@@ -252,6 +285,7 @@ def test_tasks_of_an_incomplete_circuit_are_disabled(start_editor):
     editor.add("orifice")
     open_tasks(editor)
     assert task(editor, "report").is_disabled()
+    assert editor.page.get_by_text("Tasks need a circuit without errors").is_visible()
     assert task(editor, "svg").is_enabled()
 
 

@@ -77,6 +77,14 @@ class Reply:
         return cls(f"{HTTPStatus(status).phrase}\n".encode(), "text/plain; charset=utf-8", status)
 
 
+USED = (
+    "This address is valid once, in one browser. "
+    "Another browser has used it, or it belongs to an editor that has ended.\n"
+    "To use this browser, end the editor with Ctrl-C, start poppet edit again, and open the new address here.\n"
+)
+"""Reply to a browser that opens an address that is not valid any more."""
+
+
 @dataclass(frozen=True)
 class Route:
     """Function that replies to the requests of one path.
@@ -218,7 +226,7 @@ class _Handler(BaseHTTPRequestHandler):
     def _send_cookie(self, token: str) -> None:
         """Redirect to the page without the token, which becomes a cookie."""
         if not self._has_cookie() and not self.server.take(token):
-            self._send(Reply.refusal(HTTPStatus.FORBIDDEN))
+            self._send(Reply(USED.encode(), "text/plain; charset=utf-8", HTTPStatus.FORBIDDEN))
             return
         cookie = f"{self.server.cookie}={self.server.secret}; HttpOnly; SameSite=Strict; Path=/"
         headers = {"Location": "/", "Set-Cookie": cookie}

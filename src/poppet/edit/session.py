@@ -62,6 +62,7 @@ class Session:
         self.name: str | None = None
         self.history = History(EMPTY)
         self._first = EMPTY  # text without a file
+        self._opened = 0  # revision at which the circuit was opened
         self._disk: bytes | None = None  # content of the file when it was read or saved
         self._content_of: tuple[int, State, BaseCircuit | InputError] | None = None
         self._places_of: tuple[Any, State] | None = None
@@ -88,6 +89,7 @@ class Session:
         with self.lock:
             return {
                 "revision": self.history.revision,
+                "opened": self._opened,
                 "name": self.name,
                 "folder": self.folder.name,
                 "dirty": self.is_changed,
@@ -279,7 +281,7 @@ class Session:
     def _begin(self, name: str | None, data: bytes | None, text: str) -> None:
         # Revisions continue, so that a change of another page cannot apply to the new text.
         self.history = History(text, self.history.revision + 1)
-        self.name, self._disk, self._first = name, data, text
+        self.name, self._disk, self._first, self._opened = name, data, text, self.history.revision
 
     def _read(self, name: str) -> bytes:
         try:

@@ -167,7 +167,8 @@ def test_the_token_is_valid_once(server, page):
     path = server.address.removeprefix(page.origin)
     assert page.get(path).status == 303  # the browser that has the cookie can open the address again
     other = Page(server)
-    assert other.get(path).status == 403
+    reply = other.get(path)
+    assert (reply.status, b"start poppet edit again" in reply.body) == (403, True)
     assert other.get("/?token=").status == 403
     assert other.get("/?token=%ff").status == 403
     assert other.get("/document").status == 403

@@ -5,7 +5,7 @@ import { positionOf, rangeOf, STEPS, textAt } from "./sliders.js";
 import { SourceEditor } from "./source_editor.js";
 import { text } from "./strings.js";
 import { converted, fromSi, siOf, withUnit } from "./units.js";
-import { ambientOf, defaultOf, inWords, isEqual, isSourced, limitsOf, plainValue, textOf, unitOf, valueOf } from "./field_values.js";
+import { ambientOf, defaultOf, inWords, isEqual, isSourced, isUnitOf, limitsOf, plainValue, textOf, unitOf, valueOf } from "./field_values.js";
 
 const MOST_CHOICES = 40;  // of a selection; more choices are searched in the input
 const QUIET = 400;  // ms after the last key on a slider, then its value is written
@@ -186,7 +186,8 @@ export class FieldRow extends InputRow {
     const { address, field, store } = this;
     const preset = defaultOf(field);
     const si = store.header?.numbers?.[address]?.value;
-    if (preset || si === undefined || field.type !== "number") {
+    // The numbers of the last run are not those of a circuit with errors.
+    if (preset || si === undefined || store.errors.length || field.type !== "number") {
       return preset || (this.isRequired ? text("form.required") : text("form.optional"));
     }
     const number = fromSi(si, field.unit, field.units[0], store.units, ambientOf(store.state.view, store.units));
@@ -232,8 +233,12 @@ export class FieldRow extends InputRow {
   }
 
   #updateUnit() {
-    const present = (this.stated === undefined && this.unit.value) || unitOf(this.field, this.stated);
-    const names = [...new Set([...this.field.units, present])];
+    const { field, stated } = this;
+    // A chosen unit stays as long as no value is stated; the unit of a wrong value is not used for the next one.
+    let present = (stated === undefined && field.units.includes(this.unit.value)) ? this.unit.value : unitOf(field, stated);
+    const isWrong = this.store.errors.some(({ address }) => this.concerns(bare(address)));
+    if (isWrong && !isUnitOf(field, present, this.store.units)) present = unitOf(field, undefined);
+    const names = [...new Set([...field.units, present])];
     if ([...this.unit.options].map(option => option.value).join("|") !== names.join("|")) {
       this.unit.replaceChildren(...names.map(value => make("option", { value }, value || text("form.no_unit"))));
     }

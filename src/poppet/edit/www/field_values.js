@@ -50,6 +50,9 @@ export function unitOf(field, value) {
   return parts(plain)?.unit || (field.unit === "1" ? "" : field.unit);
 }
 
+/* Return True if a unit belongs to the quantity of a field. */
+export function isUnitOf(field, unit, units) { return field.units.includes(unit) || siOf(withUnit("0", unit), field.unit, units) !== null; }
+
 /* Return the ambient pressure of the circuit in Pa. */
 export function ambientOf(view, units) { return siOf(plainValue(view.ambient?.pressure) ?? 1e5, "Pa", units) ?? 1e5; }
 

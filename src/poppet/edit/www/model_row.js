@@ -15,7 +15,7 @@ export class ModelRow extends FieldRow {
     this.value.after(this.sets);
   }
 
-  placeholder() { return text("form.model_search"); }
+  placeholder() { return text(this.choices.length ? "form.model_search" : "form.model_none"); }
 
   /* Setting a model removes the starting values that it replaces. */
   operations(typed) {

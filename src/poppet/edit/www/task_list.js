@@ -1,17 +1,21 @@
 /* Results of tasks: progress, tables, files, and the changes of the circuit that a result offers. */
 
 import { attempt, errorsOf } from "./connection.js";
-import { make } from "./elements.js";
+import { make, show } from "./elements.js";
 import { text } from "./strings.js";
 import { sizedCurve } from "./task_curve.js";
 
 /* List of tasks, the latest first; an entry is drawn anew only if its task has changed. */
 export class TaskList {
   constructor(store, { cancel }) {
-    Object.assign(this, { store, cancel, entries: new Map(), applied: new Set(), kept: new Map() });
+    Object.assign(this, { store, cancel, entries: new Map(), applied: new Set(), contents: new Map() });
     this.element = make("section", { hidden: true }, make("h2", {}, text("tasks.results")));
     this.items = this.element.appendChild(make("ul", { class: "task-list" }));
+    store.addEventListener("state", () => { for (const { element, task } of this.entries.values()) this.#mark(element, task); });
   }
+
+  /* Remember the present content of the circuit, for which a task begins. */
+  begin() { this.contents.set(this.store.state.revision, contentOf(this.store.state)); }
 
   show(tasks) {
     this.element.hidden = !tasks.length;
@@ -26,7 +30,8 @@ export class TaskList {
       element.dataset.state = task.state;
       if (former?.state === "running" && task.state === "running") this.#advance(element, task);
       else element.replaceChildren(...this.#content(task));
-      this.entries.set(task.id, { element, content, state: task.state });
+      this.#mark(element, task);
+      this.entries.set(task.id, { element, task, content, state: task.state });
     }
     const present = new Set(tasks.map(({ id }) => id));
     for (const id of this.entries.keys()) if (!present.has(id)) this.entries.delete(id);
@@ -36,8 +41,20 @@ export class TaskList {
     }
   }
 
+  /* Say whether a task has computed another circuit or an earlier text; another circuit does not get its changes. */
+  #mark(element, { id, revision }) {
+    const { state } = this.store;
+    if (!state) return;  // the circuit of the page is still being loaded
+    const isOther = revision < state.opened;
+    // Without the content of its text, for example after a reload of the page, any other revision is an earlier text.
+    const isEarlier = revision !== state.revision && this.contents.get(revision) !== contentOf(state);
+    show(element.querySelector(".task-mark"), isOther ? text("tasks.of_other") : isEarlier && !this.applied.has(id) ? text("tasks.of_earlier") : "");
+    const changes = element.querySelector(".task-changes");
+    if (changes) changes.hidden = isOther;
+  }
+
   #content(task) {
-    const head = make("h3", {}, nameOf(task));
+    const head = make("div", {}, make("h3", {}, nameOf(task)), make("p", { class: "task-note task-mark", hidden: true }));
     if (task.state === "running") {
       const progress = make("progress", { max: 1, "aria-label": text("tasks.progress", { task: nameOf(task) }) });
       const row = make("p", { class: "task-progress" }, progress, make("span", {}),
@@ -84,7 +101,10 @@ export class TaskList {
   }
 
   async #apply(task, button) {
-    if (await this.store.apply(task.operations)) {
+    this.applied.add(task.id);
+    if (!await this.store.apply(task.operations)) {
+      this.applied.delete(task.id);
+    } else {
       button.textContent = text("tasks.applied");
       this.store.announce(text("tasks.applied_message", { task: nameOf(task) }));
     }
@@ -127,6 +147,9 @@ export class TaskList {
 function nameOf({ task, options }) {
   return task === "export" ? text("tasks.export_of", { target: text(`tasks.${options.target}`) }) : text(`tasks.${task}`);
 }
+
+/* Content of a circuit without the places of its parts, as a text. */
+function contentOf({ view, text: whole }) { return view.error ? whole : JSON.stringify({ ...view, drawing: null }); }
 
 /* Value of an operation for the user. */
 function shown(value) {

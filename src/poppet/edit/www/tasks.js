@@ -1,7 +1,7 @@
 /* Tasks of the server: reports, studies, audits and exports, with their progress and results. */
 
 import { attempt, errorsOf } from "./connection.js";
-import { make } from "./elements.js";
+import { make, show } from "./elements.js";
 import { download, pictureOf, pngOf } from "./picture.js";
 import { FORMS } from "./task_forms.js";
 import { TaskList } from "./task_list.js";
@@ -25,7 +25,8 @@ export class Tasks {
       make("div", { class: "task-buttons" }, ...names.map(name => this.#button(name))),
     ));
     element.classList.add("tasks");
-    element.replaceChildren(...groups, this.problem, this.list.element);
+    this.need = make("p", { class: "task-note", hidden: true });
+    element.replaceChildren(this.need, ...groups, this.problem, this.list.element);
     store.addEventListener("state", () => this.#update());
     this.#listenToDrops();
     // The field that was used last is the parameter that a form proposes.
@@ -60,6 +61,7 @@ export class Tasks {
 
   /* Start a task; the result is its identifier, or null with the errors in `show`. */
   async start(task, options = {}, show = reply => this.#refuse(reply)) {
+    this.list.begin();
     const reply = await attempt("/tasks", { task, options });
     if (reply.status !== 200) {
       show(reply);
@@ -108,10 +110,11 @@ export class Tasks {
   /* A circuit with errors has no tasks, except the text and the picture of its drawing. */
   #update() {
     const { state } = this.store;
-    const isEmpty = !Object.keys(state?.view.parts ?? {}).length;
+    const isEmpty = !Object.keys(state?.view.parts ?? {}).length, isWrong = state?.errors?.length > 0 || Boolean(state?.error);
+    show(this.need, isWrong || isEmpty ? text("tasks.need") : "");
     for (const button of this.element.querySelectorAll("[data-task]")) {
       const isOfPage = button.dataset.task in PAGE_EXPORTS;
-      button.disabled = isEmpty || (!isOfPage && (state.errors?.length > 0 || state.error !== null));
+      button.disabled = isEmpty || (!isOfPage && isWrong);
     }
   }
 }
