@@ -170,8 +170,8 @@ def test_a_model_replaces_the_starting_values(editor):
 
 
 def test_a_kind_without_models_says_so(bench):
-    bench.add("cylinder")
-    assert "no models" in bench.field("cylinder.model").get_attribute("placeholder")
+    bench.add("flow_control_valve")
+    assert "no models" in bench.field("flow_control_valve.model").get_attribute("placeholder")
     bench.add("spool_valve")
     assert "no models" not in bench.field("spool_valve.model").get_attribute("placeholder")
 
