@@ -7,6 +7,7 @@ import re
 
 import pytest
 
+from circuits_of_exports import EXAMPLES
 from poppet.circuit.file import loads
 
 VENT = """\
@@ -94,6 +95,35 @@ def test_a_dragged_number_is_simulated_without_the_text(vent):
     assert is_same
     assert not is_short
     assert last == pytest.approx(expected, rel=1e-6)
+
+
+def test_notes_on_the_results_follow_the_run(start_editor):
+    """They come from the server; without an answer, the notes that need no run remain."""
+    editor = start_editor((EXAMPLES / "cylinder_cushioned.toml").read_text(encoding="utf-8"))
+    notes = editor.page.locator("#curves details li")
+    notes.filter(has_text="hit its end stops").wait_for(state="attached")
+    assert notes.filter(has_text="valve.critical_ratio = 0.3 is assumed").count() == 1
+    editor.page.route("**/notes?*", lambda route: route.fulfill(status=204))
+    with editor.page.expect_request("**/notes?*"):
+        apply(editor, setting("slide.mass", "11 kg"))
+    assert notes.filter(has_text="is assumed").count() == 1
+    assert notes.filter(has_text="hit its end stops").count() == 0
+
+
+def test_no_notes_are_asked_for_while_a_number_is_dragged(vent):
+    body = """
+      const asked = [], send = window.fetch;
+      window.fetch = (path, options) => { asked.push(path); return send(path, options); };
+      store.number("tank.volume", 0.02);
+      await window.poppet.ready;
+      await new Promise(resolve => setTimeout(resolve, 1000));
+      const dragged = asked.filter(path => path.startsWith("/notes")).length;
+      await store.apply([{ op: "set", address: "tank.volume", value: "20 l" }]);
+      await new Promise(resolve => store.addEventListener("notes", resolve, { once: true }));
+      window.fetch = send;
+      return [dragged, asked.filter(path => path.startsWith("/notes")).length];
+    """
+    assert evaluate(vent, body) == [0, 1]
 
 
 def test_the_worker_has_one_run_at_most(vent):

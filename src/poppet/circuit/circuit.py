@@ -491,7 +491,8 @@ class BaseCircuit(HtmlMixin):
             Function from the address of an output, or `time`, to its values at the rows of the run.
         """
         yield from self._real_gas_notes(series)
-        outputs = {name for name, _ in self.model.outputs}
+        # The names do not need machine code.
+        outputs = {name for name, _ in self.symbolic_model.outputs}
         for target, source, low, high in self._limited_connections():
             if source in outputs:
                 values = series(source)

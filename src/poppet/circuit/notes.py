@@ -32,7 +32,7 @@ def make_recording(instance: Instance, problem: Problem, raw: RawRun) -> Recordi
         units,
         raw.values,
         title=instance.title,
-        notes=lambda: (*_run_notes(instance, problem, raw, balances()), *raw.notes),
+        notes=lambda: (*run_notes(instance, problem, raw, balances()), *raw.notes),
         outcome=ending(problem, raw),
         statistics={"accepted_steps": raw.accepted, "rejected_steps": raw.rejected},
         residuals=balances,
@@ -42,7 +42,7 @@ def make_recording(instance: Instance, problem: Problem, raw: RawRun) -> Recordi
     )
 
 
-def _run_notes(instance: Instance, problem: Problem, raw: RawRun, balances: tuple[Residual, ...]) -> Iterator[Note]:
+def run_notes(instance: Instance, problem: Problem, raw: RawRun, balances: tuple[Residual, ...] = ()) -> Iterator[Note]:
     """Yield all notes on a run.
 
     `raw` contains the result arrays of the solver. Notes of the circuit come first. Notes on signals, limits of

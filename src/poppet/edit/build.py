@@ -12,7 +12,10 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from poppet.circuit.notes import run_notes
 from poppet.core.codes import Note
+from poppet.core.errors import InputError
+from poppet.core.note_groups import grouped
 from poppet.deploy.export_model import parameter_specs, tied_of_part
 from poppet.deploy.live.linker import Module
 from poppet.deploy.live.page_kernel import SHARED_STACK, model_module, run_data
@@ -21,6 +24,7 @@ from poppet.engine.compiled import CompiledFunctions
 from poppet.engine.kernel import Kernel
 from poppet.engine.lru_cache import LruCache
 from poppet.engine.printers.instructions import trace_functions
+from poppet.engine.problem import Outcome, Problem, RawRun
 
 if TYPE_CHECKING:
     from poppet.circuit.circuit import BaseCircuit
@@ -81,19 +85,8 @@ def build_payload(circuit: BaseCircuit, key: str | None = None) -> bytes:
     InputErrors
         If the run has too many rows, or a stop condition is invalid.
     """
-    notes = list(circuit.static_notes)
-    if circuit.run.duration is None:
-        circuit = circuit.with_values({"run.duration": DURATION})
-        notes.append(Note("edit.default_run", "run.duration", duration=DURATION))
-    grid = circuit.run.grid()  # checks without cost come before the compilation
+    instance, problem, notes = _run_of_page(circuit)
     kernel = page_kernel(circuit)
-    n_outputs = len(kernel.model.outputs)
-    max_rows = max(2, MAX_VALUES // max(1, n_outputs))
-    if grid.size > max_rows:
-        circuit = circuit.with_values({"run.output_step": float(grid[-1]) / (max_rows - 1)})
-        notes.append(Note("edit.fewer_rows", "run.output_step", rows=grid.size, shown=max_rows, outputs=n_outputs))
-    instance = circuit.instance_of(kernel)
-    problem = instance.problem(circuit.run)
     header, arrays = run_data(replace(problem, most_attempts=MAX_ATTEMPTS), module=kernel.module)
     if key == kernel.key:
         del arrays["module"]
@@ -110,9 +103,61 @@ def build_payload(circuit: BaseCircuit, key: str | None = None) -> bytes:
         "numbers": _free_numbers(circuit, instance),
         "duration": float(problem.grid[-1]),
         "output_step": float(problem.grid[1] - problem.grid[0]) if problem.grid.size > 1 else 0.0,
-        "notes": [str(note) for note in notes],
+        "notes": [str(note) for note in (*circuit.static_notes, *notes)],
     }
     return _pack(header, arrays)
+
+
+def page_notes(circuit: BaseCircuit, results: bytes) -> list[str]:
+    """Return the notes on a completed run of the page: those of `Circuit.simulate`, and those on the run options.
+
+    Balances are not checked, because only compiled code computes the energies. No code is compiled here.
+
+    Parameters
+    ----------
+    circuit : Circuit
+        Circuit of the run.
+    results : bytes
+        Numbers of type float64: index of the stop condition that was met, or -1; minimum of each state, maximum of each
+        state; times; values of each output. The number of rows follows from the length.
+
+    Raises
+    ------
+    InputErrors
+        If the length is not that of a run of this circuit.
+    """
+    instance, problem, notes = _run_of_page(circuit)
+    n_states, n_outputs = instance.model.size, len(instance.model.outputs)
+    rows, rest = divmod(len(results) - 8 * (1 + 2 * n_states), 8 * (1 + n_outputs))
+    if rest or not 0 < rows <= problem.grid.size:
+        raise InputError("edit.no_request", "body", wanted="the table of a run", value=len(results))
+    numbers = np.frombuffer(results, dtype="<f8")
+    stop, extremes, table = numbers[0], numbers[1 : 1 + 2 * n_states], numbers[1 + 2 * n_states :]
+    if stop not in range(-1, len(problem.stop_conditions)):
+        raise InputError("edit.no_request", "body", wanted="the table of a run", value=float(stop))
+    table, none = table.reshape(1 + n_outputs, rows), np.zeros(n_states)
+    raw = RawRun(
+        Outcome.DONE if stop < 0 else Outcome.STOPPED, table[0], table[1:], none, extremes.reshape(2, n_states), none,
+        accepted=0, rejected=0, stop=int(stop),
+    )  # fmt: skip
+    return [str(note) for note in grouped([*run_notes(instance, problem, raw), *notes])]
+
+
+def _run_of_page(circuit: BaseCircuit) -> tuple[Instance, Problem, list[Note]]:
+    """Return the run of the page, with notes on run options that differ from those of the circuit."""
+    notes = []
+    if circuit.run.duration is None:
+        circuit = circuit.with_values({"run.duration": DURATION})
+        notes.append(Note("edit.default_run", "run.duration", duration=DURATION))
+    grid = circuit.run.grid()  # checks without cost come before the compilation
+    kernel = page_kernel(circuit)
+    n_outputs = len(kernel.model.outputs)
+    max_rows = max(2, MAX_VALUES // max(1, n_outputs))
+    if grid.size > max_rows:
+        circuit = circuit.with_values({"run.output_step": float(grid[-1]) / (max_rows - 1)})
+        notes.append(Note("edit.fewer_rows", "run.output_step", rows=grid.size, shown=max_rows, outputs=n_outputs))
+    instance = circuit.instance_of(kernel)
+    return instance, instance.problem(circuit.run), notes
 
 
 def page_kernel(circuit: BaseCircuit) -> PageKernel:

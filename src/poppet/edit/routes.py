@@ -36,6 +36,9 @@ TYPES = {
 CONFLICTS = ("edit.stale", "edit.changed_on_disk", "edit.file_exists", "edit.unsaved")
 """Codes of errors that the page resolves with the present state, which the reply contains."""
 
+LARGEST_TABLE = 64 * 2**20
+"""Maximum size of the table of a run that the page sends [byte]."""
+
 REQUESTS: dict[str, tuple[str, dict[str, tuple[type, ...]]]] = {
     "/apply": ("apply", {"revision": (int,), "operations": (list,), "continues?": (bool,)}),
     "/text": ("replace", {"revision": (int,), "text": (str,)}),
@@ -75,6 +78,7 @@ def session_routes(session: Session) -> Routes:
         ("GET", "/status"): Route(lambda _: Reply.json(session.status())),
         ("GET", "/start"): Route(lambda _: Reply.json(session.start())),
         ("GET", "/model"): Route(_model(session)),
+        ("POST", "/notes"): Route(_notes(session), media_type=BYTES, largest=LARGEST_TABLE),
     }
     for path, (method, fields) in REQUESTS.items():
         routes["POST", path] = Route(_change(session, getattr(session, method), fields))
@@ -162,5 +166,20 @@ def _model(session: Session) -> Callable[[Request], Reply]:
     def reply(request: Request) -> Reply:
         with building:
             return build(request.query)
+
+    return reply
+
+
+def _notes(session: Session) -> Callable[[Request], Reply]:
+    """Return the reply with the notes on a run of the page; for a former revision it is empty."""
+
+    def reply(request: Request) -> Reply:
+        with session.lock:
+            if request.query.get("revision") != str(session.history.revision):
+                return Reply(b"", BYTES, HTTPStatus.NO_CONTENT)
+            circuit = session.circuit()
+        from poppet.edit.build import page_notes  # slow to import
+
+        return Reply.json({"notes": page_notes(circuit, request.body)})
 
     return reply

@@ -13,12 +13,14 @@ from pathlib import Path
 from threading import Thread
 from typing import Any, ClassVar, NamedTuple
 
+import numpy as np
 import pytest
 
 from poppet.cli.circuit_files import TEMPLATES
 from poppet.edit.routes import PAGE, page_routes, session_routes
 from poppet.edit.server import BYTES, LARGEST_BODY, EditServer, Reply, Request, Route
 from poppet.edit.session import Session
+from poppet.engine.solve import solve
 
 TANKS = TEMPLATES["two-tanks"].read_text(encoding="utf-8")
 
@@ -425,6 +427,20 @@ def test_the_model_of_a_revision(page):
     state = page.post("/text", {"revision": 1, "text": TANKS + "\n[parts.x]\nkind = 1\n"}).json
     answer = page.get(f"/model?revision={state['revision']}")
     assert (answer.status, answer.json["errors"]) == (422, state["errors"])
+
+
+def test_the_notes_on_a_run(page, session):
+    circuit = session.circuit()
+    raw = solve(circuit.problem(circuit.run))
+    body = np.concatenate([[raw.stop], raw.extremes.ravel(), raw.time, raw.values.ravel()]).tobytes()
+    answer = page.post("/notes?revision=1", body, Content_Type=BYTES)
+    assert (answer.status, answer.json) == (200, {"notes": list(circuit.simulate().notes)})
+    answer = page.post("/notes?revision=1", body[8:], Content_Type=BYTES)
+    assert (answer.status, answer.json["errors"][0]["code"]) == (422, "edit.no_request")
+    for query in ("", "?revision=0", "?revision=x"):
+        answer = page.post(f"/notes{query}", body, Content_Type=BYTES)
+        assert (answer.status, answer.body) == (204, b"")
+    assert page.post("/notes?revision=1", {}).status == 415
 
 
 def test_errors_of_the_run_have_lines(page):

@@ -5,11 +5,13 @@ import { text } from "./strings.js";
 /* The server does not answer. */
 export class ConnectionLost extends Error {}
 
-/* Send a GET request, or a POST request with a JSON body; return the status and the body of the reply. */
+/* Send a GET request, or a POST request with a JSON body or a typed array; return the status and the body of the reply. */
 export async function request(path, body) {
   const options = { cache: "no-store", credentials: "same-origin" };
   if (body !== undefined) {
-    Object.assign(options, { method: "POST", headers: { "Content-Type": "application/json" }, body: JSON.stringify(body) });
+    const isBytes = ArrayBuffer.isView(body);
+    const headers = { "Content-Type": isBytes ? "application/octet-stream" : "application/json" };
+    Object.assign(options, { method: "POST", headers, body: isBytes ? body : JSON.stringify(body) });
   }
   try {
     const reply = await fetch(path, options);

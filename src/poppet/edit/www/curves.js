@@ -37,6 +37,7 @@ export class Curves {
     this.notes.appendChild(document.createElement("p")).textContent = text("curves.notes_more");
     this.values = new Values(below, store);
     for (const event of ["run", "selection", "state", "busy"]) store.addEventListener(event, () => this.later());
+    store.addEventListener("notes", () => this.showNotes());
     for (const source of [this.choice, this.compare, this.measured]) source.addEventListener("change", () => this.later());
     store.addEventListener("cursor", () => {
       this.cursorFrame ||= requestAnimationFrame(() => {

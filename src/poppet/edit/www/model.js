@@ -61,6 +61,8 @@ export class PageModel {
     const seconds = 1e-3 * (performance.now() - begin);
     const time = grid.slice(0, rows);
     if (status === "stopped") time[rows - 1] = reached;
-    return { status, rows, time, seconds, series: name => kernel.series(this.places.get(name)).slice(0, rows) };
+    const n = kernel.lengths.n_states;
+    const extremes = new Float64Array(this.exports.memory.buffer, kernel.at.books, 2 * n).slice();
+    return { status, rows, time, seconds, stop: Number(kernel.counts[3]), extremes, series: name => kernel.series(this.places.get(name)).slice(0, rows) };
   }
 }

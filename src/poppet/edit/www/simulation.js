@@ -42,6 +42,9 @@ export class Simulation {
   /* True if a number of the present circuit can change without the server. */
   canChange(address) { return this.physics !== null && this.#present !== null && address in (this.header?.numbers ?? {}); }
 
+  /* True if the last run is the full run of a text, without numbers that differ from it. */
+  hasRun(circuit) { return this.isIdle && !this.numbers.size && this.physics === physicsOf(circuit); }
+
   /* Simulate a valid circuit; nothing happens if only its drawing has changed. */
   update({ revision, text: circuit }, edit) {
     this.#edit = Math.max(this.#edit, edit);

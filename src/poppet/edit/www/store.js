@@ -1,6 +1,7 @@
 /* State of the page. All changes of the circuit go through this class, one after another, to the server. */
 
 import { ConnectionLost, errorsOf, request } from "./connection.js";
+import { RunNotes } from "./run_notes.js";
 import { Simulation } from "./simulation.js";
 import { text } from "./strings.js";
 import { merged } from "./text_merge.js";
@@ -8,8 +9,8 @@ import { merged } from "./text_merge.js";
 const POLL = 2000;  // ms between two questions whether the file was changed
 
 /* The only state. Events: "open" (another circuit), "state" (text, view, errors), "selection", "run" (curves or their
-   validity), "cursor", "busy", "connection", "message" (for screen readers and the status line) and "flush" (apply typed
-   values that are not applied yet). */
+   validity), "notes" (on the results of the run), "cursor", "busy", "connection", "message" (for screen readers and the
+   status line) and "flush" (apply typed values that are not applied yet). */
 export class Store extends EventTarget {
   constructor() {
     super();
@@ -29,6 +30,7 @@ export class Store extends EventTarget {
     this.errors = [];  // errors of the text and of the model
     this.message = "";
     this.isPlaying = false;
+    this.runNotes = new RunNotes(this);
     this.#waiting = new Map();  // resolve function by number of the edit
     this.ready = this.#newEdit().promise;
     this.simulation = new Simulation({
@@ -171,6 +173,7 @@ export class Store extends EventTarget {
     const edit = ++this.#edits;
     const promise = new Promise(resolve => this.#waiting.set(edit, resolve));
     this.ready = promise;
+    this.runNotes.postpone();
     return { edit, promise };
   }
 
@@ -323,6 +326,7 @@ export class Store extends EventTarget {
     this.isStale = false;
     this.cursor = Math.min(this.cursor, run.duration);
     this.#emit("run");
+    this.runNotes.postpone();
   }
 
   #setErrors(errors) {

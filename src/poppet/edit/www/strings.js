@@ -26,7 +26,7 @@ export const CATALOGUE = {
     measured: "{name} (measured)",
     name: "Curves",
     notes: "Notes",
-    notes_more: "Report in the tab Tasks has all notes of the run, its stroke times and its end values.",
+    notes_more: "Report in the tab Tasks has the balances of the run, its stroke times and its end values.",
     pause: "Pause",
     play: "Play",
     plot: "{quantity} versus time: {names}",

@@ -8,9 +8,9 @@ let model = null;
 /* Load a model if the message has one, run it, and answer with all columns. Messages are handled one after another. */
 async function perform({ payload, numbers, until }) {
   if (payload) model = await PageModel.load(payload, await integrator, model);
-  const { status, time, series, seconds } = model.run({ numbers, until: until ?? Infinity });
+  const { status, time, series, seconds, stop, extremes } = model.run({ numbers, until: until ?? Infinity });
   const columns = new Map(model.header.columns.map(({ name }) => [name, series(name)]));
-  const run = { status, time, series: columns, seconds };
+  const run = { status, time, series: columns, seconds, stop, extremes };
   const buffers = [time, ...columns.values()].map(({ buffer }) => buffer);
   postMessage({ run, seconds, ...(payload ? { header: pageHeader(model.header) } : {}) }, buffers);
 }
