@@ -510,6 +510,24 @@ def test_a_dropped_file(vent):
     vent.page.locator("#curves .key.is-measured", has_text="tank.pressure").wait_for()
 
 
+def test_files_that_are_no_recordings(vent):
+    """Each file gets a message with its reason, and nothing is drawn."""
+    for content, reason in (
+        (b"\x00\x01\x02\nrandom\nbytes\n", "not a text file"),
+        (b"t [s],p [bar]\n0,1\n", "fewer than two rows"),
+        (b"t [s],p [bar]\n0,1\n2,2\n1,3\n", "the time decreases"),
+        (b"t [s],p [bar]\n0,1\nx,2\n1,3\n", "not a number"),
+    ):
+        file = {"name": "run.csv", "mimeType": "text/csv", "buffer": content}
+        vent.page.locator('#curves input[type="file"]').set_input_files(file)
+        vent.page.locator("#announce", has_text=reason).wait_for()
+    assert vent.page.locator(".measured p").count() == 0
+    unknown = {"name": "run.csv", "mimeType": "text/csv", "buffer": b"t,p [furlong]\n0,1\n1,2\n"}
+    vent.page.locator('#curves input[type="file"]').set_input_files(unknown)
+    vent.page.locator(".measured .why", has_text="furlong").wait_for()
+    vent.page.locator("#announce", has_text="read in seconds").wait_for()
+
+
 def test_a_stop_condition_ends_the_run(start_editor):
     editor = start_editor(VENT + 'stop_when = "tank.pressure < 4 bar"\n')
     editor.page.locator("#curves .status", has_text="tank.pressure < 4 bar").wait_for()

@@ -3,6 +3,7 @@
 /* Return the columns {name, unit, values} of a text, or throw an Error with the key of a message. */
 export function readTable(content) {
   const lines = content.replace(/^\ufeff/, "").split(/\r?\n/).filter(line => line.trim() && !line.startsWith("#"));
+  if (/[\0-\x08\x0e-\x1f\ufffd]/.test(content)) throw new Error("measured.binary");
   if (lines.length < 3) throw new Error("measured.rows");
   const sign = ["\t", ";", ","].reduce((a, b) => (lines[0].split(b).length > lines[0].split(a).length ? b : a));
   const heads = cells(lines[0], sign).map(nameAndUnit);

@@ -155,7 +155,7 @@ export class Curves {
     const { run, state } = this.store;
     const notes = [...new Set([...state?.notes ?? [], ...run?.notes ?? []])];
     this.notes.hidden = !run;
-    this.notesTitle.textContent = `${text("curves.notes")} (${notes.length})`;
+    this.notesTitle.textContent = notes.length ? `${text("curves.notes")} (${notes.length})` : text("curves.notes");
     const isShown = this.notesList.childElementCount === notes.length;
     if (isShown && [...this.notesList.children].every((item, k) => item.textContent === notes[k])) return;
     this.notesList.replaceChildren(...notes.map(note => Object.assign(document.createElement("li"), { textContent: note })));

@@ -64,9 +64,22 @@ export class Measured extends EventTarget {
     }
     const { factor } = scaleOf(unit, this.store.units);
     const time = clock.values.map(value => value * factor);
-    const items = columns.filter(column => column !== clock).map(column => ({ file, time, ...column, target: "", isChosen: false }));
-    for (const item of items) this.match(item);
-    return items;
+    const problem = problemOf(time);
+    if (problem) {
+      this.store.announce(text("measured.invalid", { file, problem: text(problem) }));
+      return [];
+    }
+    if (!clock.unit) this.store.announce(text("measured.seconds", { file, name: clock.name }));
+    return columns.filter(column => column !== clock).map(column => this.itemOf(file, time, column));
+  }
+
+  /* A column with the output of its name; a unit that is not known is to be chosen. */
+  itemOf(file, time, column) {
+    const isKnown = !column.unit || Object.keys(UNITS).some(si => unitNamed(si, column.unit));
+    const note = isKnown ? "" : text("measured.unknown_unit", { unit: column.unit });
+    const item = { file, time, ...column, unit: isKnown ? column.unit : "", note, target: "", isChosen: false };
+    this.match(item);
+    return item;
   }
 
   /* Take the output of the same name as the one that an item measures. */
@@ -105,7 +118,8 @@ export class Measured extends EventTarget {
 
   row(item) {
     const row = document.createElement("p");
-    row.append(`${item.name || item.file} `);
+    const isAlone = this.items.every(one => one === item || one.name !== item.name);
+    row.append(isAlone ? item.name || item.file : `${item.name || ""} (${item.file})`);
     const target = row.appendChild(document.createElement("select"));
     target.setAttribute("aria-label", `${item.name} ${text("measured.column")}`);
     target.add(new Option(text("measured.none"), ""));
@@ -122,10 +136,11 @@ export class Measured extends EventTarget {
       for (const name of UNITS[column.unit] ?? [column.unit]) unit.add(new Option(prettyUnit(name), name));
       unit.value = unitNamed(column.unit, item.unit) ?? column.unit;
       unit.onchange = () => {
-        item.unit = unit.value;
+        Object.assign(item, { unit: unit.value, note: "" });
         this.change(this.items);
       };
     }
+    if (item.note) row.appendChild(Object.assign(document.createElement("span"), { className: "why", textContent: item.note }));
     item.output = row.appendChild(document.createElement("output"));
     const gone = row.appendChild(document.createElement("button"));
     Object.assign(gone, { type: "button", textContent: "×", onclick: () => this.change(this.items.filter(one => one !== item)) });
@@ -148,6 +163,12 @@ export class Measured extends EventTarget {
       item.output.textContent = hasColumn(kept, column) ? text("measured.rms_kept", { ...places, kept: shown(kept) }) : text("measured.rms", places);
     }
   }
+}
+
+/* Key of the message on a time column that is not usable, or an empty text. */
+function problemOf(time) {
+  if (!time.every(Number.isFinite)) return "measured.time_numbers";
+  return time.some((value, k) => value < time[k - 1]) ? "measured.time_back" : "";
 }
 
 function deviation(run, { time, target }, measured) {

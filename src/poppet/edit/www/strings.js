@@ -189,6 +189,7 @@ export const CATALOGUE = {
   },
 
   measured: {
+    binary: "it is not a text file",
     column: "corresponds to",
     gone: "Remove {name}",
     invalid: "{file} cannot be read: {problem}. A recording has one line with names and units, then rows of numbers.",
@@ -199,7 +200,11 @@ export const CATALOGUE = {
     rms: "RMS deviation {value} {unit}",
     rms_kept: "RMS deviation {value} {unit}, of A {kept} {unit}",
     rows: "fewer than two rows",
+    seconds: "{name} of {file} has no unit and is read in seconds.",
+    time_back: "the time decreases",
+    time_numbers: "the time column contains a cell that is not a number",
     unit: "Unit of {name}",
+    unknown_unit: "The unit {unit} is not known. Select the output and its unit.",
   },
 
   page: {
