@@ -632,7 +632,7 @@ def test_without_the_server_nothing_is_lost(vent):
 def test_the_session_is_over(vent):
     vent.page.context.clear_cookies()
     assert evaluate(vent, "const state = await store.apply(values); await window.poppet.ready; return state;") is None
-    assert "session" in vent.page.locator(".banner").text_content()
+    assert "no longer connected" in vent.page.locator(".banner").text_content()
     assert vent.text() == VENT
     vent.problems[:] = [problem for problem in vent.problems if "403" not in problem]
 
