@@ -602,3 +602,14 @@ def test_a_piston_at_rest_is_at_its_end(start_editor):
         piston = editor.part("cylinder").locator(".symbol > .line").first.get_attribute("d")
         places.append(float(piston.removeprefix("M").split()[0]))
     assert places[1] == pytest.approx(places[0], abs=0.05)
+
+
+def test_a_port_that_loses_its_gas_node_says_so(editor):
+    add(editor, "orifice", "chamber", "chamber")
+    editor.connect("orifice.to", "chamber")
+    before = editor.text()
+    editor.connect("orifice.to", "chamber_2")
+    assert "orifice.to is connected to chamber_2, and no longer to chamber." in message(editor)
+    editor.page.locator(".offer button").first.click()
+    editor.wait()
+    assert editor.text() == before

@@ -113,11 +113,13 @@ export class Connecting {
   }
 
   async #apply(plan) {
-    const { store, offers } = this.drawing;
-    const state = await store.apply(plan.operations);
-    if (!state) return;
-    const [{ port, to, input, output }] = plan.operations;
-    store.announce(text("drawing.connected", { port: port ?? input, target: to ?? output }));
+    const { store, offers, view } = this.drawing, [{ port, to, input, output }] = plan.operations;
+    const [part, local] = split(port ?? ""), former = view.parts[part]?.ports[local];
+    if (!await store.apply(plan.operations)) return;
+    const isMoved = former !== undefined && former !== to && former !== split(to)[0];
+    const words = text(isMoved ? "drawing.moved" : "drawing.connected", { port: port ?? input, target: to ?? output, former });
+    store.announce(words);
+    if (isMoved) offers.show(words, [[text("drawing.take_back"), () => store.undo()]]);
     if (plan.link?.choices.length > 1) offers.show(text("drawing.source", { input }), [this.#choice(plan.link)]);
   }
 

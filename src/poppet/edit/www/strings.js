@@ -65,6 +65,7 @@ export const CATALOGUE = {
     joined: "connected to {target}",
     label: "Drawing of the circuit, {count} parts. Tab goes from part to part. Enter selects a part, then Tab goes to its ports.",
     legend: "Colours of absolute pressures",
+    moved: "{port} is connected to {target}, and no longer to {former}. Two parts share a port through a chamber.",
     no_bodies: "Two bodies cannot be connected to each other. Connect each of them to an actuator.",
     no_body: "A gas connection cannot end at a body or a mechanical port. Connect a mechanical port to a body, such as a mass.",
     no_body_here: "This part has neither a body nor a free mechanical port.",
