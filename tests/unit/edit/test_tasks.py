@@ -141,6 +141,15 @@ def test_a_parameter_is_sized_in_the_range_of_the_form(job):
     assert "limited by time_to_tank_pressure" in result.text
 
 
+def test_the_largest_value_is_within_the_range_of_the_form(job):
+    order = job(address="supply.pressure", metric=TIME_TO_3_BAR, requirement="<= 1.6 s", extreme="largest")
+    result = studies.size_parameter(order)
+    (operation,) = result.operations
+    changed = loads(Document(FILL).apply([operation]).text)
+    assert changed.numbers()["supply.pressure"].absolute(1e5) == pytest.approx(30e5)  # three times 10 bar
+    assert max(result.data["curve"]["x"]) == pytest.approx(29.0)
+
+
 def test_no_value_meets_the_requirement(job):
     result = studies.size_parameter(job(address="tank.volume", metric=TIME_TO_3_BAR, requirement="< 0 s"))
     assert result.operations == ()

@@ -83,8 +83,10 @@ def _find_size(order: TaskOrder) -> TaskResult:
     number = order.circuit.numbers().get(address)
     is_zero = number is not None and number.absolute(order.circuit.surroundings.pressure) <= 0.0
     sizing = sized(None if is_zero and not is_stated else _bounds(order))
-    if not is_stated and not sizing.limiting:  # the value is beyond the default range
-        sizing = sized(None)
+    if not is_stated and not sizing.is_met:
+        # The value may be beyond the default range; the end of the wide range, such as 700 bar, is no proposal.
+        wide = sized(None)
+        sizing = wide if wide.limiting else sizing
     # Only the metrics with bounds: a file can have many others.
     name = next(name for name in sizing.metrics if name in sizing.bounds)
     bounds = sizing.bounds[name]
