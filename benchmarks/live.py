@@ -49,7 +49,7 @@ new Promise(done => {
 def frames(rounds: int, count: int) -> None:
     """Print what pages do in a browser: frames a second, and what the thread of the page works for each."""
     sys.path.insert(0, str(Path(__file__).parents[1] / "tests"))
-    browsers = import_module("browser")
+    browsers = import_module("chromium")
     program = browsers.found()
     if program is None:
         print("no browser here: no page was looked at")

@@ -188,7 +188,9 @@ export class FieldRow extends InputRow {
     const si = store.header?.numbers?.[address]?.value;
     // The numbers of the last run are not those of a circuit with errors.
     if (preset || si === undefined || store.errors.length || field.type !== "number") {
-      return preset || (this.isRequired ? text("form.required") : text("form.optional"));
+      // Fields that a model can set are required only as long as the circuit says so.
+      const isMissing = this.isRequired || store.errors.some(({ address: place }) => this.concerns(bare(place)));
+      return preset || text(isMissing ? "form.required" : "form.optional");
     }
     const number = fromSi(si, field.unit, field.units[0], store.units, ambientOf(store.state.view, store.units));
     return text("form.effective", { value: withUnit(number, field.units[0]) });
