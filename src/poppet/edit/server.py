@@ -156,6 +156,7 @@ class _Handler(BaseHTTPRequestHandler):
     server_version = "poppet"
     sys_version = ""
     timeout = 120.0  # of idle connections [s]
+    disable_nagle_algorithm = True  # otherwise the body of a reply waits 40 ms for the receipt of its headers
 
     def do_GET(self) -> None:
         self._answer()

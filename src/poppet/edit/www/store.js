@@ -266,17 +266,15 @@ export class Store extends EventTarget {
     const isOther = selection.length !== this.selection.size || selection.some(name => !this.selection.has(name));
     this.selection = new Set(selection);
     if (isOther && selection.length) this.wire = null;
+    // The server makes the model while the page draws the circuit.
+    if (!isSave && this.#isRunnable) this.simulation.update(this.state, edit);
     if (isOpen) this.#emit("open");
     this.#emit("state");
     if (isOther) this.#emit("selection");
     if (isSave) {
       this.announce(text("problems.saved", { name: this.state.name }));
       this.simulation.finish(edit);
-      return this.state;
-    }
-    if (this.#isRunnable) {
-      this.simulation.update(this.state, edit);
-    } else {
+    } else if (!this.#isRunnable) {
       this.#setStale(true);
       this.simulation.stop(edit);
     }
