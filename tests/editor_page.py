@@ -93,6 +93,7 @@ class Editor:
         self.address = server.address
         self.process = server.process
         self.problems: list[str] = []
+        self.waits = 0
         page.set_default_timeout(float(os.environ.get("POPPET_PATIENCE", "20")) * 1000)
         page.on("console", self._listen)
         page.on("pageerror", lambda error: self.problems.append(f"error of the page: {error}"))
@@ -120,7 +121,11 @@ class Editor:
 
     def wait(self) -> None:
         """Wait until the last edit has been simulated or refused."""
-        self.page.evaluate("async () => { await window.poppet.ready; }")
+        # Chromium can report that it collected a promise for which an evaluation waits, although the page holds it.
+        self.waits += 1
+        self.page.evaluate("n => { window.poppet.ready.then(() => { window.settled = n; }); }", self.waits)
+        settled = "n => window.settled === n"
+        self.page.wait_for_function(settled, arg=self.waits, timeout=PATIENCE * 1000)
 
     def text(self) -> str:
         """Text of the circuit file in the page."""
