@@ -119,7 +119,8 @@ class EditServer(ThreadingHTTPServer):
         try:
             super().__init__((HOST, port), _Handler)
         except (OSError, OverflowError) as error:
-            raise InputError("edit.port", port=port, why=getattr(error, "strerror", None) or str(error)) from None
+            why = "ports are integers from 0 to 65535" if isinstance(error, OverflowError) else error.strerror
+            raise InputError("edit.port", port=port, why=why) from None
         self.routes: dict[tuple[str, str], Route] = {key: route for table in tables for key, route in table.items()}
         self.token: str | None = secrets.token_urlsafe(24)
         self.secret = secrets.token_urlsafe(24)
