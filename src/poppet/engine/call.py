@@ -28,6 +28,9 @@ class Call:
     The arrays of the problem are not copied, so `repeat` uses their present values. The integrator writes the lengths
     of the accepted steps into the array `script`, up to its size. If `replay` is True, the integrator instead takes the
     steps in `script`, without error control. The result is then a smooth function of p.
+
+    `limits` contains the maximum step, the maximum number of attempts, `replay` and the tolerance. With the tolerance
+    0, `proceed` continues with the tolerances of the states and the length of the step of the last call.
     """
 
     def __init__(self, problem: Problem, script: Array = NOTHING, *, replay: bool = False) -> None:
@@ -35,21 +38,21 @@ class Call:
         self.problem, self.table = problem, np.empty((len(kernel.model.outputs), problem.grid.size))
         # Small arrays share one block: addresses of arrays are the most expensive part of this method.
         offsets = list(accumulate((5, 2, n, 3 * n, 4, kernel.memory_size), initial=0))
-        block = np.empty(offsets[-1])
-        counts, self.watch, self.x, self.books, limits, _ = (block[a:b] for a, b in pairwise(offsets))
+        self._block = block = np.empty(offsets[-1])
+        counts, self.watch, self.x, self.books, self.limits, _ = (block[a:b] for a, b in pairwise(offsets))
         self.counts = counts.view(np.int64)
         # All values are doubles; a flag is 0 or 1.
-        limits[:] = problem.maximum_step, problem.most_attempts, replay, problem.relative_tolerance
+        self.limits[:] = problem.maximum_step, problem.most_attempts, replay, problem.relative_tolerance
         self._places = np.array([c.places for c in conditions], dtype=np.int64) if conditions else NOTHING
         self._weights = np.array([c.weights for c in conditions], dtype=np.float64) if conditions else NOTHING
         # The integrator writes the discrete state into p.
-        self._p = problem.p.copy() if kernel.model.memory else problem.p
+        self.p = problem.p.copy() if kernel.model.memory else problem.p
         self._script, first = script, address(block)
         addresses = [first + 8 * offset for offset in offsets]
         job = Job(
             **kernel.job,
             n_segments=problem.starts.size, n_courses=len(problem.coefficients), n_rows=problem.grid.size,
-            n_conditions=len(conditions), n_script=script.size, p=address(self._p),
+            n_conditions=len(conditions), n_script=script.size, p=address(self.p),
             starts=address(problem.starts), courses=address(problem.courses),
             coefficients=address(problem.coefficients), jumps=address(problem.jumps), grid=address(problem.grid),
             places=address(self._places), weights=address(self._weights), script=address(script),
@@ -62,8 +65,8 @@ class Call:
 
     def _reset(self) -> None:
         self.x[:], self.watch[:], self.counts[:] = self.problem.x0, 0.0, 0
-        if self._p is not self.problem.p:
-            self._p[:] = self.problem.p
+        if self.p is not self.problem.p:
+            self.p[:] = self.problem.p
 
     def repeat(self) -> Outcome:
         """Run the problem from its initial state, and return the outcome.
@@ -77,6 +80,25 @@ class Call:
         self.table[:, self.counts[2] :] = np.nan
         return outcome
 
+    def proceed(self) -> Outcome:
+        """Run the problem from the present state `x` and vector `p`, and return the outcome.
+
+        Both arrays then contain the values at the end. The code of the kernel must be optimised.
+        """
+        self.counts[:] = 0
+        outcome: Outcome = _OUTCOMES[integrator()(self._address)]
+        return outcome
+
+    def save(self) -> tuple[Array, Array]:
+        """Return a copy of everything from which `proceed` continues, for `restore`."""
+        return self._block.copy(), self.p.copy()
+
+    def restore(self, saved: tuple[Array, Array]) -> None:
+        """Return to the state that `save` has returned."""
+        self._block[:] = saved[0]
+        if self.p is not self.problem.p:
+            self.p[:] = saved[1]
+
     def halt(self) -> None:
         """Stop the run as soon as possible.
 
@@ -87,7 +109,7 @@ class Call:
     @property
     def memory(self) -> Array:
         """Discrete states at the end of the last run."""
-        return self._p[len(self.problem.kernel.model.parameters) :]
+        return self.p[len(self.problem.kernel.model.parameters) :]
 
     def run(self, progress: Callable[[float], Any] | None = None) -> RawRun:
         """Integrate the problem once, and return the result.
@@ -180,6 +202,11 @@ class RepeatedCall:
         memory = self.p[len(problem.kernel.model.parameters) :]
         self._start = problem.kernel.caller("start", self.p, copy.x0, memory)
         self.is_scripted = False
+
+    @property
+    def memory(self) -> Array:
+        """Discrete states at the end of the last run."""
+        return self._run.memory
 
     def run(self) -> Array:
         """Run the problem with error control, and return the outputs, (n_outputs, n_times)."""

@@ -184,6 +184,12 @@ class PrebuiltIntegrator(NamedTuple):
 _SOURCES = ("integrator.py", "stepping.py", "job.py", "rosenbrock.py")
 INTEGRATOR = PrebuiltIntegrator("integrator.ll", _SOURCES, "poppet.engine.integrator.integrator_text", "integrate")
 LANES = PrebuiltIntegrator("lanes.ll", ("lanes.py", *_SOURCES), "poppet.engine.lanes.lanes_text", "integrate_lanes")
+ESTIMATOR = PrebuiltIntegrator(
+    "estimator.ll",
+    ("estimator.py", "estimator_job.py", *_SOURCES),
+    "poppet.engine.estimator.estimator_text",
+    "estimate",
+)
 
 
 @lru_cache(maxsize=1)
@@ -203,6 +209,15 @@ def lane_integrator() -> Callable[[int], int]:
     is called a lane.
     """
     return LANES.compiled()
+
+
+@lru_cache(maxsize=1)
+def estimator() -> Callable[[int], int]:
+    """Return the compiled estimator.
+
+    It is `poppet.engine.estimator.estimate`, a function of the address of an `EstimatorJob`.
+    """
+    return ESTIMATOR.compiled()
 
 
 def as_function(compiled: CompiledFunctions) -> Callable[[int], int]:

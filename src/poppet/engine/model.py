@@ -87,7 +87,7 @@ class InventoryBalance(NamedTuple):
     integrals: tuple[tuple[float, int], ...]  # sign and index in x
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Model:
     """Symbolic model of a circuit with CasADi symbols and expressions."""
 
@@ -132,6 +132,16 @@ class Model:
         dependence = ca.jacobian_sparsity(self.expressions["rates"], self.symbols["p"])
         columns = set(dependence.get_col())
         return tuple(len(self.parameters) + k in columns for k in range(z.shape[0]))
+
+    @cached_property
+    def influences(self) -> tuple[frozenset[int], frozenset[int]]:
+        """Indices of the parameters and of the inputs that affect rates, outputs or discrete states after the start."""
+        import casadi as ca
+
+        e, parameters = self.expressions, set(range(len(self.parameters)))
+        results = ca.vertcat(e["rates"][: len(self.states)], e["outputs"], *([e["update"]] if self.memory else []))
+        p, u = (set(ca.jacobian_sparsity(results, self.symbols[name]).get_col()) for name in ("p", "u"))
+        return frozenset(p & parameters), frozenset(u)
 
     def counting(self, u: Sequence[float] = ()) -> tuple[bool, ...]:
         """Return a mask of the discrete states z that do not depend on the circuit, (n_memory,).

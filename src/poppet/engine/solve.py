@@ -57,8 +57,8 @@ def solve(
         ("cvodes", max_attempts),
         ("radau", min(max_attempts // RADAU_COST, MAX_RADAU_ATTEMPTS)),
     ):
-        run = solve_with_reference(replace(problem, most_attempts=attempts), fallback)
-        if run.outcome.is_success:
+        run = solve_with_reference(replace(problem, most_attempts=attempts), fallback, progress)
+        if run.outcome.is_success or run.outcome is Outcome.INTERRUPTED:
             return replace(run, notes=(*run.notes, Note("run.handed_over", time=stalled.reached, solver=fallback)))
     return replace(stalled, notes=(*stalled.notes, Note("run.no_way_on")))
 

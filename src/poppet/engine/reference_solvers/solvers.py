@@ -45,6 +45,8 @@ STEPS_AFTER_INSTANT = 100
 def solve_with_reference(problem: Problem, solver: str, progress: Callable[[float], Any] | None = None) -> RawRun:
     """Run a problem with one of the reference solvers `SOLVERS`.
 
+    `progress` is called with the time reached [s]. If it is given, Ctrl-C ends the run with a partial result.
+
     Notes
     -----
     The relative tolerance is a tenth of the requested tolerance for all states, including mechanics. CVODES evaluates
@@ -62,7 +64,14 @@ def solve_with_reference(problem: Problem, solver: str, progress: Callable[[floa
     else:
         legs = _Cvodes(problem) if solver == "cvodes" else _Scipy(problem, solver)
     fractions = (1.0,) if solver == "cvodes" else (0.5, 1.0)
-    outcome = _run_segments(track, legs, fractions, progress)
+    if progress is not None:
+        legs.check = lambda: progress(track.t)
+    try:
+        outcome = _run_segments(track, legs, fractions)
+    except KeyboardInterrupt:
+        if progress is None:
+            raise
+        outcome = Outcome.INTERRUPTED
     return track.result(outcome, (legs.accepted, legs.rejected))
 
 
@@ -81,6 +90,8 @@ class _Legs(ABC):
         sizes = tolerances(problem)
         # In units of `scale`, each state has the absolute tolerance `rtol`.
         self.scale = np.concatenate([sizes, np.full(problem.x0.size - sizes.size, QUADRATURE_SIZE)])
+        # Function that can interrupt the run; called often.
+        self.check: Callable[[], Any] = lambda: None
 
     @abstractmethod
     def over(self, segment: int, begin: float, end: float, x: Array) -> Iterator[Leg]:
@@ -102,9 +113,7 @@ class _Legs(ABC):
         return np.concatenate([[begin], grid[is_between], [end]])
 
 
-def _run_segments(
-    track: Track, legs: _Legs, fractions: tuple[float, ...], progress: Callable[[float], Any] | None
-) -> Outcome:
+def _run_segments(track: Track, legs: _Legs, fractions: tuple[float, ...]) -> Outcome:
     """Run a solver through all segments of the inputs.
 
     The solver `legs` stops at each sample instant, and `track` stores the results. Stop conditions are evaluated at the
@@ -121,8 +130,7 @@ def _run_segments(
                 if not track.is_valid(leg.x1):
                     return Outcome.STALLED
                 track.take(leg, fractions)
-                if progress is not None:
-                    progress(track.t)
+                legs.check()
                 if track.stop >= 0:
                     return Outcome.STOPPED
             if track.t < target:
@@ -298,6 +306,7 @@ class _Cvodes(_Legs):
         x is the state at the start. `stops` contains the start of the first interval and the ends of all intervals. The
         result is None if CVODES fails.
         """
+        self.check()
         start, n_u = self.problem.starts[segment], len(self.problem.kernel.model.inputs)
         coefficients = self.problem.coefficients[self.problem.courses[segment], :n_u].T.copy()
         coefficients[6] = start - coefficients[6]

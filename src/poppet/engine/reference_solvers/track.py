@@ -127,13 +127,14 @@ class Track:
         """
         if outcome.is_success:
             self._write(self.t, self.x)
-        values = np.array(self.rows).reshape(len(self.rows), len(self.model.outputs)).T
+        # An interruption can separate a row from its time.
+        values = np.array(self.rows[: len(self.times)]).reshape(len(self.times), len(self.model.outputs)).T
         rows = np.array(self.times), np.ascontiguousarray(values)
         return RawRun(outcome, *rows, self.x, self.extremes, self.through, *steps, self.stop)
 
     def _write(self, t: float, x: Array) -> None:
-        self.times.append(t)
         self.rows.append(self._outputs(t, x))
+        self.times.append(t)
 
     def _outputs(self, t: float, x: Array) -> Array:
         y = np.empty(len(self.model.outputs))

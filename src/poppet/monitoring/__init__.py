@@ -1,0 +1,1 @@
+"""Condition monitoring: states, slowly changing parameters and faults of a running plant."""
