@@ -1,0 +1,1 @@
+"""Functions of poppet for assistants, over the Model Context Protocol or as lines of JSON."""

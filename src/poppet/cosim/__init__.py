@@ -1,0 +1,1 @@
+"""Co-simulation with FMUs: model descriptions, child processes and the master."""
