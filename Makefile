@@ -78,6 +78,8 @@ benchmark: $(VENV)/installed-dev
 	$(BIN)/python benchmarks/staircase.py
 	$(BIN)/python benchmarks/chain.py
 	$(BIN)/python benchmarks/lanes.py
+	$(BIN)/python benchmarks/stepper.py
+	$(BIN)/python benchmarks/watch.py
 	$(BIN)/python benchmarks/loads.py
 	$(BIN)/python benchmarks/machine.py
 	$(BIN)/python benchmarks/joint.py
@@ -91,7 +93,11 @@ benchmark: $(VENV)/installed-dev
 	$(BIN)/python benchmarks/export_c.py
 	$(BIN)/python benchmarks/live.py
 	$(BIN)/python benchmarks/wires.py
+	$(BIN)/python benchmarks/cosimulation.py
+	$(BIN)/python benchmarks/serve.py
+	$(BIN)/python benchmarks/serve_modbus.py
 	$(BIN)/python benchmarks/edit.py
+	$(BIN)/python benchmarks/windows.py
 
 # Stamp files: a change of their prerequisites triggers a new installation.
 $(VENV)/installed: pyproject.toml constraints.txt | $(VENV)/bin/pip

@@ -7,19 +7,19 @@ function isShown(element) {
 function nameOf(element) {
   const ids = (element.getAttribute("aria-labelledby") || "").split(/\s+/).filter(Boolean);
   const labels = [...ids.map(id => document.getElementById(id)), ...(element.labels ?? [])];
-  const text = element.matches("button, a, summary, [role=button], [role=tab]") ? element.textContent : "";
+  const text = element.matches("button, a, summary, [role=button], [role=tab], [role=heading], pre") ? element.textContent : "";
   return [element.getAttribute("aria-label"), ...labels.map(label => label?.textContent), text, element.title]
     .map(name => (name ?? "").trim())
     .find(Boolean);
 }
 
-const ROLES_WITHOUT_NAME = new Set(["presentation", "none", "status", "alert", "tooltip", "log", "group"]);
+const ROLES_WITHOUT_NAME = new Set(["presentation", "none", "status", "alert", "tooltip", "log", "group", "main"]);
 
 // Controls without a name.
 function withoutName() {
   const controls = "button, a[href], input, select, textarea, summary, dialog[open], [role], [tabindex='0']";
   return [...document.querySelectorAll(controls)]
-    .filter(element => isShown(element) && !ROLES_WITHOUT_NAME.has(element.role) && element.type !== "hidden")
+    .filter(element => isShown(element) && !element.closest("[aria-hidden=true]") && !ROLES_WITHOUT_NAME.has(element.role) && element.type !== "hidden")
     .filter(element => !nameOf(element))
     .map(element => element.outerHTML.slice(0, 150));
 }
@@ -62,7 +62,7 @@ function lowContrast() {
   const found = [];
   for (const element of document.querySelectorAll("body *")) {
     const hasText = [...element.childNodes].some(node => node.nodeType === 3 && node.textContent.trim());
-    const isText = hasText || element.matches("input, textarea, select");
+    const isText = hasText || element.matches("input:not([type=range]), textarea, select");
     if (!isText || element.closest("svg, :disabled, [aria-disabled=true]") || !isShown(element)) {
       continue;
     }

@@ -25,6 +25,15 @@ COSTLY = frozenset(Path(__file__).with_name("costly.txt").read_text(encoding="ut
 """Tests that take a second and more on the server on which they were timed."""
 
 
+@pytest.fixture(scope="session")
+def site(tmp_path_factory):
+    """Folder of the pages of the website."""
+    pytest.importorskip("sphinx", reason="the site is built where the extra `docs` is installed")
+    from website_files import built_site
+
+    return built_site(tmp_path_factory.getbasetemp())
+
+
 @pytest.hookimpl(tryfirst=True)  # before -m chooses
 def pytest_collection_modifyitems(items):
     for item in items:

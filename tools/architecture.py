@@ -27,11 +27,14 @@ LAYERS = (
     "bench",
     "control",
     "ensemble",
+    "monitoring",
     "audit",
     "report",
     "deploy",
+    "serve",
     "api",
     "edit",
+    "assist",
     "cli",
 )
 """Packages and modules from the lowest layer to the highest."""

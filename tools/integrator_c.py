@@ -1,4 +1,4 @@
-"""The integrator as C: `integrator.py` and `stepping.py` of the engine, written in a small part of Python, translated.
+"""Integrator and estimator as C: `integrator.py` and its kin, written in a small part of Python, translated.
 
 Types of the fields of their tuples and of their arguments stand in the tables below; those of variables and results
 follow. What is not known stops with the line that has it. Needs neither numba nor a compiler.
@@ -8,8 +8,10 @@ from __future__ import annotations
 
 import ast
 import textwrap
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
+from typing import NamedTuple
 
 ENGINE = Path(__file__).parents[1] / "src" / "poppet" / "engine"
 FIELDS: dict[str, dict[str, str]] = {
@@ -31,6 +33,25 @@ FIELDS: dict[str, dict[str, str]] = {
     },
     "Segment": {"start": "double", "stop": "double", "inputs": "matrix"},
     "Step": {"t": "double", "h": "double", "end": "double", "new": "vector"},
+    "Scratch": {
+        **dict.fromkeys(("by_state", "by_free"), "matrix"), "by_touched": "vector",
+        **dict.fromkeys(("start_system", "linear_system", "product", "other"), "matrix"),
+        **dict.fromkeys(("y", "forecast", "y_by_state", "y_by_touched"), "vector"),
+        **dict.fromkeys(("slopes", "gains", "steps"), "matrix"),
+        **dict.fromkeys(
+            ("effects", "variances", "sequence", "moved", "correction", "shift", "gain", "image"), "vector"
+        ),
+        "course": "matrix",
+        **dict.fromkeys(("kept", "before"), "vector"),
+    },
+    "Estimator": {
+        "linear": "int", "observe": "int", "clock": "vector", "mean": "vector", "covariance": "matrix", "u": "matrix",
+        "places": "integers", "touched_inputs": "integers", "base": "vector", "directions": "matrix",
+        **dict.fromkeys(("reference", "low", "high"), "vector"), "effects": "matrix",
+        **dict.fromkeys(("readings", "noise", "gates", "walk", "cap", "expected", "innovations", "deviations", "used",
+                         "rejected", "outside", "scores"), "vector"),
+        **dict.fromkeys(("transition", "signatures", "numerators", "gram"), "matrix"), "scratch": "Scratch",
+    },
 }  # fmt: skip
 """Types of the fields of the tuples."""
 BY_VALUE = ("Segment", "Step")
@@ -38,10 +59,14 @@ BY_VALUE = ("Segment", "Step")
 ARGUMENTS = {
     "run": "RunState", "segment": "Segment", "step": "Step", "memory": "Memory", "control": "Control", "job": "Job",
     "scales": "matrix", "x": "vector", "u": "vector", "slopes": "vector", "new": "vector", "c": "vector",
-    "script": "vector", "lands": "bool", "has_acted": "bool",
+    "script": "vector", "lands": "bool", "has_acted": "bool", "est": "Estimator", "estimator_job": "EstimatorJob",
+    "mean": "vector", "system": "matrix", "derivatives": "matrix", "limits": "vector", "node": "int", "k": "int",
+    "n": "int",
 }  # fmt: skip
 """Types of arguments by name; all others are numbers."""
-OF_ONE_FUNCTION = {("_again", "step"): "int"}
+OF_ONE_FUNCTION = {("_again", "step"): "int", ("_use_reading", "c"): "int"}
+JOBS = {"Job": "job", "EstimatorJob": "estimator_job"}
+"""Rows of fields, and the files that have them."""
 ELEMENTS = {"vector": "double", "integers": "int", "flags": "bool", "matrix": "double", "integer_matrix": "int"}
 C_TYPES = {"double": "double", "int": "int64_t", "bool": "int"}
 KERNEL = {
@@ -50,8 +75,41 @@ KERNEL = {
     "dense": "k -> d",
     "outputs": "t x u p -> y",
     "update": "t x u p fired -> z",
+    "linear": "t x u p -> A B",
+    "observe": "t x u p -> y Hx Ht",
 }
 """The functions of a model that a job has, as `poppet.engine.printers` gives them; `w` is scratch of a step."""
+
+
+class Program(NamedTuple):
+    """A function that others call, with all that it needs."""
+
+    entry: str
+    files: tuple[str, ...]
+    jobs: tuple[str, ...]
+    about: str
+
+
+INTEGRATOR = Program(
+    "integrate",
+    ("rosenbrock", "stepping", "integrator"),
+    ("Job",),
+    """/* The adaptive integrator, translated from Python (tools/integrator_c.py); change it there.
+
+   `integrate` takes one row of 64 bit numbers, addresses of functions and arrays and their lengths, and gives back how
+   the run ended: 0 done, 1 stopped by a condition, 2 stalled, 3 too many attempts, 4 not finite, 5 interrupted.
+   It allocates nothing, calls itself nowhere and keeps nothing. Not for -ffast-math: it asks what is finite. */""",
+)
+ESTIMATOR = Program(
+    "estimate",
+    ("rosenbrock", "stepping", "integrator", "estimator_job", "estimator"),
+    ("Job", "EstimatorJob"),
+    """/* The estimator, an extended Kalman filter, translated from Python (tools/integrator_c.py); change it there.
+
+   `estimate` takes one row of 64 bit numbers, addresses of functions and arrays and their lengths, and gives back how
+   the update ended: 0 done, 2 stalled, 3 too many attempts, 4 not finite. It allocates nothing.
+   Not for -ffast-math: it asks what is finite. */""",
+)
 OPERATORS = {
     ast.Add: "+", ast.Sub: "-", ast.Mult: "*", ast.Div: "/", ast.Mod: "%", ast.Lt: "<", ast.LtE: "<=", ast.Gt: ">",
     ast.GtE: ">=", ast.Eq: "==", ast.NotEq: "!=", ast.And: "&&", ast.BitAnd: "&", ast.Or: "||",
@@ -151,6 +209,7 @@ class Source:
     constants: dict[str, object] = field(default_factory=dict)
     results: dict[str, tuple[str, ...]] = field(default_factory=dict)
     used: dict[str, object] = field(default_factory=dict)
+    called: set[str] = field(default_factory=set)
     texts: list[str] = field(default_factory=list)
 
     def read(self, path: Path) -> None:
@@ -206,13 +265,11 @@ class Function:
 
     @staticmethod
     def is_shared(kind: str) -> bool:
-        return kind == "Job" or (kind in FIELDS and kind not in BY_VALUE)
+        return kind in JOBS or (kind in FIELDS and kind not in BY_VALUE)
 
     def translate(self) -> None:
         body = self.node.body
         doc = ast.get_docstring(self.node) or ""
-        if self.node.name == "integrate":  # its row of fields is the struct of that name
-            self.arguments, self.kinds, self.addresses, body = ["job"], {"job": "Job"}, {"job"}, [body[0], *body[2:]]
         for statement in body[1:] if doc else body:
             self.statement(statement)
         name = self.node.name
@@ -220,12 +277,12 @@ class Function:
         single = self.results[0] if len(self.results) == 1 else ""
         formal = [self.formal(a) for a in self.arguments]
         formal += [f"{C_TYPES[kind]} *r{k}" for k, kind in enumerate(self.results) if not single]
-        if name == "integrate":
-            formal, self.locals = ["const int64_t *fields"], {"job": "Job", **self.locals}
-            self.lines.insert(0, "  job = (const Job *)(const void *)fields;")
+        is_entry = self.arguments == ["fields"]
+        if is_entry:
+            formal = ["const int64_t *fields"]
         head = f"{C_TYPES.get(single, single) or 'void'} {c_name(name)}({', '.join(formal)}) {{"
         declared = [f"  {declaration(kind, n, n in self.addresses)};" for n, kind in self.locals.items()]
-        static = "" if name == "integrate" else "static "
+        static = "" if is_entry else "static "
         comment = textwrap.fill(" ".join(doc.replace("`", "").split()), 116, subsequent_indent="   ")
         self.source.texts.append("\n".join([f"/* {comment} */", static + head, *declared, *self.lines, "}"]))
 
@@ -250,9 +307,10 @@ class Function:
                 self.branch(node)
             case ast.While():
                 self.loop(f"while ({bare(self.condition(node.test))}) {{", node.body)
-            case ast.For(target=ast.Name(id=name), iter=ast.Call(args=[ast.expr() as stop])):
+            case ast.For(target=ast.Name(id=name), iter=ast.Call(args=[*first, ast.expr() as stop])):
                 self.declare(name, "int")
-                self.loop(f"for ({name} = 0; {name} < {self.value(stop).text}; {name}++) {{", node.body)
+                begin = bare(self.value(first[0]).text) if first else "0"
+                self.loop(f"for ({name} = {begin}; {name} < {self.value(stop).text}; {name}++) {{", node.body)
             case ast.Return():
                 self.give_back(node)
             case ast.Break():
@@ -305,6 +363,9 @@ class Function:
             self.assign_several(targets[0].elts, value)
             return
         last = targets[-1]
+        if isinstance(value, ast.Call) and ast.unparse(value.func) in JOBS and isinstance(last, ast.Name):
+            self.row_of_fields(last.id, value)
+            return
         if is_constructor(value) and isinstance(last, ast.Name):
             assert isinstance(value, ast.Call)
             self.construct(last.id, value)
@@ -340,6 +401,18 @@ class Function:
                 self.addresses.add(target.id)
                 value = value if value.is_address else Value(f"&{value.text}", value.kind, True)
         self.emit(f"{self.value(target).text} = {bare(value.text)};")
+
+    def row_of_fields(self, name: str, call: ast.Call) -> None:
+        """The row of fields at an address is the struct of that name."""
+        kind, pointer = ast.unparse(call.func), next(n for n in ast.walk(call) if ast.unparse(n).startswith("carray"))
+        assert isinstance(pointer, ast.Call)
+        memory = pointer.args[0]
+        self.declare(name, kind)
+        self.addresses.add(name)
+        if isinstance(memory, ast.Call):
+            self.emit(f"{name} = (const {kind} *)(intptr_t){self.value(memory.args[0]).text};")
+        else:
+            self.emit(f"{name} = (const {kind} *)(const void *){ast.unparse(memory)};")
 
     @property
     def known(self) -> dict[str, str]:
@@ -411,7 +484,7 @@ class Function:
         owner = self.value(node.value)
         if node.attr == "size":
             return Value(f"{owner.text}.size", "int")
-        kind = "int" if owner.kind == "Job" else FIELDS[owner.kind][node.attr]
+        kind = "int" if owner.kind in JOBS else FIELDS[owner.kind][node.attr]
         return Value(f"{owner.text}{'->' if owner.is_address else '.'}{in_cpp(node.attr)}", kind)
 
     def subscript(self, node: ast.Subscript) -> Value:
@@ -496,6 +569,7 @@ class Function:
         if name.startswith("call"):  # the first argument is the address of a function of the model
             address, *arrays = (self.value(each) for each in node.args)
             function = ast.unparse(node.args[0]).rpartition(".")[2]
+            self.source.called.add(function)
             given = ", ".join(f"{array.text}.at" for array in arrays)
             return Value(f"((of_{function} *)(intptr_t){address.text})({given})", "void")
         values = [self.value(each) for each in node.args]
@@ -542,7 +616,7 @@ def in_cpp(name: str) -> str:
 
 
 def c_name(name: str) -> str:
-    return name if name == "integrate" else f"do_{name.lstrip('_')}"
+    return name if name in (INTEGRATOR.entry, ESTIMATOR.entry) else f"do_{name.lstrip('_')}"
 
 
 def declaration(kind: str, name: str, is_address: bool, *, is_argument: bool = False) -> str:
@@ -572,33 +646,48 @@ def has_word(text: str, word: str) -> bool:
 _APART = str.maketrans(dict.fromkeys("()[],*+/<>=&?:!;", " "))
 
 
-def job_fields() -> list[str]:
+def job_fields(name: str) -> list[str]:
     """Fields of a job, in order."""
-    tree = ast.parse((ENGINE / "job.py").read_text(encoding="utf-8"))
-    (job,) = (node for node in tree.body if isinstance(node, ast.ClassDef) and node.name == "Job")
+    tree = ast.parse((ENGINE / f"{JOBS[name]}.py").read_text(encoding="utf-8"))
+    (job,) = (node for node in tree.body if isinstance(node, ast.ClassDef) and node.name == name)
     return [n.target.id for n in job.body if isinstance(n, ast.AnnAssign) and isinstance(n.target, ast.Name)]
 
 
-def kernel_types() -> list[str]:
-    """Types of the functions of a model."""
+def kernel_types(called: set[str]) -> list[str]:
+    """Types of the functions of a model that the program calls."""
     found = []
     for name, signature in KERNEL.items():
+        if name not in called:
+            continue
         given, _, made = signature.partition("->")
         formal = [f"double *{a}" if a == "w" else f"const double *{a}" for a in given.split()]
         found.append(f"typedef void of_{name}({', '.join([*formal, *(f'double *{a}' for a in made.split())])});")
     return found
 
 
-def structs() -> list[str]:
-    found = ["typedef struct {", *(f"  int64_t {name};" for name in job_fields()), "} Job;"]
+def structs(program: Program, texts: Sequence[str]) -> list[str]:
+    found: list[str] = []
+    for name in program.jobs:
+        found += ["", "typedef struct {", *(f"  int64_t {field};" for field in job_fields(name)), f"}} {name};"]
+    used = {kind for kind in FIELDS if any(has_word(text, kind) for text in texts)}
     for name, fields in FIELDS.items():
+        if name not in used | {kind for owner in used for kind in FIELDS[owner].values()}:
+            continue
         found += [
             "",
             "typedef struct {",
             *(f"  {C_TYPES.get(k, k)} {in_cpp(n)};" for n, k in fields.items()),
             f"}} {name};",
         ]
-    return found
+    return found[1:]
+
+
+def views(texts: Sequence[str]) -> str:
+    """The views of memory and the mathematics that the program needs."""
+    blocks = VIEWS.strip().split("\n\n")
+    names = [block.partition("(")[0].split()[-1] for block in blocks]
+    needed = [k == 0 or any(has_word(text, name) for text in texts) for k, name in enumerate(names)]
+    return "\n\n".join(block for block, is_needed in zip(blocks, needed, strict=True) if is_needed)
 
 
 def constants(used: dict[str, object]) -> list[str]:
@@ -611,21 +700,16 @@ def constants(used: dict[str, object]) -> list[str]:
     return lines
 
 
-def integrator_c() -> str:
-    """The integrator as C."""
+def integrator_c(program: Program = INTEGRATOR) -> str:
+    """The integrator, or another program, as C."""
     source = Source()
-    for name in ("rosenbrock", "stepping", "integrator"):
+    for name in program.files:
         source.read(ENGINE / f"{name}.py")
-    source.results_of("integrate")
-    about = """/* The adaptive integrator, translated from Python (tools/integrator_c.py); change it there.
-
-   `integrate` takes one row of 64 bit numbers, addresses of functions and arrays and their lengths, and gives back how
-   the run ended: 0 done, 1 stopped by a condition, 2 stalled, 3 too many attempts, 4 not finite, 5 interrupted.
-   It allocates nothing, calls itself nowhere and keeps nothing. Not for -ffast-math: it asks what is finite. */"""
+    source.results_of(program.entry)
+    texts = source.texts
     parts = [
-        about, "#include <math.h>\n#include <stdint.h>", "\n".join(kernel_types()), VIEWS.strip(),
-        "\n".join(structs()), "\n".join(constants(source.used)), *source.texts,
-        # `used` is complete only after all functions.
+        program.about, "#include <math.h>\n#include <stdint.h>", "\n".join(kernel_types(source.called)), views(texts),
+        "\n".join(structs(program, texts)), "\n".join(constants(source.used)), *texts,
     ]  # fmt: skip
     return "\n\n".join(parts)
 

@@ -1,4 +1,6 @@
-"""Make `integrator.ll`, `lanes.ll` and `integrator.c` of `src/poppet/engine`; run it when their sources have changed.
+"""Make the files of integrator and estimator in `src/poppet/engine`; run it when their sources have changed.
+
+They are LLVM IR (`integrator.ll`, `lanes.ll`, `estimator.ll`) and C (`integrator.c`, `estimator.c`).
 
 The integrator is also compiled to a WebAssembly module for the page of the editor, `integrator.wasm`.
 
@@ -13,7 +15,7 @@ import re
 import sys
 from pathlib import Path
 
-from integrator_c import integrator_c
+import integrator_c
 
 GENERIC = {
     "NUMBA_OPT": "0",
@@ -27,6 +29,7 @@ GENERIC = {
 HINTS = (
     (r" range\([^)]*\)", ""),
     (r" captures\([^)]*\)", ""),
+    (r" initializes\(\(.*?\)\)", ""),
     (r"getelementptr (inbounds )?nuw ", r"getelementptr \1"),
     (r"icmp samesign ", "icmp "),
     (r"\bor disjoint ", "or "),
@@ -44,14 +47,15 @@ HINTS = (
 def main() -> None:
     os.environ.update(GENERIC)
     from poppet.engine import compiled
-    from poppet.engine.compiled import INTEGRATOR, LANES
+    from poppet.engine.compiled import ESTIMATOR, INTEGRATOR, LANES
 
-    for each in (INTEGRATOR, LANES):
+    for each in (INTEGRATOR, LANES, ESTIMATOR):
         text = portable(each.printed())
         Path(compiled.__file__).with_name(each.text).write_text(f"; {each.mark()}\n{text}\n", encoding="utf-8")
         print(f"{each.text}: {len(text.splitlines())} lines", file=sys.stderr)
-    text = f"/* {INTEGRATOR.mark()} */\n{integrator_c()}\n"
-    Path(compiled.__file__).with_name("integrator.c").write_text(text, encoding="utf-8")
+    for each, program in ((INTEGRATOR, integrator_c.INTEGRATOR), (ESTIMATOR, integrator_c.ESTIMATOR)):
+        text = f"/* {each.mark()} */\n{integrator_c.integrator_c(program)}\n"
+        Path(compiled.__file__).with_name(each.text).with_suffix(".c").write_text(text, encoding="utf-8")
     write_page_integrator()
 
 

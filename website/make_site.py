@@ -25,7 +25,7 @@ import validation_pages
 
 ROOT = Path(__file__).resolve().parents[1]
 OWN = Path(__file__).resolve().parent
-COPIED = ("README.md", "CONTRIBUTING.md", "CHANGELOG.md", "LICENSE", "docs", "examples")
+COPIED = ("README.md", "CONTRIBUTING.md", "SECURITY.md", "CHANGELOG.md", "LICENSE", "docs", "examples")
 MATHJAX = ("sphinx-mathjax-offline", "static/mathjax/tex-svg.js")
 """Package and file of MathJax, which draws its glyphs without fonts or requests."""
 
@@ -44,7 +44,7 @@ def assemble(source: Path) -> None:
     shutil.copytree(OWN / "static", fresh / "static")
     (fresh / "static" / "mathjax.js").write_bytes(mathjax())
     for page in fresh.rglob("*.md"):
-        page.write_text(_without_folders(page), encoding="utf-8")
+        page.write_text(_without_missing(page, fresh), encoding="utf-8")
     for generated in (reference_pages.pages(), gallery_pages.pages(ROOT / "examples", fresh), validation_pages.pages()):
         for name, text in generated.items():
             page = fresh / name
@@ -53,11 +53,13 @@ def assemble(source: Path) -> None:
     _replace(fresh, source)
 
 
-def _without_folders(page: Path) -> str:
-    """Return the text of a page without links to folders, for which the site has no page."""
+def _without_missing(page: Path, source: Path) -> str:
+    """Return the text of a page without links to folders and files that are not part of the site."""
 
     def shown(link: re.Match[str]) -> str:
-        return link[1] if (page.parent / link[2]).is_dir() else link[0]
+        target = page.parent / link[2]
+        original = ROOT / os.path.relpath(target, source)
+        return link[1] if target.is_dir() or (original.exists() and not target.exists()) else link[0]
 
     return re.sub(r"(?<!!)\[([^\]]+)\]\(([^)#\s:]+)\)", shown, page.read_text(encoding="utf-8"))
 

@@ -10,6 +10,7 @@ from pathlib import Path
 from typing import Any
 
 import poppet
+from field_meanings import meanings
 from poppet.circuit import signal_tables
 from poppet.circuit.options import Ambient, GasChoice, Run
 from poppet.circuit.schema import circuit_schema
@@ -77,7 +78,9 @@ def part_page(kind: str, inputs: Mapping[str, str], outputs: Mapping[str, str]) 
     """Return the page of a kind of part."""
     part = KINDS[kind]
     text = [f"# `{kind}`", "", f"{part.summary[:1].upper()}{part.summary[1:]}.", ""]
-    text += ["## Fields", "", table(FIELDS, fields(part)) or "None.\n"]
+    known = meanings(kind)
+    rows = [(name, known.get(name.strip("`"), doc), *more) for name, doc, *more in fields(part)]
+    text += ["## Fields", "", table(FIELDS, rows) or "None.\n"]
     for title, intro, names in (
         ("Inputs", "Signals and connections can drive these inputs.", inputs),
         ("Outputs", "Recordings contain these outputs, and connections can use them.", outputs),
@@ -113,9 +116,14 @@ def fields(kind: Any, prefix: str = "") -> Iterator[tuple[str, str, str, str, st
             if member.kind in KINDS:
                 yield address, spec.doc, "part", "", f"fields of [`{member.kind}`]({member.kind}.md)"
             else:
-                yield from fields(member, f"{prefix}{name}.")
+                # The compound part sets the inherited fields of its members.
+                inherited = {f"{prefix}{name}.{own}" for own in spec.inherited}
+                for row in fields(member, f"{prefix}{name}."):
+                    own = row[0].strip("`")
+                    if own not in inherited and own.rpartition(".")[0] not in inherited:
+                        yield row
         elif isinstance(spec, PortSpec | BodySpec):
-            what = "a store or `ambient`" if isinstance(spec, PortSpec) else "a mass, joint or guide"
+            what = "a gas node or `ambient`" if isinstance(spec, PortSpec) else "a mass, joint or guide"
             yield address, spec.doc, "name", "", f"{what}{', optional' if spec.optional else ''}"
         else:
             yield address, getattr(spec, "doc", ""), "", "", ""
@@ -144,7 +152,7 @@ def section_page() -> str:
     text = ["# Sections of a circuit file", ""]
     for name, kind in SECTIONS.items():
         text += [f"## `[{name}]`", "", table(FIELDS, fields(kind))]
-    text += ["## `[signals]`", "", "Each names an input and says how it moves.", ""]
+    text += ["## `[signals]`", "", "Each signal has the name of an input.", ""]
     rows = []
     for signal in signal_tables.KINDS:
         required, optional = signal_tables.fields_of(signal)

@@ -16,7 +16,9 @@ if TYPE_CHECKING:
     from poppet.core.errors import InputError, InputErrors, OutOfRangeError, PoppetError, SimulationError, UnitError
     from poppet.core.provenance import Number, Source
     from poppet.laws.curves import Characteristic
+    from poppet.monitoring.watch import watch
     from poppet.parts import (
+        FMU,
         PID,
         Antagonist,
         Chamber,
@@ -70,11 +72,13 @@ _MODULE_OF = {
     "Ambient": "circuit.options",
     "GasChoice": "circuit.options",
     "Run": "circuit.options",
+    "watch": "monitoring.watch",
 }
 _MODULES = {"iso6358": "iso6358", "library": "library", "signals": "signals", "units": "core.units"}
 
 # Literal, so that type checkers of those who use the package can read it.
 __all__ = [
+    "FMU",
     "PID",
     "Ambient",
     "Antagonist",
@@ -135,6 +139,7 @@ __all__ = [
     "read",
     "signals",
     "units",
+    "watch",
 ]
 
 

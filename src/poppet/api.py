@@ -12,16 +12,19 @@ from poppet.core.toml_file import TomlFile
 
 if TYPE_CHECKING:
     from poppet.circuit.linear_model import ControlStateSpace, ControlSystem
+    from poppet.circuit.stepper import Stepper
     from poppet.deploy.casadi_export import CasadiModel
     from poppet.deploy.ode import Ode
     from poppet.ensemble.ensemble_result import Ensemble
     from poppet.identify.fit.fit_circuit import Data as RecordedData
     from poppet.identify.fit.fit_circuit import FitResult
+    from poppet.serve.machine import Machine
 
 LISTED = (
     *("parts", "signals", "connections", "run", "ambient", "gas", "title"),
     *("numbers", "inputs", "parameters", "static_notes", "model"),
-    *("with_values", "with_signals", "resumed", "simulate", "steady_state", "linearise", "fit", "ensemble"),
+    *("with_values", "with_signals", "resumed", "simulate", "steady_state", "linearise", "stepper", "fit", "ensemble"),
+    "serve",
     *("to_ode", "to_casadi", "to_control"),
 )
 """Names of a circuit that editors list: fields, contents, variants, analyses, conversions."""
@@ -261,6 +264,104 @@ class Circuit(BaseCircuit, metaclass=_ListedNames):
             self, output, executor=executor, workers=workers, progress=progress, requirements=requirements,
             allow_python=allow_python, **fields,
         )  # fmt: skip
+
+    def stepper(
+        self, free: Sequence[str] = (), *, outputs: Sequence[str] | None = None, tolerance: float = 1e-6
+    ) -> Stepper:
+        """Return the circuit as an object that steps from any state, for controllers, estimators and environments.
+
+        Parameters
+        ----------
+        free : sequence of str, optional
+            Addresses of free parameters, which can have other values in each step (default: none).
+        outputs : sequence of str, optional
+            Addresses of the outputs (default: all).
+        tolerance : float, optional
+            Relative tolerance of the solver.
+
+        Returns
+        -------
+        Stepper
+            Object with the methods `step`, `steps`, `outputs_at`, `derivatives` and `transition`.
+
+        Raises
+        ------
+        InputErrors
+            If an address is unknown, or other parameters depend nonlinearly on a free parameter.
+
+        Examples
+        --------
+        >>> from poppet import Chamber, Circuit, Orifice
+        >>> tank = Chamber(volume="1 l", initial_pressure="3 bar", thermal="isothermal")
+        >>> vent = Orifice(from_="tank", to="ambient", sonic_conductance=1e-8, critical_ratio=0.3)
+        >>> circuit = Circuit({"tank": tank, "vent": vent})
+        >>> stepper = circuit.stepper(["vent.sonic_conductance"], outputs=["tank.pressure"])
+        >>> x = stepper.step(stepper.start(), 0.01)
+        >>> stepper.outputs_at(x).round(-2).tolist()
+        [297000.0]
+        >>> x = stepper.step(x, 0.01, free=[2e-8])
+        >>> stepper.outputs_at(x).round(-2).tolist()
+        [291200.0]
+        """
+        from poppet.circuit.stepper import Stepper
+
+        return Stepper(self.instance, free, outputs, tolerance)
+
+    def serve(
+        self, period: Any = 0.01, *, speed: float = 1.0, clock: bool = True, allow_native: bool = False
+    ) -> Machine:
+        """Start the circuit as a virtual device, whose inputs can be written while it runs.
+
+        Parameters
+        ----------
+        period : float or str, optional
+            Time between two exchanges of values [s].
+        speed : float, optional
+            Ratio of the time of the machine to real time; `math.inf` for a machine that does not wait.
+        clock : bool, optional
+            If True, the machine runs in real time in a process of its own until it is stopped. If False, only the
+            method `advance` runs it, in the calling thread: the same calls then give the same values.
+        allow_native : bool, optional
+            Permit the FMUs of the circuit to execute native code, which has all rights of the user.
+
+        Returns
+        -------
+        Machine
+            Context manager that stops the machine at its end.
+
+        Raises
+        ------
+        InputErrors
+            If the period or the speed is invalid.
+
+        Notes
+        -----
+        The machine runs until it is stopped: `run.duration` and the stop conditions of the circuit are ignored. A
+        script that starts a machine with a clock needs the line ``if __name__ == "__main__":``, because the new process
+        imports the script.
+
+        Examples
+        --------
+        >>> from poppet import Chamber, Circuit, DirectionalValve, Reservoir
+        >>> circuit = Circuit({
+        ...     "supply": Reservoir(pressure="7 bar"),
+        ...     "valve": DirectionalValve(
+        ...         supply="supply", outlet="tank", exhaust="ambient", sonic_conductance=1e-8, critical_ratio=0.3
+        ...     ),
+        ...     "tank": Chamber(volume="1 l"),
+        ... })
+        >>> with circuit.serve(clock=False) as machine:
+        ...     machine.write({"valve.command": 1.0})
+        ...     machine.set_fault("valve", "stuck_closed")
+        ...     closed = machine.advance("1 s")["tank.pressure"]
+        ...     machine.set_fault("valve", "none")
+        ...     filled = machine.advance("1 s")["tank.pressure"]
+        >>> round(closed), filled > 6e5
+        (100000, True)
+        """
+        from poppet.serve.start import start_machine
+
+        return start_machine(self, period, speed, has_clock=clock, allow_native=allow_native)
 
     def to_ode(self, duration: Any = None) -> Ode:
         r"""Return the circuit with its signals as functions of a differential equation.

@@ -327,3 +327,27 @@ def test_a_muscle_longer_than_nominal_at_the_start_gives_a_note(poppet, tmp_path
     for command in ("check", "simulate"):
         answer = poppet(command, "stretched.toml")
         assert (answer.code, answer.codes) == (2, ["muscle.stretched"])
+
+
+def test_the_table_modbus_is_checked_as_by_serve(poppet, tanks):
+    tanks.write_text(
+        tanks.read_text() + '\n[modbus.registers]\n"high.presure" = { input = 0 }\n"high.pressure" = { holding = 1 }\n',
+        encoding="utf-8",
+    )
+    checked, served = poppet("check", "tanks.toml"), poppet("serve", "tanks.toml", "--map")
+    assert checked.code == served.code == 2
+    assert checked.codes == served.codes == ["modbus.unknown", "modbus.not_writable"]
+    assert [error.address for error in checked.errors] == [error.address for error in served.errors]
+    assert "Did you mean high.pressure" in checked.err
+    lines = [line for line in checked.err.splitlines() if line.startswith("error: ")]
+    assert lines == [line for line in served.err.splitlines() if line.startswith("error: ")]
+    assert all("tanks.toml:" in line for line in lines)
+
+
+def test_errors_of_the_table_modbus_and_of_others_are_reported_together(poppet, tanks):
+    tanks.write_text(
+        tanks.read_text() + '\n[ensemble]\nruns = 0\n\n[modbus]\nword_order = "middle"\n', encoding="utf-8"
+    )
+    codes = poppet("check", "tanks.toml").codes
+    assert "fields.not_an_option" in codes
+    assert len(codes) > 1

@@ -12,7 +12,7 @@ from pathlib import Path
 import pytest
 
 from poppet import load
-from poppet.control import schedule, tune
+from poppet.control import Gains, margins, plant_of, schedule, tune
 from poppet.core.units import quantity
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
@@ -34,6 +34,31 @@ def test_tune_writes_gains_for_the_circuit(poppet, files, tmp_path):
     gains = tomllib.loads((tmp_path / "gains.toml").read_text(encoding="utf-8"))["parts"]["regulator"]
     changes = [f"--set=regulator.{name}={value}" for name, value in gains.items()]
     assert poppet("simulate", "pid.toml", *changes, "--quiet").code == 0
+
+
+@pytest.mark.parametrize(("factor", "is_stable"), [(1.0, True), (40.0, False)])
+def test_gains_that_tune_computes_have_a_table_and_a_note(poppet, files, factor, is_stable):
+    gains = {"gain": f"{5.0 * factor:g} 1/bar", "integral_time": "80 ms", "vent_factor": "1.5"}
+    changes = [f"--set=regulator.{name}={value}" for name, value in gains.items()]
+    code, out, err = poppet("control", "tune", "pid.toml", "--at", "3 bar", *changes)
+    assert code == 0
+    assert "regulator.gain: the tuner computes this parameter" in err
+    assert "on regulator.integral_time, regulator.vent_factor" in err
+    second = out.split("With the gains of pid.toml and --set:")[1]
+    # The same loops by the matrices of the plant, with the vent factor of the file.
+    plant = plant_of(load("pid.toml"))
+    point = plant.operating_point("3 bar")
+    own = Gains(5e-5 * factor, 0.08, 0.0, 5e-3)
+    for side, vent_factor in (("fill", 1.0), ("vent", 1.5)):
+        loop = margins(plant.sampled(point, side, vent_factor), own)
+        assert loop.is_stable == is_stable
+        row = f"3 bar, {side}" + ("" if is_stable else ": unstable")
+        cells = next(line for line in second.splitlines() if line.startswith(row))[len(row) :].split()
+        if is_stable:
+            expected = [loop.sensitivity, loop.complementary, loop.gain_margin]
+            assert [float(cell) for cell in cells[:3]] == pytest.approx(expected, rel=1e-3)
+        else:
+            assert {*cells} == {"-"}
 
 
 def test_tune_reports_the_bounded_plant_with_a_leak(poppet, files):
@@ -236,3 +261,9 @@ def test_a_parameter_file_without_matching_address_is_refused(poppet, tmp_path, 
     answer = poppet("show", str(EXAMPLES / "pressure_control.toml"), "--with", "gains.toml")
     assert answer.code == 2
     assert code in answer.codes
+
+
+def test_tune_draws_bode_plots_and_steps(poppet, files, tmp_path):
+    pytest.importorskip("matplotlib")
+    assert poppet("control", "tune", "pid.toml", "--at", "3 bar", "--plot", "loops.svg").code == 0
+    assert (tmp_path / "loops.svg").read_text(encoding="utf-8").count('id="axes_') == 5

@@ -2,7 +2,20 @@
 
 from __future__ import annotations
 
+import re
+import shlex
+
+import pytest
+
+from poppet.core.explanations import explanation
 from poppet.core.message_format import every_code, plain
+
+COMMANDS = {
+    code: match[1]
+    for code in every_code()
+    if (match := re.match(r"`poppet ((?:convert|explain) .+?)`", explanation(code).get("example", "")))
+}
+"""Complete commands of examples that need no file, by the code that they cause."""
 
 
 def test_an_error_has_cause_example_and_remedy(poppet):
@@ -10,9 +23,9 @@ def test_an_error_has_cause_example_and_remedy(poppet):
     assert done.code == 0
     first, *lines = done.out.splitlines()
     assert first == "fields.out_of_range"
-    assert [line.split()[0] for line in lines] == ["cause:", "example:", "remedy:"]
-    assert "<meaning>" in lines[0]
-    assert "duration = 0 s is out of range" in lines[1]
+    assert [line.split()[0] for line in lines] == ["message:", "cause:", "example:", "remedy:"]
+    assert "duration = 0 s is out of range" in lines[0]
+    assert "[run]" in lines[2]
 
 
 def test_several_codes_are_explained(poppet):
@@ -29,6 +42,18 @@ def test_without_a_code_all_topics_are_listed(poppet):
     lines = poppet("explain").out.splitlines()
     assert {line.split()[0] for line in lines} == {code.partition(".")[0] for code in every_code()}
     assert all(len(line.split()) > 1 for line in lines)
+
+
+@pytest.mark.parametrize("code", COMMANDS)
+def test_the_command_of_an_example_causes_its_code(poppet, code):
+    done = poppet(*shlex.split(COMMANDS[code]))
+    assert (done.code, done.error.code) == (2, code)
+
+
+def test_a_verdict_is_explained(poppet):
+    done = poppet("explain", "not determined", "weak")
+    assert [line for line in done.out.splitlines() if line and line[0] != " "] == ["not determined", "weak"]
+    assert poppet("explain", "not determind").error.facts["suggestion"].names[0] == "not determined"
 
 
 def test_a_former_code_shows_its_new_code(poppet):

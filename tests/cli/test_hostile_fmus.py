@@ -10,7 +10,7 @@ from pathlib import Path
 import pytest
 
 from poppet import load
-from poppet.deploy.fmu.archive import check_archive
+from poppet.cosim.archive import check_archive
 from poppet.deploy.fmu.package import build_fmu, zip_bytes
 
 TEXT = """<?xml version="1.0" encoding="UTF-8"?>

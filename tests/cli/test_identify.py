@@ -295,7 +295,7 @@ READERS = {"fit": fit_plan.read_fit_file, "tank": identify_tank}
         ("fit", "[free]", '[free]\nloss = "hubr"', "loss =", "fields.not_an_option"),
         ("fit", "[free]", "[free]\nstarts = 0", "starts =", "fields.out_of_range"),
         ("fit", "[free]", "[free]\nseed = -1.5", "seed =", "fields.out_of_range"),
-        ("fit", "[free]", '[free]\nkicks = "many"', "kicks =", "fields.out_of_range"),
+        ("fit", "[free]", '[free]\nkicks = "many"', "kicks =", "fields.other_type"),
         ("fit", "start = 0.3", "start = 0.3, prior = { men = 1, sd = 1 }", "outlet.critical_ratio", "fields.unknown"),
         ("fit", '"discharge.csv"', '"discharge.csv"\nuse = "validation"', "[recordings.", "fit.held_frees.start"),
         ("fit", '"bench.toml"', '"none.toml"', "circuit =", "toml.no_file"),
@@ -377,7 +377,10 @@ def test_profiles_and_bootstrap_report_progress(bench):
     profile = [call for call in calls if call[0].startswith("ends of profiles (valve.critical_ratio: ")]
     assert [done for _, done, _ in profile] == sorted(done for _, done, _ in profile)
     assert {total for *_, total in profile} == {2}
-    assert len(profile) + 2 == len(calls)
+    others = [call for call in calls if call[0] == "fits of alternative models"]
+    assert [done for _, done, _ in others] == list(range(len(others)))
+    assert {total for *_, total in others} <= {len(others)}
+    assert len(profile) + 2 + len(others) == len(calls)
 
 
 @pytest.mark.parametrize(

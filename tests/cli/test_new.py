@@ -9,8 +9,8 @@ import poppet as house
 from poppet.cli.circuit_files import TEMPLATES
 
 NAMES = (
-    "bleed-regulator", "cylinder", "datasheet-valve", "emptying", "machine", "muscle-joint", "pressure-control",
-    "pressure-regulator", "two-tanks", "vacuum", "valve-fill",
+    "bleed-regulator", "cylinder", "datasheet-valve", "drive-sizing", "emptying", "machine", "muscle-joint",
+    "pressure-control", "pressure-regulator", "two-tanks", "vacuum", "valve-fill",
 )  # fmt: skip
 
 

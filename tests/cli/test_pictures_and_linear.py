@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 
 import poppet as house
+from poppet.report.varga2012.paper_circuits import CIRCUITS
 
 
 @pytest.fixture
@@ -163,3 +164,17 @@ def test_paper_prints_the_table_and_reports_steps_on_stderr(poppet, tmp_path, mo
     assert poppet("paper", "-o", "figures") == (0, "table of figures\n", "figure 3\n")
     (tmp_path / "file").write_text("")
     assert poppet("paper", "-o", "file").codes == ["paper.folder_is_file"]
+
+
+def test_a_changed_circuit_is_kept_unless_forced(poppet, tmp_path):
+    changed = tmp_path / "circuits" / "figure6.toml"
+    assert poppet("paper", "--circuits", "circuits").code == 0
+    assert poppet("paper", "--circuits", "circuits").code == 0  # unchanged files are no reason to refuse
+    changed.write_text("mine")
+    (tmp_path / "circuits" / "figure3.toml").unlink()
+    answer = poppet("paper", "--circuits", "circuits")
+    assert (answer.code, answer.codes) == (2, ["paper.circuit_exists"])
+    assert changed.read_text() == "mine"
+    assert not (tmp_path / "circuits" / "figure3.toml").exists()
+    assert poppet("paper", "--circuits", "circuits", "--force").code == 0
+    assert changed.read_bytes() == CIRCUITS["figure6.toml"].read_bytes()

@@ -8,7 +8,7 @@ import pytest
 
 from poppet.circuit.options import Run
 from poppet.cli import progress
-from poppet.cli.progress import EnsembleProgress, FitProgress, Spinner
+from poppet.cli.progress import EnsembleProgress, FitProgress, SizingProgress, Spinner
 from poppet.engine.problem import Outcome
 from poppet.engine.solve import solve
 
@@ -33,6 +33,22 @@ def test_spinner_shows_its_text(monkeypatch, stream, is_quiet, is_shown):
     assert ("The model is made ready" in stream.getvalue()) == is_shown
 
 
+def test_first_step_is_shown_before_any_progress(monkeypatch):
+    """A model that compiles for longer than the patience is shown, then a bar of the runs replaces the text."""
+    stream = Terminal()
+    monkeypatch.setattr("sys.stderr", stream)
+    monkeypatch.setattr(progress, "PATIENCE", 0.0)
+    with SizingProgress() as running:
+        running._timer.join()
+        running(0, 200, "runs")
+    assert progress.FIRST_TEXT in stream.getvalue()
+    with SizingProgress() as running:
+        running._timer.join()
+        running(17, 200, "runs")
+        (task,) = running._line.tasks
+        assert (task.completed, task.total, task.description) == (17, 200, "17 of about 200 runs")
+
+
 def test_a_short_command_shows_no_progress(monkeypatch):
     stream = Terminal()
     monkeypatch.setattr("sys.stderr", stream)
@@ -47,8 +63,10 @@ def test_stages_show_the_completed_fraction(monkeypatch):
     monkeypatch.setattr("sys.stderr", stream)
     monkeypatch.setattr(progress, "PATIENCE", 0.0)
     with FitProgress() as counting:
+        counting(280, 497.5)
+        assert counting._latest[0].startswith("Fit: 280 evaluations, cost 497.5;")
         counting.stages("bootstrap fits", 3, 200)
-    assert "3 of 200 bootstrap fits, 0 s" in stream.getvalue()
+    assert "After the fit: 3 of 200 bootstrap fits, 0 s" in stream.getvalue()
 
 
 def test_ensemble_progress_counts_the_requested_runs(monkeypatch):

@@ -14,7 +14,8 @@ from poppet.ensemble.ensemble_schema import file_schema
 from poppet.parts import KINDS
 from poppet.parts.fields import specs
 
-EXAMPLES = sorted((Path(__file__).parents[2] / "examples").glob("*.toml"))
+FOLDER = Path(__file__).parents[2] / "examples"
+EXAMPLES = sorted([*FOLDER.glob("*.toml"), *FOLDER.glob("serve/*.toml")])
 
 
 def test_show_lists_assumed_parameters_first(poppet):

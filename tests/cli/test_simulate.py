@@ -5,6 +5,7 @@ from __future__ import annotations
 import dataclasses
 import io
 import itertools
+import re
 import sys
 from pathlib import Path
 
@@ -342,8 +343,8 @@ class Terminal(io.StringIO):
     ("stream", "is_quiet", "is_shown"),
     [(Terminal(), False, True), (Terminal(), True, False), (io.StringIO(), False, False)],
 )
-def test_a_progress_bar_only_after_a_second_on_a_terminal(monkeypatch, stream, is_quiet, is_shown):
-    clock = itertools.count(0.0, 0.6)
+def test_a_progress_bar_appears_after_a_time_on_a_terminal(monkeypatch, stream, is_quiet, is_shown):
+    clock = itertools.count(0.0, 0.4)  # the display begins after 0.6 s
     monkeypatch.setattr("sys.stderr", stream)
     monkeypatch.setattr("poppet.cli.progress.time.monotonic", lambda: next(clock))
     with RunProgress(10.0, is_quiet=is_quiet) as progress:
@@ -398,3 +399,14 @@ def test_a_circuit_without_a_sequence_has_no_diagram(poppet, tmp_path):
     answer = poppet("simulate", "drain.toml", "--diagram", "steps.svg")
     assert (answer.code, answer.codes) == (2, ["drawing.no_sequence"])
     assert not (tmp_path / "steps.svg").exists()
+
+
+def test_cells_of_a_tube_are_one_row_of_the_summary(poppet):
+    """Minimum and maximum are those of all cells; --all prints each cell."""
+    assert poppet("new", "drive-sizing").code == 0
+    short, complete = (poppet("simulate", "drive-sizing.toml", *options).out for options in ((), ("--all",)))
+    assert "tube_cap.2.pressure" not in short
+    cells = [line.split() for line in complete.splitlines() if re.match(r"tube_cap\.\d\.pressure ", line)]
+    assert len(cells) == 4
+    (row,) = [line.split() for line in short.splitlines() if line.startswith("tube_cap.1 ... 4.pressure ")]
+    assert [float(value) for value in row[-2:]] == [min(float(c[-2]) for c in cells), max(float(c[-1]) for c in cells)]

@@ -34,6 +34,9 @@ NOT_RUN = {
     "CI=true make": "as `make test`",
     "python website/validate.py": "half an hour for all; tests/conventions/test_validation.py has the quick ones",
     "poppet edit": "runs until it is ended; tests/browser draws its tutorial",
+    "poppet mcp": "waits for a client; tests/assist",
+    "poppet serve": "runs until it is ended; tests/cli/test_serve.py",
+    "python examples/serve/two_cylinders_client.py": "needs a served machine; tests/unit/serve/test_two_cylinders.py",
     "poppet ensemble ensemble.toml --scheduler": "needs a Dask scheduler on another machine",
 }
 """How a command begins that no test runs, and why."""
@@ -53,7 +56,7 @@ EXIT = {"poppet export": 2}
 PLACEHOLDERS = {
     "FIT.toml": "identify/fit.toml",
     "OTHER.toml": "identify/fit_adiabatic.toml",
-    "FRICTION.toml": "identify/friction.toml",
+    "RECORDING.csv": "identify/tank_discharge.csv",
     "TESTS.toml": "identify/characteristic.toml",
     "DESIGN.toml": "identify/design.toml",
     "VALVE.toml": "bench/valve.toml",
@@ -62,6 +65,7 @@ PLACEHOLDERS = {
     "leak_survey.toml": "audit/leak_survey.toml",
     "pid.toml": "pressure_control.toml",
     "linearising.toml": "pressure_control_linearising.toml",
+    "twin.toml": "watch/twin.toml",
 }
 """Names that helps use for files of the reader, and examples that stand for them."""
 
@@ -79,7 +83,7 @@ def texts() -> dict[str, str]:
     for help_of in re.split(r"^## ", reference_pages.command_page(), flags=re.MULTILINE)[1:]:
         found[help_of.partition("\n")[0].strip("`")] = help_of
     found["validation"] = validation_pages.page(validate.kept())
-    found |= {f"gallery/{path.stem}": gallery_pages.page(path, "", "") for path in sorted(EXAMPLES.glob("*.toml"))}
+    found |= {f"gallery/{path.stem}": gallery_pages.page(path, "") for path in sorted(EXAMPLES.glob("*.toml"))}
     return {page: text for page, text in found.items() if commands(text)}
 
 
@@ -152,12 +156,14 @@ def supply(commands: list[str]) -> None:
         for name in set(shlex.split(command)) - made:
             if Path(name).exists():
                 continue
-            if name in {"valve-fill.toml", "two-tanks.toml", "machine.toml"}:
+            if name in {"valve-fill.toml", "two-tanks.toml", "machine.toml", "drive-sizing.toml"}:
                 assert main.run(["new", name.removesuffix(".toml")]) == 0
             elif name in known:
                 # Beside its recordings: what a file names is relative to it.
                 shutil.copytree((EXAMPLES / known[name]).parent, ".", dirs_exist_ok=True)
                 shutil.copy(EXAMPLES / known[name], name)
+                if name == "twin.toml" and any("--commission" in line for line in commands):
+                    Path("healthy.toml").unlink()  # a command writes it
             elif name in {"fill.csv", "measured.csv", "simulated.csv"}:
                 assert main.run(["simulate", "examples/fill_staircase.toml", "-o", name, "--quiet"]) == 0
             elif name == "bench/*.toml":

@@ -123,7 +123,8 @@ def is_right(page: Path, directive: str, argument: str, inside: str) -> bool:
     if directive == "code-cell":  # run by test_first_hours.py
         return page.parent.name == "first_hours" and argument == "ipython3"
     if directive == "toctree":
-        places = [(page.parent / line).relative_to(SITE).as_posix() for line in lines]
+        names = [re.sub(r".*<(.*)>", r"\1", line) for line in lines]
+        places = [(page.parent / name).relative_to(SITE).as_posix() for name in names]
         return all((SITE / f"{p}.md").exists() or (ROOT / f"{p}.md").exists() or p.startswith(MADE) for p in places)
     return directive == "image" and (ROOT / argument).exists() and ":alt: " in inside
 

@@ -91,7 +91,7 @@ def bases(node: ast.ClassDef) -> Iterator[ast.ClassDef]:
 
 
 def own_fields(node: ast.ClassDef) -> list[str]:
-    """Public fields of a dataclass in order; constants of the class are none."""
+    """Public fields of a dataclass that are parameters, in order; constants of the class are none."""
     return [
         each.target.id
         for each in node.body
@@ -99,6 +99,7 @@ def own_fields(node: ast.ClassDef) -> list[str]:
         and isinstance(each.target, ast.Name)
         and is_public(each.target.id)
         and "ClassVar" not in ast.unparse(each.annotation)
+        and not (each.value is not None and "init=False" in ast.unparse(each.value))
     ]
 
 

@@ -41,8 +41,8 @@ PROBES = ("probe.toml", "probe.csv", "probe.py")
 """Files with Python code, under names that readers of a circuit, of a table and of a function could select."""
 CODE = "import pathlib\npathlib.Path('executed').touch()\nf = len\n"
 FILES = {
-    "circuit": {"parts.*.characteristic", "parts.*.main_stage.characteristic", "signals.*.path", "ensemble.file",
-                "components", "ensemble.parameters.from_fit"},
+    "circuit": {"parts.*.characteristic", "parts.*.main_stage.characteristic", "parts.*.path", "signals.*.path",
+                "ensemble.file", "components", "ensemble.parameters.from_fit"},
     "fit": {"circuit", "recordings.*.file", "recordings.*.*.file"},
     "design": {"circuit", "known"},
     "characteristic": {"circuit", "tests.file", "tests.result"},

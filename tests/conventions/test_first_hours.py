@@ -9,10 +9,12 @@ from typing import Any
 
 import pytest
 
+import poppet
 from poppet.cli import main
 
 HOURS = Path(__file__).parents[2] / "website" / "pages" / "first_hours"
 PAGES = sorted(path.stem for path in HOURS.glob("*.md") if path.stem != "index")
+VALVES = "CKD M4GA2R", "SMC SY3500"
 CELL = re.compile(r"^```\{code-cell\} ipython3\n(?:---\n.*?^---\n|(?::[^\n]*\n)*)(.*?)^```$", re.MULTILINE | re.DOTALL)
 
 
@@ -51,6 +53,15 @@ def test_every_hour_is_in_the_contents():
     assert all("## Exercises" in (HOURS / f"{page}.md").read_text(encoding="utf-8") for page in PAGES)
 
 
+def test_no_command_of_a_notebook_waits_for_an_answer():
+    """Commands of a notebook have a terminal that nobody answers, so that a question would stop the notebook."""
+    lines = [
+        line for page in PAGES for line in re.findall("^!(poppet .*)$", (HOURS / f"{page}.md").read_text("utf-8"), re.M)
+    ]
+    assert len(lines) > 10
+    assert [line for line in lines if "--from" in line and "--yes" not in line] == []
+
+
 def test_the_bench_engineer_is_told_what_to_record_next(empty):
     from poppet.identify import read_result
 
@@ -67,6 +78,17 @@ def test_the_student_sees_why_the_tank_is_too_fast(empty):
     times = [run.time[-1] for run in run("student")["tanks"].values()]
     assert times == pytest.approx([38.2, 50.8, 66.3, 71.1], abs=0.1)
     assert (empty / "paper" / "report.html").exists()
+
+
+def test_the_builder_finds_the_smallest_valve(empty):
+    """The valve of the catalogue moves the load in time; the next smaller one of the table does not."""
+    names = run("builder")
+    assert names["by_hand"] == pytest.approx(1e3 * names["run"].figures.air_used, rel=0.1)
+    text = (empty / "drive.toml").read_text()
+    strokes = {model: poppet.loads(text.replace("CKD M4GA2R", model)).simulate().figures.strokes for model in VALVES}
+    slowest = {model: max(stroke.from_command for stroke in strokes[model]) for model in VALVES}
+    assert [slowest[model] <= 0.5 for model in VALVES] == [True, False]
+    assert (empty / "valves.html").stat().st_size > 10_000
 
 
 def test_the_designer_finds_where_it_hums(empty):

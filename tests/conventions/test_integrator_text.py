@@ -9,11 +9,13 @@ from poppet import Chamber, Circuit, Orifice, Reservoir
 from poppet.engine import call, compiled
 
 
-@pytest.mark.parametrize("shipped", [compiled.INTEGRATOR, compiled.LANES], ids=lambda each: each.entry)
+@pytest.mark.parametrize(
+    "shipped", [compiled.INTEGRATOR, compiled.LANES, compiled.ESTIMATOR], ids=lambda each: each.entry
+)
 def test_the_text_is_made_from_the_present_source(shipped: compiled.PrebuiltIntegrator) -> None:
     path = compiled.Path(compiled.__file__).with_name(shipped.text)
     first = path.read_text(encoding="utf-8").partition("\n")[0]
-    assert first == f"; {shipped.mark()}", "run `make integrator` after a change of engine/integrator.py"
+    assert first == f"; {shipped.mark()}", "run `make integrator` after a change of engine/integrator.py or its kin"
 
 
 @pytest.mark.slow  # numba takes most of a minute on a busy machine; the mark above tells of a forgotten change

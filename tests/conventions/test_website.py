@@ -5,8 +5,6 @@ from __future__ import annotations
 import ast
 import re
 import runpy
-import subprocess
-import sys
 import types
 from pathlib import Path
 
@@ -18,7 +16,10 @@ from poppet.core.message_format import every_code
 from poppet.parts import KINDS
 
 pytest.importorskip("sphinx", reason="the site is built where the extra `docs` is installed")
+import card_pictures
+import field_meanings
 import reference_pages
+from website_files import broken_links
 
 ROOT = Path(__file__).parents[2]
 
@@ -33,10 +34,20 @@ def test_every_kind_of_part_has_a_page_with_its_fields():
         assert "| `pressure` | Pa |" in text.partition("## Outputs")[2]
 
 
+def test_fields_of_parts_have_the_meanings_of_the_page_on_the_circuit_file():
+    """The page lists no field that a compound part sets itself, such as `piston.bore` of a cylinder."""
+    for kind, part in KINDS.items():
+        names = {name.strip("`") for name, *_ in reference_pages.fields(part)}
+        assert names <= field_meanings.meanings(kind).keys(), kind
+    text = reference_pages.part_page("orifice", {}, {})
+    assert "| C and b over the stroke, see [characteristics](../../docs/circuit_file.md#characteristics) |" in text
+
+
 def test_every_input_and_output_of_a_circuit_stands_on_the_page_of_its_part():
     pages = reference_pages.part_pages()
     # Passages, stores and bodies always show something; what turns gas into force may show it as its body's.
-    assert [kind for kind in KINDS if "## Outputs" not in pages[f"reference/parts/{kind}.md"]] == []
+    # The variables of an FMU are those of its description.
+    assert [kind for kind in KINDS if "## Outputs" not in pages[f"reference/parts/{kind}.md"]] == ["fmu"]
     circuit = poppet.load(ROOT / "examples" / "muscle_joint.toml")
     for heading, of in (("Inputs", circuit.model.inputs), ("Outputs", circuit.model.outputs)):
         for name, unit in ((each[0], each[1]) for each in of):
@@ -103,15 +114,6 @@ def test_every_code_has_an_anchor():
     assert sorted(anchors) == sorted(every_code())
 
 
-@pytest.fixture(scope="module")
-def site(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    folder = tmp_path_factory.mktemp("site")
-    command = [sys.executable, "-W", "ignore", "website/make_site.py", "-o", str(folder)]
-    done = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, timeout=900, check=False)
-    assert done.returncode == 0, done.stdout + done.stderr
-    return folder / "html"
-
-
 def test_it_builds_asks_nobody_and_is_searched(site):
     pages = sorted(site.rglob("*.html"))
     assert len(pages) > 100
@@ -122,6 +124,55 @@ def test_it_builds_asks_nobody_and_is_searched(site):
         for address in re.findall(r'(?:src|href)="(?:https?:)?(//[^"]+)"', tag)
     ]
     assert asked == []
+    for name in ("llms.txt", "llms-full.txt"):  # texts for assistants, at the root of the site
+        assert (site / name).read_bytes() == (ROOT / "src" / "poppet" / "assist" / name).read_bytes()
     # Words as the index has them, by their stems.
     index = (site / "searchindex.js").read_text(encoding="utf-8")
     assert all(f"{word}" in index for word in ("sonic", "conduct", "hysteresi"))
+
+
+def test_pictures_of_a_card_show_all_parts_and_the_whole_curve():
+    circuit = poppet.load(ROOT / "examples" / "pressure_control.toml")
+    drawing = card_pictures.card_drawing(circuit)
+    assert set(re.findall("<title>(.*?)</title>", drawing)) == set(circuit.parts)
+    run = circuit.simulate()
+    curve = card_pictures.card_curve(run, "tank.pressure", dashed="regulator.setpoint")
+    assert ">pressure of tank [bar]<" in curve
+    assert ">setpoint<" in curve
+    assert ">6.5 s<" in curve
+    ticks = [float(text) for text in re.findall(r'<text class="end" x="35"[^>]*>([\d.]+)<', curve)]
+    bar = run.converted(["bar"])["tank.pressure"]
+    margin = 0.1 * (ticks[1] - ticks[0])
+    assert ticks[0] - margin <= bar.min() < bar.max() <= ticks[-1] + margin
+    assert len(ticks) in (3, 4, 5)
+    # The end of the curve, between the first and the last tick.
+    last = re.findall(r'<path class="curve" d="M.*?([\d.]+) ([\d.]+)"', curve)[0]
+    top, bottom = card_pictures.MARGINS["top"], card_pictures.CURVE_HEIGHT - card_pictures.MARGINS["bottom"]
+    share = (bar[-1] - ticks[0]) / (ticks[-1] - ticks[0])
+    assert float(last[0]) == pytest.approx(card_pictures.WIDTH - card_pictures.MARGINS["right"], abs=0.1)
+    assert float(last[1]) == pytest.approx(bottom - share * (bottom - top), abs=0.1)
+
+
+def test_links_lead_to_pages_and_places(site):
+    assert broken_links(site) == []
+
+
+def test_the_front_page_is_one_small_file_with_a_model(site):
+    page = site / "index.html"
+    text = page.read_text(encoding="utf-8")
+    assert page.stat().st_size < 100_000
+    assert re.findall(r"<(?:script|link|img|iframe|source)\b[^>]*(?:src|href)=", text) == []
+    assert all(entry in text for entry in ("I have a recording", "I design a machine", "I control a valve"))
+    assert "pip install" in re.sub("<[^>]+>", "", text)
+    assert text.count('type="range"') == 2
+
+
+def test_each_example_has_a_card_with_pictures_a_live_page_and_a_command(site):
+    text = (site / "gallery" / "index.html").read_text(encoding="utf-8")
+    cards = dict(re.findall(r'<li id="(\w+)">(.*?)</li>', text, re.DOTALL))
+    assert sorted(cards) == sorted(path.stem for path in (ROOT / "examples").glob("*.toml"))
+    for name, card in cards.items():
+        assert card.count("<svg") == 2, name
+        assert f'href="live/{name}.html"' in card
+        assert f'data-copy="poppet edit examples/{name}.toml"' in card
+        assert 'id="model"' in (site / "gallery" / "live" / f"{name}.html").read_text(encoding="utf-8")

@@ -2,15 +2,16 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 import pytest
 
 import poppet
-from poppet.control import Gains, margins, plant_of, tune
+from poppet.control import Gains, SampledPlant, margins, plant_of, tune
 from poppet.control import python_control as adapter
-from poppet.control.loop import step_response
+from poppet.control.loop import disturbance_response, step_response
 from poppet.core.errors import InputError
 
 T = 2e-3
@@ -37,22 +38,44 @@ def tuned_loop():
 
 
 def their_margins(control, plant, gains):
-    """Gain and phase margin, crossover [rad/s], and the response of the loop."""
+    """Gain and phase margin, their frequencies [rad/s], and the response of the loop."""
     loop = adapter.plant_to_control(plant) * adapter.gains_to_control(gains, T)
     omega = 2.0 * np.pi * np.geomspace(1e-2, 249.9, 5000)
     data = control.frequency_response(loop, omega)
-    gain, phase, _, _, crossover, _ = control.stability_margins(control.frd(data.complex.ravel(), omega))
-    return gain, phase, crossover, data.complex.ravel()
+    gain, phase, _, gain_frequency, crossover, _ = control.stability_margins(control.frd(data.complex.ravel(), omega))
+    return gain, phase, gain_frequency, crossover, data.complex.ravel()
 
 
 def test_margins_agree(control, tuned):
-    gain, phase, crossover, response = their_margins(control, *tuned)
+    gain, phase, gain_frequency, crossover, response = their_margins(control, *tuned)
     found = margins(*tuned)
     assert found.gain_margin == pytest.approx(gain, rel=1e-3)
     assert found.phase_margin == pytest.approx(phase, rel=1e-3)
     assert found.crossover == pytest.approx(crossover / (2.0 * np.pi), rel=1e-3)
+    assert found.phase_frequency == pytest.approx(crossover / (2.0 * np.pi), rel=1e-3)
+    assert found.gain_frequency == pytest.approx(gain_frequency / (2.0 * np.pi), rel=1e-3)
     assert found.sensitivity == pytest.approx(np.max(1.0 / np.abs(1.0 + response)), rel=1e-3)
     assert found.complementary == pytest.approx(np.max(np.abs(response / (1.0 + response))), rel=1e-3)
+
+
+def test_lower_gain_margin_of_a_conditionally_stable_loop_agrees(control):
+    """A double integrator with an integral part is stable only above a gain and below another one."""
+    a = np.array([[1.0, T], [0.0, 1.0]])
+    plant = SampledPlant(a, np.array([T**2 / 2.0, T]), np.array([1.0, 0.0]), T, 3)
+    gains = Gains(30.0, 0.5, 0.5, 0.01)
+    found = margins(plant, gains)
+    loop = adapter.plant_to_control(plant) * adapter.gains_to_control(gains, T)
+    omega = 2.0 * np.pi * np.geomspace(1e-2, 249.9, 5000)
+    response = control.frequency_response(loop, omega).complex.ravel()
+    theirs, _, _, frequencies, _, _ = control.stability_margins(control.frd(response, omega), returnall=True)
+    k = np.flatnonzero(theirs < 1.0)[np.argmax(theirs[theirs < 1.0])]
+    assert found.is_stable
+    assert found.lower_gain_margin == pytest.approx(theirs[k], rel=1e-3)
+    assert found.lower_gain_frequency == pytest.approx(frequencies[k] / (2.0 * np.pi), rel=1e-3)
+    assert found.gain_margin == pytest.approx(np.min(theirs[theirs > 1.0]), rel=1e-3)
+    for factor, is_stable in ((0.99, False), (1.01, True)):
+        scaled = replace(gains, gain=factor * found.lower_gain_margin * gains.gain)
+        assert margins(plant, scaled).is_stable is is_stable
 
 
 def test_steps_agree(control, tuned):
@@ -60,6 +83,17 @@ def test_steps_agree(control, tuned):
     loop = adapter.plant_to_control(plant) * adapter.gains_to_control(gains, T)
     wanted = control.step_response(control.feedback(loop, 1), np.arange(400) * T).outputs
     assert np.max(np.abs(step_response(plant, gains, 1.0, 400) - wanted)) < 1e-6
+
+
+def test_disturbances_agree(control, tuned):
+    plant, gains = tuned
+    model, controller = adapter.plant_to_control(plant), adapter.gains_to_control(gains, T)
+    # The disturbance acts behind the delay, at the plant itself.
+    undelayed = adapter.plant_to_control(replace(plant, delay=0))
+    sensitivity = control.feedback(control.ss([], [], [], [[1.0]], T), model * controller)
+    wanted = control.step_response(undelayed * sensitivity, np.arange(400) * T).outputs
+    assert np.max(np.abs(wanted)) > 0.0
+    assert np.max(np.abs(disturbance_response(plant, gains, 400) - wanted)) < 1e-6 * np.max(np.abs(wanted))
 
 
 @pytest.mark.parametrize("gains", GAINS)

@@ -16,10 +16,14 @@ import numpy as np
 import pytest
 
 from pages import needs_nothing_else, plots
+from poppet import library, load
 from poppet.core.errors import InputError, MissingDependencyError
+from poppet.report.varga2012 import runs
 from poppet.report.varga2012.paper import PaperResult, Verdict, figure_3, figure_4, figure_6, statements, write_paper
+from poppet.report.varga2012.paper_circuits import write_circuits
 from poppet.report.varga2012.runs import STROKES, SUPPLIES
 from poppet.timeseries.plotting.figures import style
+from poppet.timeseries.signals import Steps
 
 # Computed once from the equations of the paper, apart from this package.
 TABLE_C = (0.50034, 0.9211, 1.3390, 1.5595, 1.6358, 1.65010, 1.6401, 1.6114, 1.5746, 1.5493, 1.47354)
@@ -297,3 +301,72 @@ def test_without_the_drawing_package_nothing_is_begun(monkeypatch, tmp_path):
         write_paper(tmp_path / "paper")
     assert caught.value.facts["package"] == "matplotlib"
     assert not Path(tmp_path / "paper").exists()
+
+
+# --- circuits ---
+
+
+@pytest.fixture(scope="module")
+def circuits(tmp_path_factory):
+    """Circuits that the command writes, by name."""
+    folder = tmp_path_factory.mktemp("circuits")
+    return {path.stem: load(path) for path in write_circuits(folder)}
+
+
+def test_the_circuits_are_those_of_figures_3_to_6(circuits):
+    assert [*circuits] == ["figure3", "figure4", "figure5", "figure6"]
+
+
+def test_circuit_of_figure_3_gives_the_curve_and_the_table(circuits, result):
+    run = circuits["figure3"].simulate()
+    stroke, conductance = run["valve.stroke"], run["valve.mass_flow_rate"] / (7e5 * 1.185)
+    drawn = library.characteristic("varga2012").sonic_conductance_at(stroke)
+    assert conductance == pytest.approx(drawn, rel=1e-12)
+    assert np.interp(STROKES, stroke, conductance) == pytest.approx(result.findings.conductances, rel=1e-12)
+
+
+def test_circuit_of_figure_4_gives_the_curve_and_the_table(circuits, result):
+    run = circuits["figure4"].simulate()
+    stroke = run["subsonic.stroke"]
+    square = 1.0 - (run["subsonic.mass_flow_rate"] / run["choked.mass_flow_rate"]) ** 2
+    ratio = (0.8 - np.sqrt(square)) / (1.0 - np.sqrt(square))
+    assert ratio == pytest.approx(library.characteristic("varga2012").critical_ratio_at(stroke), rel=1e-9)
+    assert np.interp(STROKES, stroke, ratio) == pytest.approx(result.findings.ratios, rel=1e-9)
+
+
+def test_circuit_of_figure_5_is_the_block_diagram(circuits, result):
+    run = circuits["figure5"].simulate()
+    assert run["valve.stroke"][-1] == pytest.approx(result.findings.stroke_printed, rel=1e-6)
+    # The valve is open from the start, with nearly the conductance of 0.5 mm: 38.2 s to 5 bar.
+    reached = float(np.interp(5e5, run["tank.pressure"], run.time))
+    assert reached == pytest.approx(result.findings.fillings["isentrope"].time, rel=5e-3)
+    of_report = runs.main_stage_circuit("paper", Steps([0.0], [4e5]), thermal="isentrope").simulate(80.0, 0.1, 1e-6)
+    assert run["tank.pressure"] == pytest.approx(of_report["tank.pressure"], rel=1e-6)
+
+
+@pytest.mark.parametrize(
+    ("tank", "change"),
+    [
+        ("wall", {}),
+        ("isentrope", {"tank.thermal": "isentrope"}),
+        ("isothermal", {"tank.thermal": "isothermal"}),
+        ("adiabatic", {"tank.wall_conductance": 0.0}),
+    ],
+)
+def test_circuit_of_figure_6_gives_each_curve(circuits, result, tank, change):
+    run = circuits["figure6"].with_values(change).simulate()
+    staircase = result.findings.staircase
+    assert run.time == pytest.approx(staircase.time)
+    # Both runs have a local tolerance of 1e-6, and different steps: the file has a leak of 0.
+    assert run["tank.pressure"] == pytest.approx(staircase[f"{tank}.pressure"], rel=1e-4)
+    assert run["tank.temperature"] == pytest.approx(staircase[f"{tank}.temperature"], rel=1e-4)
+
+
+def test_another_tank_and_a_leak_change_the_curve_of_figure_6(circuits):
+    # A tenth of the volume follows at least as fast, and a leak lowers the pressure at the end of each step.
+    paper = circuits["figure6"].simulate()
+    changed = circuits["figure6"].with_values({"tank.volume": 0.02, "leak.sonic_conductance": 1e-9}).simulate()
+    early = np.searchsorted(paper.time, 10.0)
+    assert changed["tank.pressure"][early] > 1.2 * paper["tank.pressure"][early]
+    assert changed["leak.mass_flow_rate"][-1] > 0.0
+    assert changed["valve.supply_mass_flow_rate"][-1] == pytest.approx(changed["leak.mass_flow_rate"][-1], rel=0.05)

@@ -102,6 +102,7 @@ def audit_energy(
     """
     if count < 1:
         raise InputError("cycle.no_count", "--cycles", value=count)
+    circuit.require_equations()
     run = circuit.run.changed(duration=duration)
     recording = circuit.simulate(run.duration, _output_step(circuit, run), progress=progress)
     if cycle is None:

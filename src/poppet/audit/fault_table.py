@@ -99,6 +99,7 @@ def fault_table(
     faults, omitted = split_faults(valves_of(circuit), selected)
     if not faults:
         raise InputError("safety.no_valve", circuit.title, kinds=list(selected))
+    circuit.require_equations()
     base = with_idle_faults(circuit, faults)
     healthy = base.simulate(end, row_step(end), stop_when=())
 

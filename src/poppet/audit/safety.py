@@ -121,6 +121,7 @@ def audit_safety(
             times = read_times(circuit, at)
         with errors.collecting():
             selected = read_kinds(kinds)
+    circuit.require_equations()
     faults, _ = split_faults(valves_of(circuit), selected)
     runs = SafetyRuns(circuit, values, faults, limit, horizon)
     if not runs.volumes and not runs.bodies:

@@ -49,6 +49,7 @@ if TYPE_CHECKING:
     from poppet.engine.kernel import Kernel
     from poppet.engine.model import Model
     from poppet.engine.problem import Problem
+    from poppet.parts.fmu import FMU
     from poppet.timeseries.recording import Recording
 
 _SECTIONS = ("ambient", "gas", "run")
@@ -231,6 +232,11 @@ class BaseCircuit(HtmlMixin):
         highest position of the stroke.
         """
         return {address: curve for part in self._placed.values() for address, curve in part.domains.items()}
+
+    @cached_property
+    def inner(self) -> frozenset[str]:
+        """Addresses of the internal outputs, which figures omit by default."""
+        return frozenset(self.connections).union(*(part.inner for part in self._placed.values()))
 
     @property
     def _wiring(self) -> dict[str, PartWiring]:
@@ -466,6 +472,25 @@ class BaseCircuit(HtmlMixin):
 
     def instance_of(self, kernel: Kernel) -> Instance:
         """Return the parameter values and signals of this circuit with another kernel of its model."""
+        self.require_equations()
+        return self._instance_of(kernel)
+
+    def require_equations(self) -> None:
+        """Raise an error if the circuit has an FMU, whose equations are not accessible."""
+        for name in self.fmus:
+            raise InputError("fmu.unavailable", f"parts.{name}")
+
+    @cached_property
+    def unguarded_instance(self) -> Instance:
+        """Compiled model whose inputs include the outputs of FMUs, for a co-simulation."""
+        return self._instance_of(self.kernel)
+
+    @cached_property
+    def fmus(self) -> dict[str, FMU]:
+        """Mapping from names to those parts that are FMUs."""
+        return {name: part for name, part in self.parts.items() if part.kind == "fmu"}  # type: ignore[misc]
+
+    def _instance_of(self, kernel: Kernel) -> Instance:
         placed = self._placed.values()
         return Instance(
             kernel=kernel,
@@ -477,7 +502,7 @@ class BaseCircuit(HtmlMixin):
             notes=self.static_notes,
             domains=self.domains,
             initial={output: number for part in placed for output, number in part.initial.items()},
-            inner=frozenset(self.connections).union(*(part.inner for part in placed)),
+            inner=self.inner,
             sources={address: number for part in placed for address, number in part.numbers.items()},
             bodies={name: body for name, part in self._wiring.items() if (body := part.acts_on(name)) is not None},
         )
@@ -521,6 +546,13 @@ class BaseCircuit(HtmlMixin):
         """
         return self._problems.get(run, lambda: self.instance.problem(run))
 
+    def run_data(self, run: Run) -> Problem:
+        """Return the data of a simulation, which a circuit with an FMU has too.
+
+        The outputs of FMUs are inputs in it.
+        """
+        return self._problems.get(run, lambda: self.unguarded_instance.problem(run)) if self.fmus else self.problem(run)
+
     # Analyses ----------------------------------------------------------------------------------------------------
 
     def simulate(
@@ -534,6 +566,7 @@ class BaseCircuit(HtmlMixin):
         start: Recording | None = None,
         progress: Callable[[float], Any] | None = None,
         throw: bool = True,
+        allow_native: bool = False,
     ) -> Recording:
         """Simulate the circuit over a period and return the recording.
 
@@ -558,6 +591,8 @@ class BaseCircuit(HtmlMixin):
         throw : bool, optional
             If True, a failed run raises an error. Otherwise the result is the partial recording, and `outcome` states
             the reason.
+        allow_native : bool, optional
+            Permit the FMUs of the circuit to execute native code, which has all rights of the user.
 
         Returns
         -------
@@ -578,6 +613,10 @@ class BaseCircuit(HtmlMixin):
             duration=duration, output_step=output_step, relative_tolerance=relative_tolerance, stop_when=stop_when,
             solver=solver,
         )  # fmt: skip
+        if circuit.fmus:
+            from poppet.circuit.coupled_run import run_coupled
+
+            return run_coupled(circuit, run, allow_native=allow_native, progress=progress, throw=throw)
         problem = circuit.problem(run)
         raw = solve(problem, run.solver, progress)
         recording = make_recording(circuit.instance, problem, raw)

@@ -35,8 +35,8 @@ from poppet.parts.fields import from_table
 from poppet.parts.part import Controller, ControlOutputs, Input, PartConnection, Scope, Store, Surroundings
 
 TOP_LEVEL = ("title", "components", "parts", "signals", "connections", "ambient", "gas", "run")
-ABOVE = ("ensemble", "requirements", "audit", "drawing")
-"""Tables that the packages above read; `drawing` contains the positions of an editor."""
+ABOVE = ("ensemble", "requirements", "audit", "modbus", "drawing")
+"""Tables that the packages above read; `drawing`, the last one, contains the positions of an editor."""
 
 
 CircuitT = TypeVar("CircuitT", bound=BaseCircuit)
@@ -161,6 +161,8 @@ class _Parts:
     def _value(self, key: str, value: object) -> object:
         # Paths are relative to the folder of the file, as for signals.
         if key.endswith("characteristic") and isinstance(value, str) and value.endswith(".toml"):
+            return str(self.folder / value)
+        if key == "path" and isinstance(value, str) and value:
             return str(self.folder / value)
         if key == "model" and isinstance(value, str) and self.components:
             return own_component(value, self.components)

@@ -55,7 +55,7 @@ class BodyStroke:
 
 
 @dataclass(frozen=True)
-class Arrival:
+class StrokeArrival:
     """Impact on an end stop at more than 10 mm/s or 10 mrad/s."""
 
     part: str  # the cylinder or body with the stop
@@ -89,7 +89,7 @@ class LoadMetrics:
         Motions from a standstill or turning point to the next, as `find_strokes` defines them. Overshoots, rebounds
         and stick-slip do not divide a stroke: without a standstill, the body must return by more than 20 % of its
         travel.
-    arrivals : tuple of Arrival
+    arrivals : tuple of StrokeArrival
         Impacts on end stops.
     works : tuple of BodyWork
         One element per body.
@@ -116,7 +116,7 @@ class LoadMetrics:
     """
 
     strokes: tuple[BodyStroke, ...]
-    arrivals: tuple[Arrival, ...]
+    arrivals: tuple[StrokeArrival, ...]
     works: tuple[BodyWork, ...]
     air: Mapping[str, float]
     exergy: float
@@ -140,7 +140,7 @@ class LoadMetrics:
         """
         return self.work / self.exergy if self.exergy > 0.0 else math.nan
 
-    def met(self, stroke: BodyStroke) -> Arrival | None:
+    def met(self, stroke: BodyStroke) -> StrokeArrival | None:
         """Return the fastest impact on an end stop during a stroke.
 
         The result is None if there is no impact before the next stroke of the body.
@@ -152,7 +152,7 @@ class LoadMetrics:
 
         Returns
         -------
-        Arrival or None
+        StrokeArrival or None
         """
         later = (s.start for s in self.strokes if s.body == stroke.body and s.start > stroke.start)
         end = min(later, default=math.inf)
@@ -270,7 +270,7 @@ def load_metrics(run: LoadData) -> LoadMetrics | None:
         position, velocity = run[f"{owner}.{prefix}position"], run[f"{owner}.{prefix}velocity"]
         unit = run.unit(f"{owner}.{prefix}velocity")
         for time, speed in find_impacts(run.raw.time, position, velocity, run[name], stops):
-            arrivals.append(Arrival(owner, run.body_of.get(owner, owner), time, speed, unit))
+            arrivals.append(StrokeArrival(owner, run.body_of.get(owner, owner), time, speed, unit))
     strokes: list[BodyStroke] = []
     works = []
     for body, integrals in run.bodies:

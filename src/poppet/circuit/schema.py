@@ -10,6 +10,7 @@ from typing import Any
 from poppet import library
 from poppet.circuit import signal_tables
 from poppet.circuit.file import ABOVE
+from poppet.circuit.modbus_table import modbus_schema
 from poppet.circuit.options import Ambient, GasChoice, Run
 from poppet.core.provenance import SOURCE_KINDS
 from poppet.library.components import components
@@ -113,6 +114,7 @@ def circuit_schema() -> Schema:
                 "run": _section(Run, "how to run"),
                 **{key: {"type": "object"} for key in ABOVE},
                 "drawing": _drawing(),
+                "modbus": modbus_schema(),
             },
             required=["parts"],
         ),
@@ -287,6 +289,12 @@ _REFERENCES: dict[str, Callable[[], Schema]] = {
     "outputs": lambda: _names(NAME.pattern),
     "inputs": lambda: _names(NAME.pattern),
     "start": lambda: _TEXT,
+    "fmu.path": lambda: {"type": "string", "minLength": 1, "examples": ["drive.fmu"]},
+    "fmu.start": lambda: {
+        "type": "object",
+        "additionalProperties": {"anyOf": [{"$ref": "#/$defs/value"}, {"type": ["boolean", "object"]}]},
+    },
+    "fmu.units": lambda: {"type": "object", "additionalProperties": _TEXT},
     "emergency": lambda: _TEXT,
     "steps": lambda: {
         "type": "object",

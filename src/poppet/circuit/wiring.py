@@ -267,7 +267,9 @@ def check_connections(
                 near = NameSuggestion(source.partition(".")[0], parts)
                 errors.add("wiring.unknown_output", own.place, source=source, suggestion=near)
                 continue
-        if item is not None and (item.by_signal or item.slope_of):
+        if item is not None and item.is_coupled:
+            errors.add("fmu.driven_output", f"connections.{target}")
+        elif item is not None and (item.by_signal or item.slope_of):
             errors.add("wiring.signal_only", f"connections.{target}")
         elif item is None:
             errors.extend([unknown_input(f"connections.{target}", inputs, parts)])
@@ -293,6 +295,8 @@ def check_signals(
             errors.extend([unknown_input(f"signals.{address}", names, parts)])
         elif not isinstance(signal, Signal):
             errors.add("wiring.no_signal", f"signals.{address}")
+        elif inputs[address].is_coupled:
+            errors.add("fmu.driven_output", f"signals.{address}")
         else:
             item, owner = inputs[address], address.partition(".")[0]
             # A limit can be a parameter of the part.

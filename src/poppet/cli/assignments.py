@@ -90,36 +90,13 @@ def split_list(text: str | None) -> list[str]:
     return [entry.strip() for entry in (text or "").split(",") if entry.strip()]
 
 
-def change_circuit(
-    circuit: BaseCircuit, values: Mapping[str, float | str], result: str | None = None
-) -> tuple[BaseCircuit, list[Note]]:
-    """Return a copy of a circuit with other values, and notes on the changes.
-
-    The estimates in the result file `result` are applied first, then `values` by address. The notes are about
-    unreliable estimates, and about signals that were removed because they drove an input in `values`.
-    """
-    from dataclasses import replace
-
-    notes = []
-    if result is not None:
-        from poppet.identify.parameter_file import with_numbers
-
-        circuit, doubtful = with_numbers(circuit, result)
-        notes += [Note("cli.not_trusted", file=result, names=doubtful)] if doubtful else []
-    circuit = circuit.with_values(values) if values else circuit
-    dropped = [address for address in values if address in circuit.signals]
-    # The value is the default of an input: it would have no effect while a signal drives the input.
-    if dropped:
-        circuit = replace(circuit, signals={k: v for k, v in circuit.signals.items() if k not in dropped})
-    return circuit, notes + [Note("cli.signal_left_out", address, value=values[address]) for address in dropped]
-
-
 def load_circuit(options: Namespace, path: str | None = None) -> tuple[BaseCircuit, list[Note]]:
     """Load a circuit file, and apply the options --with and --set.
 
     The result contains the circuit and notes on the changes.
     """
     from poppet.circuit.file import load
+    from poppet.identify.parameter_file import change_circuit
 
     return change_circuit(load(path or options.file), read_assignments(options.values), options.result)
 

@@ -11,7 +11,7 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from poppet.cli.assignments import change_circuit, load_circuit, read_assignments, split_list
+from poppet.cli.assignments import load_circuit, read_assignments, split_list
 from poppet.cli.commands import COMMANDS
 from poppet.cli.main import FAILED, INTERRUPTED
 from poppet.cli.progress import BenchProgress, PointProgress
@@ -110,6 +110,7 @@ def _prepare_circuit(
     from poppet.bench.iso10094.run_bench import run_bench
     from poppet.bench.iso10094.scale import read_pressure, read_pressure_range, read_quantity_list
     from poppet.circuit.file import load
+    from poppet.identify.parameter_file import change_circuit
 
     identified = None if is_comparison else options.result
     circuit, notes = change_circuit(load(path), read_assignments(values), identified)

@@ -13,7 +13,6 @@ from pathlib import Path
 from poppet.cli.assignments import load_circuit
 from poppet.cli.parser import output_path
 from poppet.cli.summary import print_notes
-from poppet.core.codes import Note
 from poppet.core.errors import InputError, NameSuggestion, raise_errors
 from poppet.core.number_format import aligned
 from poppet.core.provenance import LEAST_CERTAIN_FIRST as KINDS
@@ -25,9 +24,8 @@ TEMPLATES = {path.stem: path for path in sorted(Path(__file__).with_name("templa
 def check_files(options: argparse.Namespace) -> None:
     """Run the command `check`: report all errors in circuit files, without a simulation."""
     from poppet.circuit.file import load
-    from poppet.circuit.stop_conditions import parse_stop_condition
-    from poppet.circuit.trace import trace
     from poppet.core.toml_file import TomlFile
+    from poppet.serve.file_check import check_file
 
     problems: list[InputError] = []
     # An error in one file does not prevent the check of the others.
@@ -37,39 +35,18 @@ def check_files(options: argparse.Namespace) -> None:
         except InputError as error:
             problems.append(error)
             continue
-        notes = list(circuit.static_notes)
         try:
-            # The model is not compiled.
-            outputs = dict(trace(circuit.parts, tuple(circuit.parameters), circuit.connections).outputs)
-            for text in circuit.run.stop_texts:
-                parse_stop_condition(text, outputs, circuit.surroundings.pressure)
-            # A file without a duration is valid: the option --duration can set it.
-            if circuit.run.duration is not None:
-                circuit.run.grid()
-            if "audit" in circuit.origin.tables:
-                from poppet.audit.tariff import tariff_of
-
-                tariff_of(circuit)
-            if "ensemble" in circuit.origin.tables:
-                from poppet.ensemble import plan_of
-
-                plan = plan_of(circuit, allow_python=True)  # executes nothing
-                functions = plan.python_functions
-                notes += [*plan.notes, *([Note("ensemble.executes", functions=functions)] if functions else ())]
+            check = check_file(circuit, allow_python=True)  # executes nothing
         except InputError as error:
             problems.append(TomlFile.read(file).located(error))
             continue
-        parts = circuit.parts.values()
-        counts = {
-            "part": len(parts),
-            "state": sum(len(part.states()) for part in parts),
-            "input": sum(len(part.inputs()) for part in parts),
-            "output": len(outputs),
-            "assumed parameter": sum(number.source.kind == "assumed" for number in circuit.numbers().values()),
-        }
-        text = ", ".join(f"{count} {name}{'s' * (count != 1)}" for name, count in counts.items())
+        text = ", ".join(f"{count} {name}{'s' * (count != 1)}" for name, count in check.counts().items())
         print(f"{file}: no errors; {text}.")
-        print_notes(notes)
+        for name, part in circuit.fmus.items():
+            from poppet.report.fmu_text import fmu_summary
+
+            print(f"  {fmu_summary(name, part)}")
+        print_notes(check.notes)
     raise_errors(problems)
 
 
@@ -134,6 +111,10 @@ def show_parameters(options: argparse.Namespace) -> None:
         # A requested kind is printed even if it has no parameters.
         if rows or options.kind:
             texts.append(f"{kind} ({len(rows)})\n{aligned(cells, [])}" if rows else f"{kind}: none")
+    for name, part in circuit.fmus.items():
+        from poppet.report.fmu_text import fmu_table
+
+        texts.append(fmu_table(name, part))
     print("\n\n".join(texts))
 
 

@@ -26,6 +26,7 @@ UNITS = Option("--units LIST", 'units of the results: "bar,degC,l/min ANR" or AD
 SELECT = Option("--select LIST", 'outputs of the results: "tank.*,valve.stroke"')
 ALL = Option("--all", "include internal outputs of the parts: sensors, integrals, duties")
 PYTHON = Option("--allow-python", "execute the Python functions in files that the circuit file uses as metrics")
+NATIVE = Option("--allow-native", "permit FMUs of the circuit to execute native code, with all rights of your account")
 THRESHOLD = Option(
     "--threshold PRESSURE",
     "gauge pressure below which a volume is exhausted (default: 0.5 bar)",
@@ -55,6 +56,7 @@ _COMMANDS = {
             ),
             Option("--solver NAME", "rosenbrock (default); for a comparison cvodes, lsoda, bdf, radau"),
             Option("--start-from RECORDING", "start from the end of a recording; --set is applied after"),
+            NATIVE,
             UNITS,
             SELECT,
             ALL,
@@ -125,13 +127,15 @@ _COMMANDS = {
         ),
     ),
     "size": Command(
-        "smallest or largest parameter value with which a circuit meets its requirements",
+        "smallest or largest parameter value, or catalogue component, with which a circuit meets its requirements",
         "ensemble:find_size",
         (
             FILE,
             WITH,
             SET,
-            Option("--free ADDRESS", "parameter to be sized", keywords={"required": True}),
+            Option("--free ADDRESS", "parameter to be sized", group="sized"),
+            Option("--catalogue PART", "part to be sized: tries all components that suit it", group="sized"),
+            Option("--find TEXT", 'components to try: "CKD, C < 3 dm^3/(s bar)" (default: all that suit the part)'),
             Option("--meet NAME ...", "requirement of the file (default: all); may be repeated"),
             Option("--between LOW HIGH", "search range, with units", keywords={"nargs": 2, "metavar": ("LOW", "HIGH")}),
             Option("--largest", "find the largest value instead of the smallest"),
@@ -143,6 +147,7 @@ _COMMANDS = {
         ),
         (
             "poppet size ensemble.toml --free fill.sonic_conductance --meet fast",
+            "poppet size drive-sizing.toml --catalogue valve --find 5/2",
             'poppet size ensemble.toml --free tank.volume --largest --between "0.5 l" "20 l" --yield "95 %"',
             "poppet size ensemble.toml --free tank.volume --largest --size '1 l' --size '2 l' --report size.html",
         ),
@@ -268,6 +273,90 @@ _COMMANDS = {
             'poppet faults machine.toml --kinds stuck,leak --at "1.6 s" -o faults.toml --report faults.html',
         ),
     ),
+    "watch": Command(
+        "states and faults of a running plant, from a recording or from lines on the standard input",
+        "watch:execute",
+        (
+            Option("FILE", "twin file (.toml), see docs/watch.md"),
+            Option(
+                "--commission RECORDING",
+                "fit a recording of the healthy plant, and write the baseline file of the twin file",
+            ),
+            Option("--recording RECORDING", "recording to process, instead of lines on the standard input"),
+            Option(
+                "--isolable",
+                "print the faults that the sensors can distinguish, with the inputs of --recording, if any",
+            ),
+            Option("-o, --output FILE", "write the estimates of each sample", (".csv",)),
+            REPORT,
+            Option("--force", "replace an existing baseline"),
+        ),
+        (
+            "poppet watch twin.toml --commission healthy.csv",
+            "poppet watch twin.toml --recording day.csv -o states.csv --report day.html",
+            "poppet watch twin.toml --isolable --recording healthy.csv",
+        ),
+    ),
+    "serve": Command(
+        "run a circuit in real time as a virtual device, with Modbus TCP, OPC UA, MQTT or a page",
+        "serve:execute",
+        (
+            FILE,
+            WITH,
+            SET,
+            Option(
+                "--period TIME", "time between two exchanges of values (default: 10 ms)", keywords={"default": "10 ms"}
+            ),
+            Option(
+                "--speed FACTOR",
+                "time of the machine per real time (default: 1); inf: runs without a clock",
+                keywords={"type": float, "default": 1.0},
+            ),
+            Option("--duration TIME", "duration of the run in the time of the machine (default: until Ctrl-C)"),
+            Option(
+                "--modbus ADDRESS",
+                "Modbus TCP server: 127.0.0.1:5020, or a port; registers of the table [modbus], or a default map",
+            ),
+            Option(
+                "--map [FILE]",
+                "print the map of the Modbus registers as Markdown, or write it (.csv or .md), and end",
+                keywords={"nargs": "?", "const": ""},
+            ),
+            Option("--opcua URL", "OPC UA server: opc.tcp://127.0.0.1:4840, or a port"),
+            Option(
+                "--opcua-certificate FILE", "certificate of the OPC UA server (.pem, .der); connections are encrypted"
+            ),
+            Option("--opcua-key FILE", "private key of the certificate"),
+            Option("--opcua-users FILE", "users of the OPC UA server and their passwords (.toml)"),
+            Option(
+                "--mqtt BROKER",
+                "MQTT broker for values and commands: HOST, HOST:PORT or mqtts://HOST",
+            ),
+            Option("--mqtt-topic TOPIC", "first levels of the topics (default: poppet/TITLE)"),
+            Option("--mqtt-interval TIME", "time between two messages of a topic (default: 1 s)"),
+            Option(
+                "--mqtt-credentials FILE",
+                "user and password (.toml); default: POPPET_MQTT_USER and POPPET_MQTT_PASSWORD of the environment",
+            ),
+            Option("--mqtt-ca FILE", "certificate of the authority of the broker (default: those of the system)"),
+            Option(
+                "--live ADDRESS",
+                "page in the browser: 127.0.0.1:8030, or a port; drawing, curves, inputs and faults of the machine",
+            ),
+            Option("--watch TWIN", "twin file (.toml) of a watch: estimates and alarms on the page"),
+            Option(
+                "--lines TIME", "JSON lines: commands on the standard input, values in this interval; 0: replies only"
+            ),
+            Option("--record FILE", "write all outputs of each period", (".csv",)),
+            NATIVE,
+        ),
+        (
+            "poppet serve two_cylinders.toml --modbus 127.0.0.1:5020 --record run.csv",
+            "poppet serve two_cylinders.toml --map registers.csv",
+            "poppet serve two_cylinders.toml --live 127.0.0.1:8030",
+            "poppet serve two_cylinders.toml --lines 0.1 --speed 10",
+        ),
+    ),
     "check": Command(
         "report all errors of circuit files without running them",
         "circuit_files:check_files",
@@ -297,6 +386,20 @@ _COMMANDS = {
             ),
         ),
         ("poppet edit", "poppet edit plant.toml", "poppet edit plant.toml --no-browser --port 8800"),
+    ),
+    "mcp": Command(
+        "offer functions to assistants: check, simulate, identify, size, audit, explain, within one folder",
+        "assist:execute",
+        (
+            Option("[FOLDER]", "folder to which all file access is limited (default: this one)"),
+            Option("--lines", "lines of JSON instead of the Model Context Protocol; needs no further package"),
+            Option("--time-limit TIME", 'largest time limit of a call, such as "5 min" (default: 60 s)'),
+        ),
+        (
+            "poppet mcp circuits",
+            "poppet mcp circuits --time-limit '5 min'",
+            "poppet mcp circuits --lines",
+        ),
     ),
     "show": Command(
         "list the parameters of a circuit by their source, assumed ones first",
@@ -360,7 +463,7 @@ _COMMANDS = {
         ),
     ),
     "control": Command(
-        "tune a pressure controller, compare controllers under uncertainty",
+        "tune a controller with Bode and step plots, compare controllers under uncertainty",
         "control:execute",
         (
             Option(
@@ -393,7 +496,7 @@ _COMMANDS = {
             ),
             Option("--draws N", "number of sampled plants (default: 50)", actions=COMPARE, keywords={"type": int}),
             Option("--seed N", "seed of the samples (default: 0)", actions=COMPARE, keywords={"type": int}),
-            Option("--plot FILE", "plot responses and spread", PICTURES, actions=COMPARE),
+            Option("--plot FILE", "plot Bode plots and steps (tune), or responses and spread (compare)", PICTURES),
             REPORT,
             Option("-o, --output FILE", "tune: write the gains, .toml; compare: write the metrics of every run, .csv"),
         ),
@@ -472,7 +575,7 @@ _COMMANDS = {
         ),
     ),
     "explain": Command(
-        "explain the code of an error, note or finding: cause, example and remedy",
+        "explain the code of an error, note or finding, or a verdict: cause, example and remedy",
         "reference:explain_codes",
         (Option("[CODE] ...", "codes, or first parts of codes to list; if omitted, lists all first parts"),),
         ("poppet explain fields.out_of_range", "poppet explain finding.capped run.stalled", "poppet explain wiring"),
@@ -484,10 +587,23 @@ _COMMANDS = {
         ("poppet schema", "poppet schema -o circuit.schema.json"),
     ),
     "paper": Command(
-        "reproduce the figures of Varga & Keski-Honkola 2012",
+        "reproduce the figures of Varga & Keski-Honkola 2012, or write their circuits",
         "reference:reproduce_paper",
-        (Option("-o, --output FOLDER", "output folder (default: paper)", keywords={"default": "paper"}),),
-        ("poppet paper", "poppet paper -o figures"),
+        (
+            Option(
+                "-o, --output FOLDER",
+                "folder of the report (default: paper)",
+                group="written",
+                keywords={"default": "paper"},
+            ),
+            Option(
+                "--circuits FOLDER",
+                "write the circuits of figures 3 to 6 with their pilot pressures, instead of the report",
+                group="written",
+            ),
+            Option("--force", "replace circuits that you have changed"),
+        ),
+        ("poppet paper", "poppet paper -o figures", "poppet paper --circuits circuits"),
     ),
 }
 """Commands by name, except those of export targets and identification methods."""
@@ -525,7 +641,7 @@ def identify_command(methods: Iterable[Method]) -> Command:
         "identify:execute",
         (
             Option("METHOD", "", choices={method.name: method.summary for method in methods}),
-            Option("FILE", "identification file (.toml), see docs/identify.md"),
+            Option("[FILE]", "identification file (.toml), see docs/identify.md; with --from, the file to write"),
             RESULT,
             REPORT,
             *(option._replace(actions=actions[usage]) for usage, option in options.items()),

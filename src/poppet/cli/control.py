@@ -11,6 +11,7 @@ from poppet.cli.main import FAILED
 from poppet.cli.parser import output_path
 from poppet.cli.progress import Spinner
 from poppet.cli.summary import print_notes, print_written, require_matplotlib
+from poppet.core.codes import Note
 from poppet.core.errors import InputError
 from poppet.core.files import write_whole
 
@@ -40,18 +41,22 @@ def _tune(options: argparse.Namespace) -> int:
     # Checked here and not by the parser: the two actions write different formats.
     output = output_path(options.output, (".toml",)) if options.output else None
     from poppet.control import schedule, tune
-    from poppet.report.control_report import margin_table, verification_table, write_tuning
+    from poppet.report.control_report import file_margin_table, margin_table, verification_table, write_tuning
 
     (circuit,) = _load_circuits(options).values()
+    assigned = read_assignments(options.values)
     # Texts, not numbers: a value without a unit is rejected unless it is dimensionless.
     settings = {"form": options.form, "sensitivity": options.sensitivity, "at": options.at or None}
     # The library has the default values.
     settings = {name: value for name, value in settings.items() if value is not None}
-    require_matplotlib(options.report)
+    require_matplotlib(options.plot, options.report)
     with Spinner("The gains are computed", is_quiet=options.quiet) as progress:
         settings |= {"amplitudes": options.amplitude, "progress": progress}
         tuning = (schedule if options.schedule else tune)(circuit, options.controller, **settings)
-    print_notes(tuning.notes)
+    file_margins = file_margin_table(tuning, circuit)
+    computed = [f"{tuning.controller}.{name}" for name in tuning.fields()]
+    ignored = [Note("tuning.not_used", address) for address in assigned if address in computed and file_margins]
+    print_notes((*ignored, *tuning.notes))
     without = f"{Path(options.files[0]).name} without {tuning.controller}."
     if tuning.is_verified:
         verification = [
@@ -65,12 +70,16 @@ def _tune(options: argparse.Namespace) -> int:
             f"Bounded: {tuning.bound_text}, {tuning.command_text}, small steps of {without}",
             f"Overshoot of a small step {overshoot:.2g} %. Limits and dead zones of the valves are not in it.",
         ]
-    print("\n".join([tuning.text(), margin_table(tuning).text(), "", *verification]))
+    origin = f"{Path(options.files[0]).name}{' and --set' if ignored else ''}"
+    present = ["", f"With the gains of {origin}:", file_margins.text()] if file_margins else []
+    print("\n".join([tuning.text(), margin_table(tuning).text(), *present, "", *verification]))
     if output is not None:
         write_whole(output, lambda stream: stream.write(tuning.text().encode()))
+    if options.plot is not None:
+        tuning.plot(options.plot)
     if options.report is not None:
         write_tuning(tuning, circuit, options.report)
-    print_written(output, options.report)
+    print_written(output, options.plot, options.report)
     return 0
 
 

@@ -4,18 +4,22 @@ from __future__ import annotations
 
 import argparse
 import sys
+from collections.abc import Callable
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from poppet.cli.assignments import load_circuit
 from poppet.cli.main import FAILED, INTERRUPTED
-from poppet.cli.progress import EnsembleProgress, PointProgress
+from poppet.cli.progress import EnsembleProgress, SizingProgress, Spinner
 from poppet.cli.summary import print_notes, print_written, require_matplotlib, write_result
 from poppet.core.codes import Note
-from poppet.core.errors import InputError
+from poppet.core.errors import InputError, raise_errors
 
 if TYPE_CHECKING:
-    from poppet.ensemble import Ensemble
+    from poppet.circuit.circuit import BaseCircuit
+    from poppet.ensemble import CatalogueSizing, Ensemble, Sizing
+
+    _Found = tuple[Sizing | CatalogueSizing, str, Callable[[Path], Any]]
 
 
 def run_ensemble(options: argparse.Namespace) -> int:
@@ -33,8 +37,11 @@ def run_ensemble(options: argparse.Namespace) -> int:
         plan = plan_of(circuit, allow_python=options.allow_python, **settings)
     except InputError as error:
         raise TomlFile.read(options.file).located(error) from None
+    circuit.require_equations()
     # The notes of the nominal run are likely to apply to the other runs.
-    print_notes([*notes, *circuit.simulate(throw=False).remarks])
+    with Spinner("The nominal run is computed", is_quiet=options.quiet):
+        remarks = circuit.simulate(throw=False).remarks
+    print_notes([*notes, *remarks])
     folder = Path(options.output) if options.output else Path(options.file).with_suffix(".ensemble")
     executor = options.scheduler or options.executor or "threads"
     with EnsembleProgress(is_quiet=options.quiet) as progress:
@@ -66,34 +73,57 @@ def ensemble_summary(ensemble: Ensemble) -> str:
 
 
 def find_size(options: argparse.Namespace) -> int:
-    """Run the command `size`: find the smallest or largest parameter value that meets the requirements.
+    """Run the command `size`: find the parameter value or the component that meets the requirements.
 
     The result is the exit code.
     """
     from poppet.core.toml_file import TomlFile
+
+    _check_subject(options)
+    require_matplotlib(options.report)
+    with SizingProgress(is_quiet=options.quiet) as progress:
+        circuit, notes = load_circuit(options)
+        settings = {
+            "meet": options.meet,
+            "largest": options.largest,
+            "allow_python": options.allow_python,
+            "progress": progress,
+        }
+        try:
+            search = _search_catalogue if options.catalogue else _search_values
+            sizing, text, write_report = search(options, circuit, settings)
+        except InputError as error:
+            raise TomlFile.read(options.file).located(error) from None
+    print_notes([*notes, *circuit.static_notes])
+    write_result(options, sizing, text, write_report)
+    return 0 if sizing.is_met else FAILED
+
+
+def _check_subject(options: argparse.Namespace) -> None:
+    """Raise an error unless either a parameter or a part is to be sized, with options for it only."""
+    if not options.free and not options.catalogue:
+        raise InputError("size.subject")
+    of_parameter = {"--between": options.between, "--yield": vars(options)["yield"], "--size": options.size}
+    misplaced = of_parameter if options.catalogue else {"--find": options.find}
+    code = "size.not_of_catalogue" if options.catalogue else "size.not_of_parameter"
+    raise_errors([InputError(code, option=option) for option, value in misplaced.items() if value])
+
+
+def _search_values(options: argparse.Namespace, circuit: BaseCircuit, settings: dict[str, Any]) -> _Found:
     from poppet.core.units import quantity
     from poppet.ensemble import size
     from poppet.report.ensemble_report import sizing_text, write_sizing
 
-    require_matplotlib(options.report)
-    circuit, notes = load_circuit(options)
     required_yield = vars(options)["yield"]
     share = None if required_yield is None else quantity(required_yield, "1", name="--yield").value
-    print_notes([*notes, *circuit.static_notes])
-    try:
-        with PointProgress(is_quiet=options.quiet) as progress:
-            sizing = size(
-                circuit,
-                options.free,
-                meet=options.meet,
-                between=tuple(options.between) if options.between else None,
-                largest=options.largest,
-                share=share,
-                sizes=options.size,
-                allow_python=options.allow_python,
-                progress=progress,
-            )
-    except InputError as error:
-        raise TomlFile.read(options.file).located(error) from None
-    write_result(options, sizing, sizing_text(sizing), lambda path: write_sizing(sizing, path))
-    return 0 if sizing.is_met else FAILED
+    between = tuple(options.between) if options.between else None
+    sizing = size(circuit, options.free, between=between, share=share, sizes=options.size, **settings)
+    return sizing, sizing_text(sizing), lambda path: write_sizing(sizing, path)
+
+
+def _search_catalogue(options: argparse.Namespace, circuit: BaseCircuit, settings: dict[str, Any]) -> _Found:
+    from poppet.ensemble import size_from_catalogue
+    from poppet.report.catalogue_report import catalogue_text, write_catalogue_sizing
+
+    sizing = size_from_catalogue(circuit, options.catalogue, find=options.find or "", **settings)
+    return sizing, catalogue_text(sizing), lambda path: write_catalogue_sizing(sizing, path)

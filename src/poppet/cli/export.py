@@ -9,12 +9,13 @@ import argparse
 import sys
 from pathlib import Path
 
-from poppet.cli.assignments import change_circuit, load_circuit, read_assignments, split_list
+from poppet.cli.assignments import load_circuit, read_assignments, split_list
 from poppet.cli.main import FAILED, WRONG_INPUT
 from poppet.cli.progress import Spinner
 from poppet.cli.summary import print_notes, print_written
-from poppet.core.errors import InputError, NameSuggestion
-from poppet.deploy.targets import TARGETS, CircuitSource
+from poppet.core.errors import InputError, NameSuggestion, raise_errors
+from poppet.core.toml_file import TomlFile
+from poppet.deploy.targets import TARGETS, CircuitSource, Export, Target
 
 
 def list_targets(options: argparse.Namespace) -> int:
@@ -36,8 +37,11 @@ def write_target(options: argparse.Namespace) -> None:
     target = TARGETS[options.command.rpartition(" ")[2]]
     if options.output is None and not target.is_printable:
         raise InputError("deploy.no_folder_named")
-    circuit, notes = load_circuit(options)
     path = Path(options.file)
+    if is_twin_file(path):
+        write_watch(options)
+        return
+    circuit, notes = load_circuit(options)
     source = CircuitSource(
         path.read_text(encoding="utf-8"), path.stem, read_assignments(options.values), options.result
     )
@@ -51,12 +55,49 @@ def write_target(options: argparse.Namespace) -> None:
     if options.output is None:
         print("".join(map(str, export.files.values())), end="")
         return
+    print_export(target, export, options.output)
+
+
+def is_twin_file(path: Path) -> bool:
+    """Return True if a file has the tables of a twin file."""
+    try:
+        return {"measured", "faults"} <= TomlFile.read(path).tables.keys()
+    except InputError:
+        return False  # the reader of circuits reports the error
+
+
+def write_watch(options: argparse.Namespace) -> None:
+    """Export the watch of a twin file to a target."""
+    from poppet.deploy.exported_watch import WatchSource
+    from poppet.monitoring.baseline import read_baseline
+    from poppet.monitoring.twin_file import read_twin_file
+
+    target = TARGETS[options.command.rpartition(" ")[2]]
+    problems = [
+        InputError("deploy.watch.option", option=option)
+        for option, value in (("--set", options.values), ("--with", options.result))
+        if value
+    ]
+    raise_errors(problems)
+    settings = {option.name: getattr(options, option.name) for option in target.options}
+    if "name" in settings:
+        settings["name"] = settings["name"] or Path(options.file).stem
+    with Spinner("The export is prepared", is_quiet=options.quiet):
+        twin = read_twin_file(options.file)
+        watch = WatchSource(twin.plan, read_baseline(twin.baseline, twin.plan), twin.clock, twin.title)
+        export = target.write_watch(watch, options.output, **settings)
+    print_notes(list(export.notes))
+    print_export(target, export, options.output)
+
+
+def print_export(target: Target, export: Export, output: Path) -> None:
+    """Print the summary of an export, and the file or folder that was written."""
     if export.summary:
         print(export.summary)
     if target.suffixes:
-        print_written(options.output)
+        print_written(output)
     else:
-        print(f"{options.output}: {len(export.files)} files.")
+        print(f"{output}: {len(export.files)} files.")
 
 
 def check_targets(options: argparse.Namespace) -> int:
@@ -65,9 +106,10 @@ def check_targets(options: argparse.Namespace) -> int:
     The result is the exit code.
     """
     from poppet.circuit.file import load
-    from poppet.deploy.fmu.archive import check_archive
+    from poppet.cosim.archive import check_archive
     from poppet.deploy.fmu.importers import read_circuit
     from poppet.deploy.parity.parity_table import compare_targets, not_run_notes, results_table, write_parity
+    from poppet.identify.parameter_file import change_circuit
 
     changes = read_assignments(options.values)
     if options.duration is not None:

@@ -5,9 +5,11 @@ from __future__ import annotations
 import argparse
 from pathlib import Path
 
-from poppet.cli.main import INTERRUPTED
+from poppet.cli.main import INTERRUPTED, WRONG_INPUT
+from poppet.cli.parser import MEASURED
 from poppet.cli.progress import FitProgress, PointProgress
 from poppet.cli.summary import require_matplotlib, write_result
+from poppet.core.errors import InputError
 from poppet.core.plugins import import_object
 from poppet.core.tables import Field
 from poppet.identify.methods import METHODS
@@ -21,6 +23,16 @@ def execute(options: argparse.Namespace) -> int:
     Field(unit="1", low=0.0, meaning="number of bootstrap fits").read(options.bootstrap, "--bootstrap")
     require_matplotlib(options.report)
     method = METHODS[options.method]
+    if getattr(options, "recording", None):
+        from poppet.cli.identify_recording import describe_recording
+
+        if not describe_recording(options):
+            return WRONG_INPUT
+    elif options.file is None:
+        message = "the following arguments are required: FILE"
+        raise InputError("cli.usage", program="poppet identify", message=message)
+    elif options.method == "tank" and Path(options.file).suffix.lower() in MEASURED:
+        raise InputError("question.is_recording", path=options.file)
     settings = {item.keyword: getattr(options, item.option.name) for item in method.options if item.keyword}
     display = PointProgress if method.counts_points else FitProgress
     with display(is_quiet=options.quiet) as progress:

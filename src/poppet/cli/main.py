@@ -138,7 +138,7 @@ def _dispatch(arguments: list[str]) -> int:
         options = parser.read(rest)
     except SystemExit:  # --help
         return 0
-    options.command = name
+    options.command, options.stdout = name, sys.stdout
     declaration = COMMANDS.get(name) or all_commands()[name]
     execute: Callable[[argparse.Namespace], int | None] = import_object(f"poppet.cli.{declaration.function}")
     with contextlib.redirect_stdout(io.StringIO()) if options.quiet else contextlib.nullcontext():

@@ -15,6 +15,10 @@ if TYPE_CHECKING:
     from pathlib import Path
 
 
+MEASURED = (".csv", ".txt", ".tsv", ".dat", ".asc", ".log", ".lvm", ".parquet", ".mat", ".tdms", ".mf4")
+"""File suffixes of recordings, which are no input files of commands."""
+
+
 class Command(NamedTuple):
     """Declaration of one command of the program, such as `simulate`.
 
@@ -79,12 +83,21 @@ class CommandParser(argparse.ArgumentParser):
                 near = NameSuggestion(name, [option for option in names if option.startswith("--")])
                 raise InputError("names.unknown", name, meaning=f"an option of `{self.prog}`", suggestion=near)
             present.append(f"{name}{equals}{value}")
+        self._reject_lone_recording(present)
         # `parse_args` would end the program with its own message.
         options, rest = self.parse_known_args(present)
         if rest:
             raise InputError("cli.argument.extra", argument=rest[0], program=self.prog)
         self._check(options)
         return options
+
+    def _reject_lone_recording(self, arguments: Sequence[str]) -> None:
+        """Raise an error if `poppet identify` has a recording but no method; argparse would ask for a method."""
+        if self.command != "identify" or any(word in self.options[0].choices for word in arguments):
+            return
+        recording = next((word for word in arguments if word.lower().endswith(MEASURED)), None)
+        if recording:
+            raise InputError("question.is_recording", path=recording)
 
     def _check(self, options: argparse.Namespace) -> None:
         """Raise an error if options contradict each other or an output file would overwrite another file.

@@ -12,8 +12,10 @@ import time
 from types import TracebackType
 from typing import Any, Self
 
-PATIENCE = 1.0
-"""Time from the start of a command to the first display of progress [s]."""
+PATIENCE = 0.6
+"""Time from the start of a display to its first line [s]: with the start of the program, about a second."""
+FIRST_TEXT = "The model is compiled"
+"""Text of a command that has not reported progress after this time: the first run of a model compiles it."""
 RUN_KINDS = {"runs": "runs", "tornado": "more for the tornado", "indices": "more for Sobol indices"}
 """Printed texts for the kinds of runs of an ensemble, by kind."""
 
@@ -30,13 +32,24 @@ class _Display:
         self.start_time = time.monotonic()
         self._line: Any = None
         self._task: Any = None
+        self._lock = threading.Lock()
+        self._latest: tuple[str, float, float | None] = (FIRST_TEXT, 0.0, None)
+        self._timer = threading.Timer(PATIENCE, self._show_latest) if self.is_shown else None
 
     def __enter__(self) -> Self:
+        if self._timer is not None:
+            # Daemon: a failed command must not wait for the timer.
+            self._timer.daemon = True
+            self._timer.start()
         return self
 
     def __exit__(
         self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
     ) -> None:
+        if self._timer is not None:
+            # Join as well: the timer may be printing its line.
+            self._timer.cancel()
+            self._timer.join()
         if self._line is not None:
             self._line.stop()
 
@@ -50,24 +63,34 @@ class _Display:
 
         `done` and `total` are amounts of work, for example numbers of runs.
         """
-        if not self.is_shown or self.elapsed < PATIENCE:
-            return
-        if self._line is None:
-            from rich.console import Console
-            from rich.progress import BarColumn, Progress, TextColumn, TimeRemainingColumn
+        self._latest = text, done, total
+        if self.is_shown and self.elapsed >= PATIENCE:
+            self._show_latest()
 
-            console = Console(stderr=True)
+    def _show_latest(self) -> None:
+        """Show the latest progress; a timer calls this method once, so a slow first step is visible as well."""
+        with self._lock:
+            text, done, total = self._latest
+            if self._line is not None and (self._task is None) != (total is None):
+                # From the spinner of the first step to a bar.
+                self._line.stop()
+                self._line = self._task = None
+            if self._line is None:
+                from rich.console import Console
+                from rich.progress import BarColumn, Progress, TextColumn, TimeRemainingColumn
+
+                console = Console(stderr=True)
+                if total is None:
+                    self._line = console.status(text)
+                else:
+                    columns = BarColumn(), TextColumn("{task.description}"), TimeRemainingColumn()
+                    self._line = Progress(*columns, console=console, transient=True)
+                    self._task = self._line.add_task("", total=total)
+                self._line.start()
             if total is None:
-                self._line = console.status(text)
+                self._line.update(text)
             else:
-                columns = BarColumn(), TextColumn("{task.description}"), TimeRemainingColumn()
-                self._line = Progress(*columns, console=console, transient=True)
-                self._task = self._line.add_task("", total=total)
-            self._line.start()
-        if total is None:
-            self._line.update(text)
-        else:
-            self._line.update(self._task, completed=done, total=total, description=text)
+                self._line.update(self._task, completed=done, total=total, description=text)
 
 
 class RunProgress(_Display):
@@ -80,6 +103,14 @@ class RunProgress(_Display):
     def __call__(self, simulated_time: float) -> None:
         """Show the simulated time [s] that has been reached."""
         self._show(f"{simulated_time:.4g} of {self.duration:.4g} s", simulated_time, self.duration)
+
+
+class FractionProgress(_Display):
+    """Progress of a computation, shown as a percentage."""
+
+    def __call__(self, fraction: float) -> None:
+        """Show the fraction of the work that is done."""
+        self._show(f"{100.0 * fraction:.0f} %", fraction, 1.0)
 
 
 class PointProgress(_Display):
@@ -109,14 +140,14 @@ class FitProgress(_Display):
 
     def __call__(self, count: int, cost: float) -> None:
         """Show the number of evaluations `count` and the lowest cost so far, `cost`."""
-        self._show(f"{count} evaluations, cost {cost:.6g}; Ctrl-C keeps the best point")
+        self._show(f"Fit: {count} evaluations, cost {cost:.6g}; Ctrl-C keeps the best point")
 
     def stages(self, stage: str, done: int, total: int) -> None:
         """Show the progress of a stage after the search, such as the bootstrap, and the elapsed time.
 
         `stage` is the name of the stage. `done` and `total` are the numbers of its completed fits and of all its fits.
         """
-        self._show(f"{done} of {total} {stage}, {self.elapsed:.0f} s; Ctrl-C keeps the fit")
+        self._show(f"After the fit: {done} of {total} {stage}, {self.elapsed:.0f} s; Ctrl-C keeps the fit")
 
 
 class BenchProgress(_Display):
@@ -135,32 +166,28 @@ class BenchProgress(_Display):
 class Spinner(_Display):
     """Text with a spinner, for a computation that does not report progress.
 
-    It appears if the computation takes longer than a second.
+    It appears if the computation takes longer than `PATIENCE`.
     """
 
     def __init__(self, text: str, *, is_quiet: bool = False) -> None:
         super().__init__(is_quiet=is_quiet)
-        self._timer = threading.Timer(PATIENCE, self._show, [text]) if self.is_shown else None
-
-    def __enter__(self) -> Self:
-        if self._timer is not None:
-            # Daemon: a failed command must not wait for the timer.
-            self._timer.daemon = True
-            self._timer.start()
-        return self
+        self._latest = text, 0.0, None
 
     def __call__(self, text: str) -> None:
         """Show `text`, the name of the current operation, and the elapsed time."""
         self._show(f"{text}, {self.elapsed:.0f} s")
 
-    def __exit__(
-        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
-    ) -> None:
-        if self._timer is not None:
-            # Join as well: the timer may be printing its line.
-            self._timer.cancel()
-            self._timer.join()
-        super().__exit__(kind, error, trace)
+
+class SizingProgress(_Display):
+    """Progress of a sizing, shown as the number of completed runs."""
+
+    def __call__(self, done: int, total: int, kind: str) -> None:
+        """Show the number of completed runs.
+
+        `done` of about `total` runs are completed; the search decides how many are necessary. `kind` names them.
+        """
+        # Before the first completed runs, the model is compiled.
+        self._show(f"{done} of about {total} {kind}" if done else FIRST_TEXT, done, total if done else None)
 
 
 class EnsembleProgress(_Display):

@@ -6,10 +6,15 @@ They show published data, explain message codes, and reproduce published figures
 from __future__ import annotations
 
 import argparse
+import shutil
 import sys
+import textwrap
 from pathlib import Path
 
 from poppet.core.errors import InputError, NameSuggestion
+
+MAX_WIDTH = 100
+"""Largest width of explanations on a terminal, in characters."""
 
 
 def show_library(options: argparse.Namespace) -> None:
@@ -67,40 +72,57 @@ def explain_codes(options: argparse.Namespace) -> None:
 
     For the first part of a code, all codes that begin with it are listed. Without codes, all first parts are listed.
     """
-    from poppet.core.explanations import example_texts, renamed_codes, stored_examples
-    from poppet.core.message_format import every_code, plain, template, topics
+    from poppet.core.explanations import renamed_codes, verdict_explanations
+    from poppet.core.message_format import every_code, topics
 
     codes, titles = every_code(), topics()
     blocks = []
     for name in options.codes:
         new = renamed_codes().get(name, name)
         members = [code for code in codes if code.startswith(f"{name}.")]
-        if new in codes:
-            text, example = template(new), stored_examples().get(new)
-            # The text of a note already contains its remedy.
-            parts = {"": text} if isinstance(text, str) else text
-            lines = [f"{name} is now {new}."] if new != name else []
-            cause = " ".join(plain(part) for key, part in parts.items() if key != "hint")
-            lines += [new, f"  cause:    {cause}"]
-            if example is not None and "{" in "".join(parts.values()):
-                lines.append(f"  example:  {' '.join(example_texts(new, example).values())}")
-            if "hint" in parts:
-                remedy = plain(parts["hint"]).replace("<suggestion>", "Use one of the suggested names.")
-                lines.append(f"  remedy:   {remedy}")
-            blocks.append("\n".join(lines))
+        if new in codes or new in verdict_explanations():
+            blocks.append("\n".join([f"{name} is now {new}."] * (new != name) + [new, *_explanation_lines(new)]))
         elif members:
             title = f": {titles[name]}" if name in titles else ""
             blocks.append("\n".join([f"{name}{title}, {len(members)} codes", *(f"  {code}" for code in members)]))
         else:
-            raise InputError("cli.code", code=name, suggestion=NameSuggestion(name, codes if "." in name else titles))
+            raise InputError(
+                "cli.code",
+                code=name,
+                suggestion=NameSuggestion(name, codes if "." in name else [*titles, *verdict_explanations()]),
+            )
     if not options.codes:
         width = max(map(len, titles))
         blocks = ["\n".join(f"{topic:<{width}}  {title}" for topic, title in titles.items())]
     print("\n\n".join(blocks))
 
 
+def _explanation_lines(code: str) -> list[str]:
+    """Return the lines of an explanation, wrapped to the width of a terminal."""
+    from poppet.core.explanations import explanation
+
+    # A pipe gets one line for each text, so that a search finds whole sentences.
+    width = min(shutil.get_terminal_size().columns, MAX_WIDTH) if sys.stdout.isatty() else sys.maxsize
+    lines = []
+    for title, text in explanation(code).items():
+        lines += textwrap.wrap(text, width, initial_indent=f"  {f'{title}:':<9} ", subsequent_indent=" " * 12)
+    return lines
+
+
 def reproduce_paper(options: argparse.Namespace) -> None:
-    """Run the command `paper`: reproduce the figures and statements of Varga & Keski-Honkola 2012."""
+    """Run the command `paper`: reproduce the figures and statements of Varga & Keski-Honkola 2012.
+
+    The option `--circuits` writes the circuits of the figures instead.
+    """
+    if options.circuits is not None:
+        from poppet.report.varga2012.paper_circuits import write_circuits
+
+        paths = write_circuits(Path(options.circuits), is_forced=options.force)
+        print("\n".join(f"{path}: written." for path in paths))
+        leak = '--parameter "leak.sonic_conductance=0..1 dm^3/(s bar)"'
+        print(f"Run one: poppet simulate {paths[-1]} --plot figure6.png --select tank.pressure")
+        print(f"Page with sliders: poppet live {paths[-1]} -o figure6.html --parameter tank.volume {leak}")
+        return
     folder = Path(options.output)
     if folder.exists() and not folder.is_dir():
         raise InputError("paper.folder_is_file", path=str(folder))

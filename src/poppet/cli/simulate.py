@@ -8,7 +8,6 @@ from typing import Any
 
 from poppet.cli.assignments import (
     OutputSelection,
-    change_circuit,
     load_circuit,
     read_assignments,
     read_value,
@@ -46,6 +45,7 @@ def execute(options: argparse.Namespace) -> int:
 
     from poppet.circuit.file import load
     from poppet.core.toml_file import TomlFile
+    from poppet.identify.parameter_file import change_circuit
     from poppet.timeseries.recording import Recording
 
     selection = OutputSelection.read(options.select, options.units)
@@ -63,7 +63,7 @@ def execute(options: argparse.Namespace) -> int:
             # The values are applied again: they override the state at the end of the recording.
             circuit = circuit.resumed(Recording.read(options.start_from)).with_values(values)
         try:
-            problem = circuit.problem(circuit.run)
+            problem = circuit.run_data(circuit.run)
         except InputError as error:
             if error.address in values or (options.stop_when and error.address == "run.stop_when"):
                 raise
@@ -78,7 +78,7 @@ def execute(options: argparse.Namespace) -> int:
     failure = None
     with RunProgress(float(problem.grid[-1]), is_quiet=options.quiet) as progress:
         try:
-            recording = circuit.simulate(progress=progress)
+            recording = circuit.simulate(progress=progress, allow_native=options.allow_native)
         except SimulationError as error:
             failure, recording = error, error.recording
     print_notes([*notes, *recording.remarks])
@@ -90,7 +90,7 @@ def execute(options: argparse.Namespace) -> int:
         text = f"{options.output}: {extent(selected)}. {recording.outcome}"
         text += f"\n\n{load_summary(recording)}\n" if recording.figures else ""
     else:
-        text = run_summary(selection.apply(in_usual_units(recording)))
+        text = run_summary(selection.apply(in_usual_units(recording)), is_complete=bool(options.select or options.all))
     plot_settings: dict[str, Any] = {"select": selection.patterns or None, "units": selection.plot_units([recording])}
     plot_settings["inner"] = options.all
     if options.plot and recording.time.size:

@@ -8,8 +8,11 @@ from collections.abc import Callable, Iterable
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+import numpy as np
+
 from poppet.core.note_groups import grouped
 from poppet.core.number_format import USUAL, aligned, digits_of
+from poppet.timeseries.plotting.tube_bands import cells_of
 
 if TYPE_CHECKING:
     from poppet.core.codes import Note
@@ -22,13 +25,27 @@ def in_usual_units(recording: Recording) -> Recording:
     return recording.converted({name: USUAL[unit] for name, unit in units if unit in USUAL})
 
 
-def output_table(recording: Recording) -> str:
-    """Return a table with the first, last, minimum and maximum value of every output, as text."""
+def output_table(recording: Recording, *, is_complete: bool = True) -> str:
+    """Return a table with the first, last, minimum and maximum value of every output, as text.
+
+    If the keyword `is_complete` is False, the cells of a tube have one row, with their minimum and maximum only.
+    """
+    tubes = {} if is_complete else cells_of(recording.names)
+    groups = {group[0]: group for group in tubes.values()}
+    omitted = {name for group in tubes.values() for name in group[1:]}
     rows = [["series", "unit", "first", "last", "min", "max"]]
     for name, unit, values in zip(recording.names, recording.units, recording.values, strict=True):
-        low, high = values.min(), values.max()
-        cells = (digits_of(value, max(-low, high)) for value in (values[0], values[-1], low, high))
-        rows.append([name, "" if unit == "1" else unit, *cells])
+        if name in omitted:
+            continue
+        shown, all_values = name, values
+        ends: tuple[float, ...] = values[0], values[-1]
+        if name in groups:
+            tube, _, output = name.rpartition(".")
+            shown, ends = f"{tube} ... {len(groups[name])}.{output}", ()
+            all_values = np.array([recording[cell] for cell in groups[name]])
+        low, high = all_values.min(), all_values.max()
+        cells = [digits_of(value, max(-low, high)) for value in (*ends, low, high)]
+        rows.append([shown, "" if unit == "1" else unit, *[""] * (4 - len(cells)), *cells])
     return aligned(rows, range(2, 6))
 
 
@@ -46,13 +63,16 @@ def balance_sentence(recording: Recording) -> str:
     )
 
 
-def run_summary(recording: Recording) -> str:
-    """Return the summary of a simulation that is printed if no output file is written."""
+def run_summary(recording: Recording, *, is_complete: bool = True) -> str:
+    """Return the summary of a simulation that is printed if no output file is written.
+
+    If the keyword `is_complete` is False, the cells of a tube are one row of the table.
+    """
     lines = [recording.title] if recording.title else []
     lines.append(recording.outcome)
     lines += ["", load_summary(recording)] if recording.figures else []
     if recording.time.size:
-        lines += ["", extent(recording), output_table(recording), ""]
+        lines += ["", extent(recording), output_table(recording, is_complete=is_complete), ""]
     lines.append(balance_sentence(recording))
     accepted, rejected = (recording.statistics.get(f"{kind}_steps", 0) for kind in ("accepted", "rejected"))
     lines.append(f"Steps: {accepted:.0f} accepted, {rejected:.0f} rejected.")

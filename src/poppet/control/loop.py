@@ -204,13 +204,20 @@ class Margins:
     complementary : float
         Mt, maximum of |L/(1 + L)|.
     gain_margin : float
-        Smallest factor above 1 on the gain at the stability limit; infinite if there is none.
+        Smallest factor above 1 on the gain for which L passes through -1; infinite if there is none.
     phase_margin : float
         Smallest phase margin of all crossovers [deg].
     delay_margin : float
         Smallest additional delay at the stability limit [s].
     crossover : float
         Highest frequency with |L| = 1 [Hz]; 0 if there is none.
+    gain_frequency, phase_frequency : float
+        Frequencies at which L determines the gain margin and the phase margin [Hz]; 0 if there is none.
+    lower_gain_margin : float
+        Largest factor below 1 on the gain for which L passes through -1; 0 if there is none. A conditionally stable
+        loop becomes unstable below it.
+    lower_gain_frequency : float
+        Frequency of the lower gain margin [Hz]; 0 if there is none.
     """
 
     is_stable: bool
@@ -220,6 +227,10 @@ class Margins:
     phase_margin: float
     delay_margin: float
     crossover: float
+    gain_frequency: float = 0.0
+    phase_frequency: float = 0.0
+    lower_gain_margin: float = 0.0
+    lower_gain_frequency: float = 0.0
 
 
 def margins(plant: LoopPlant, gains: Gains, *, response: Complex | None = None) -> Margins:
@@ -268,15 +279,25 @@ def margins(plant: LoopPlant, gains: Gains, *, response: Complex | None = None) 
     fractions = loop.imag[crossings] / (loop.imag[crossings] - loop.imag[crossings + 1])
     real = loop.real[crossings] + fractions * (loop.real[crossings + 1] - loop.real[crossings])
     real = np.append(real, loop.real[-1])
+    real_frequencies = frequencies[crossings] * (frequencies[crossings + 1] / frequencies[crossings]) ** fractions
+    real_frequencies = np.append(real_frequencies, frequencies[-1])
+    is_relevant = (real < 0.0) & (real > -1.0)
+    limit = int(np.argmin(np.where(is_relevant, real, np.inf)))
+    is_below = real < -1.0
+    lower_limit = int(np.argmax(np.where(is_below, real, -np.inf)))
     delays = [np.radians(p % 360.0) / (2.0 * np.pi * f) for p, f in zip(phases, crossovers, strict=True)]
     return Margins(
         is_stable=plant.is_stable_with(gains),
         sensitivity=float(np.max(1.0 / np.abs(1.0 + loop))),
         complementary=float(np.max(np.abs(loop / (1.0 + loop)))),
-        gain_margin=float(np.min(-1.0 / real[(real < 0.0) & (real > -1.0)], initial=np.inf)),
+        gain_margin=float(np.min(-1.0 / real[is_relevant], initial=np.inf)),
         phase_margin=min(map(abs, phases), default=np.inf),
         delay_margin=float(min(delays, default=np.inf)),
         crossover=max(crossovers, default=0.0),
+        gain_frequency=float(real_frequencies[limit]) if is_relevant.any() else 0.0,
+        phase_frequency=crossovers[int(np.argmin(np.abs(phases)))] if phases else 0.0,
+        lower_gain_margin=float(np.max(-1.0 / real[is_below], initial=0.0)),
+        lower_gain_frequency=float(real_frequencies[lower_limit]) if is_below.any() else 0.0,
     )
 
 
@@ -319,7 +340,20 @@ def step_response(plant: SampledPlant, gains: Gains, setpoint_weight: float, sam
 
     The result is the measurement at each of `samples` sample instants.
     """
-    a, b, y = closed_loop(plant, gains, setpoint_weight)
+    return _response(*closed_loop(plant, gains, setpoint_weight), samples)
+
+
+def disturbance_response(plant: SampledPlant, gains: Gains, samples: int) -> Array:
+    """Return the response of the closed loop to a unit step that is added to the command at the plant.
+
+    The result is the measurement at each of `samples` sample instants, per unit of the command. The step is not
+    delayed.
+    """
+    a, b, y = closed_loop(plant, gains)
+    return _response(a, np.concatenate([plant.B, np.zeros(len(b) - len(plant.B))]), y, samples)
+
+
+def _response(a: Array, b: Array, y: Array, samples: int) -> Array:
     x, measured = np.zeros(len(b)), np.empty(samples)
     for k in range(samples):
         measured[k] = y @ x

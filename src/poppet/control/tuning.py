@@ -11,6 +11,7 @@ from __future__ import annotations
 import itertools
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -25,6 +26,7 @@ from poppet.control.verification import Verification
 from poppet.control.working_step import largest_step, verify_working_step
 from poppet.core.codes import Note
 from poppet.core.errors import InputError, NameSuggestion, SimulationError
+from poppet.core.notebook import HtmlMixin
 from poppet.core.provenance import Number, Source
 from poppet.core.tables import NumberRange
 from poppet.core.units import convert
@@ -34,6 +36,8 @@ from poppet.parts.rows import GainSchedule, as_numbers
 from poppet.timeseries.signals import Steps
 
 if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
     from poppet.circuit.circuit import BaseCircuit
 
 FORMS = ("pi", "pid", "p")
@@ -76,6 +80,8 @@ class TunedPoint:
         Plants by the label of an operating point and a side.
     verified : tuple of Verification
         Simulated setpoint steps that verify a tuning by sines; empty for other tunings.
+    vents : frozenset of str
+        Labels of the plants of a vent valve.
     """
 
     gains: Gains
@@ -87,6 +93,7 @@ class TunedPoint:
     commands: tuple[float, ...]
     plants: Mapping[str, LoopPlant] = field(default_factory=dict, repr=False, compare=False)
     verified: tuple[Verification, ...] = ()
+    vents: frozenset[str] = frozenset()
 
     @property
     def sides(self) -> tuple[str, ...]:
@@ -103,7 +110,7 @@ class TunedPoint:
 
 
 @dataclass(frozen=True)
-class Tuning:
+class Tuning(HtmlMixin):
     """Result of a tuning: gains for one or several operating points, with margins.
 
     Parameters
@@ -164,6 +171,82 @@ class Tuning:
         readable_unit = readable_unit_of(unit)
         values = ", ".join(f"{convert(command, unit, readable_unit):.3g}" for command in commands)
         return f"held by a command of {values}{'' if readable_unit == '1' else f' {readable_unit}'}"
+
+    def margins_of(self, circuit: BaseCircuit) -> dict[str, Margins]:
+        """Return the margins of the tuned loops with the gains of a circuit.
+
+        Parameters
+        ----------
+        circuit : Circuit
+            Circuit with the same plant, whose controller has the gains.
+
+        Returns
+        -------
+        dict
+            Margins by the label of an operating point and a side. It is empty if the controller has a gain schedule, or
+            if the plant was measured with sines.
+        """
+        parameters, address = circuit.parameters, self.controller
+        if self.is_verified or f"{address}.gain" not in parameters:
+            return {}
+        names = "gain", "integral_time", "derivative_time", "derivative_filter"
+        gains = Gains(*(float(parameters.get(f"{address}.{name}", 0.0)) for name in names))
+        vent_factor = float(parameters.get(f"{address}.vent_factor", 1.0))
+        result = {}
+        for point in self.points:
+            # The plants of the vent valve contain the tuned vent factor.
+            vent = replace(gains, gain=gains.gain * vent_factor / point.vent_factor)
+            for label, plant in point.plants.items():
+                result[label] = margins(plant, vent if label in point.vents else gains)
+        return result
+
+    def plot(self, path: str | Path | None = None) -> Figure:
+        """Draw the Bode plots and the step responses in one figure.
+
+        Parameters
+        ----------
+        path : str or Path, optional
+            Output file: .png, .svg or .pdf.
+
+        Returns
+        -------
+        matplotlib.figure.Figure
+        """
+        from poppet.control.loop_figures import tuning_figure
+
+        return tuning_figure(self, path)
+
+    def plot_bode(self, path: str | Path | None = None) -> Figure:
+        """Draw the Bode plots of the open loops with their margins, and the sensitivities.
+
+        Parameters
+        ----------
+        path : str or Path, optional
+            Output file: .png, .svg or .pdf.
+
+        Returns
+        -------
+        matplotlib.figure.Figure
+        """
+        from poppet.control.loop_figures import bode_figure
+
+        return bode_figure(self, path)
+
+    def plot_steps(self, path: str | Path | None = None) -> Figure:
+        """Draw the responses of the loops to steps of the setpoint and of a disturbance of the command.
+
+        Parameters
+        ----------
+        path : str or Path, optional
+            Output file: .png, .svg or .pdf.
+
+        Returns
+        -------
+        matplotlib.figure.Figure
+        """
+        from poppet.control.loop_figures import step_figure
+
+        return step_figure(self, path)
 
     def fields(self) -> dict[str, Any]:
         """Return the tuned fields of the `pid` part.
@@ -404,11 +487,12 @@ def _tune_points(
         for point in points
         for branch in point.models
     }
+    vents = frozenset(point_label(plant, point.value, "vent") for point in points if "vent" in point.models)
     loops = _GainSearch(list(plants.values()), bound)
     gains, loop_margins = loops.reduce_gain(loops.best(form, filter_time))
     by_name = dict(zip(plants, loop_margins, strict=True))
     values, commands = zip(*((point.value, point.command) for point in points), strict=True)
-    result = TunedPoint(gains, factor, 1.0, 0.0, by_name, values, commands, plants)
+    result = TunedPoint(gains, factor, 1.0, 0.0, by_name, values, commands, plants, vents=vents)
     # The largest setpoint weight with an acceptable overshoot; a measured loop is tested in verification runs.
     for weight in _weights(gains):
         if isinstance(plant, MeasuredLoop):

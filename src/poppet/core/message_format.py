@@ -29,6 +29,7 @@ Template = str | dict[str, Any]
 # Not the table of all units: its errors are formatted here.
 DISPLAY_FACTORS = {
     "Pa>bar": 1e-5, "Pa>kPa": 1e-3, "m^3>l": 1e3, "s>ms": 1e3, "m>mm": 1e3, "m/s>mm/s": 1e3, "1>%": 100.0,
+    "m^3/(s Pa)>dm^3/(s bar)": 1e8,
 }  # fmt: skip
 """Factors from the SI unit of a fact to the unit of its display."""
 

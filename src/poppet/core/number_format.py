@@ -37,6 +37,7 @@ _LADDERS: dict[str, tuple[tuple[str, float], ...]] = {
     "m/s": (("mm/s", 0.0), ("m/s", 0.1)),
     "m^3/(s Pa)": (("cm^3/(s bar)", 0.0), ("dm^3/(s bar)", 1e-10)),
     "N/Pa": (("N/bar", 0.0),),
+    "m^3/s ANR": (("l/min ANR", 0.0),),
 }
 _NO_CHARACTERS = re.compile("[\x00-\x08\x0b\x0c\x0e-\x1f\x7f-\x9f\ud800-\udfff\ufffe\uffff]")
 _SMALLEST_PLAIN, _LARGEST_PLAIN = 1e-6, 1e6

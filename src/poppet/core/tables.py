@@ -120,6 +120,9 @@ class Field(NumberRange):
             is_wrong_boolean = isinstance(raw, bool) and self.type != "boolean"  # in Python, True is an int
             if not isinstance(raw, types) or is_wrong_boolean or (isinstance(raw, float) and not math.isfinite(raw)):
                 raise InputError("fields.other_type", address, value=raw, meaning=meaning, expected=expected)
+        if self.type == "integer" and isinstance(raw, str):
+            expected = "an integer, without quotes"
+            raise InputError("fields.other_type", address, value=raw, meaning=meaning, expected=expected)
         is_integer = isinstance(raw, int) and not isinstance(raw, bool)
         if self.type == "integer" and not (is_integer and self.low <= raw <= self.high):
             limits = ["an integer", f"at least {self.low:g}", f"at most {self.high:g}"]

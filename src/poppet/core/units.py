@@ -194,6 +194,23 @@ def unmarked_unit(unit: str) -> Unit:
     return _unit_and_mark(unit)[0]
 
 
+def stated_reference(unit: str) -> str:
+    """Return the reference that a unit of pressure states: `gauge`, `absolute`, or an empty text.
+
+    Parameters
+    ----------
+    unit : str
+        Valid unit, for example `bar g` or `psi`.
+
+    Examples
+    --------
+    >>> stated_reference("bar g"), stated_reference("psia"), stated_reference("kPa")
+    ('gauge', 'absolute', '')
+    """
+    mark = _unit_and_mark(unit)[1]
+    return mark if mark in ("gauge", "absolute") else ""
+
+
 def check_unit(unit: str) -> None:
     """Raise an error if a text is not a valid unit.
 
@@ -228,6 +245,31 @@ def same_dimension(first: str, second: str) -> bool:
     (True, True, False)
     """
     return is_known(first) and is_known(second) and _flow_dimension(first) == _flow_dimension(second)
+
+
+def unit_in(text: Any, unit: str) -> str:
+    """Return the unit in the text of a value.
+
+    Parameters
+    ----------
+    text : str
+        Text such as `500 l/min ANR`; a value of another type has no unit.
+    unit : str
+        Unit of the expected dimension.
+
+    Returns
+    -------
+    str
+        The unit as written; empty if the text has no unit of this dimension.
+
+    Examples
+    --------
+    >>> unit_in("500 l/min ANR", "m^3/s ANR"), unit_in("500", "m^3/s ANR"), unit_in("2 mm", "s")
+    ('l/min ANR', '', '')
+    """
+    match = _NUMBER.fullmatch(text) if isinstance(text, str) else None
+    written = match[2].strip() if match else ""
+    return written if written and is_known(written) and same_dimension(written, unit) else ""
 
 
 def _flow_dimension(unit: str) -> Dimension:

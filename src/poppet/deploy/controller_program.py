@@ -408,38 +408,16 @@ def _program_functions(
     )
     due = remaining <= 0.5 * elapsed
 
-    fired, late = equations.fired, is_late
+    fired = equations.fired
     if n_timers == 1:
         # `update` is called only if a timer has expired.
         update, labels, *selections = ca.substitute([update, labels, *selections], [fired], [ca.SX(1.0)])
         fired = ca.SX(1.0)
-    new_memory = [update[k] for k in range(update.shape[0])]
-    for k in range(n_timers):
-        period = update[k] - memory[k]
-        has_fired = fired[k] > 0.0
-        # If two samples or more remain pending, they are dropped, and the clock restarts at this call.
-        is_dropped = ca.logic_and(has_fired, update[k] <= -period)
-        new_memory[k] = _choose(is_dropped, period, update[k])
-        late = ca.logic_or(late, ca.logic_and(has_fired, update[k] <= -0.5 * period))
-        # Dropped samples count for the fault time and the time in a step, unless it begins or is halted at this
-        # instant. The period of a timer that has not expired is 0.
-        divisor = ca.fmax(period, MIN_SAMPLE_TIME)
-        for j, state in enumerate(states[: memory.shape[0]]):
-            begun = COUNTED.get(state.address.rpartition(".")[2])
-            if begun is not None and ca.depends_on(equations.update[j], equations.fired[k]):
-                continues = ca.logic_and(memory[j] > begun, update[j] > memory[j])
-                n_dropped = _choose(ca.logic_and(is_dropped, continues), 1.0 - update[k] / divisor, 0.0)
-                new_memory[j] = new_memory[j] + n_dropped
+    new_memory, late = _without_pending_samples(equations, update, fired, states[: memory.shape[0]], is_late, n_timers)
     after = ca.vertcat(*new_memory, held_u, held_p, flag[:3], late)
 
-    def any_of(name: str) -> Any:
-        result = ca.SX(0.0)
-        for k, state in enumerate(states):
-            if state.group == "memory" and state.address.endswith(f".{name}"):
-                result = ca.logic_or(result, memory[k]) if not result.is_zero() else memory[k]
-        return result
-
-    status = ca.vertcat(has_input_fault, any_of("is_safe"), any_of("is_saturated"), is_late, has_parameter_fault)
+    flags = (_any_flag(memory, states, name) for name in ("is_safe", "is_saturated"))
+    status = ca.vertcat(has_input_fault, *flags, is_late, has_parameter_fault)
     symbols = equations.symbols
     values = [_chosen(selection, symbol.shape[0]) for selection, symbol in zip(selections, symbols, strict=True)]
     complete, complete_labels = [after, labels]
@@ -462,6 +440,47 @@ def _program_functions(
         return functions, None
     printed = ca.cse([ca.densify(ca.SX(result)) for result in (*selections, after, labels)])
     return functions, ca.Function("update", [z, equations.fired, ca.vertcat(*symbols)], printed)
+
+
+def _without_pending_samples(
+    equations: _Equations, update: Any, fired: Any, states: Sequence[ProgramState], late: Any, n_timers: int
+) -> tuple[list[Any], Any]:
+    """Return the memory after an update, in which long delays drop samples, and the flag `late`, set by shorter ones.
+
+    `states` describes the memory.
+    """
+    import casadi as ca
+
+    memory = equations.memory
+    new_memory = [update[k] for k in range(update.shape[0])]
+    for k in range(n_timers):
+        period = update[k] - memory[k]
+        has_fired = fired[k] > 0.0
+        # If two samples or more remain pending, they are dropped, and the clock restarts at this call.
+        is_dropped = ca.logic_and(has_fired, update[k] <= -period)
+        new_memory[k] = _choose(is_dropped, period, update[k])
+        late = ca.logic_or(late, ca.logic_and(has_fired, update[k] <= -0.5 * period))
+        # Dropped samples count for the fault time and the time in a step, unless it begins or is halted at this
+        # instant. The period of a timer that has not expired is 0.
+        divisor = ca.fmax(period, MIN_SAMPLE_TIME)
+        for j, state in enumerate(states):
+            begun = COUNTED.get(state.address.rpartition(".")[2])
+            if begun is not None and ca.depends_on(equations.update[j], equations.fired[k]):
+                continues = ca.logic_and(memory[j] > begun, update[j] > memory[j])
+                n_dropped = _choose(ca.logic_and(is_dropped, continues), 1.0 - update[k] / divisor, 0.0)
+                new_memory[j] = new_memory[j] + n_dropped
+    return new_memory, late
+
+
+def _any_flag(memory: Any, states: Sequence[ProgramState], name: str) -> Any:
+    """Return 1 if a flag with a name is set in any controller of a program."""
+    import casadi as ca
+
+    result = ca.SX(0.0)
+    for k, state in enumerate(states):
+        if state.group == "memory" and state.address.endswith(f".{name}"):
+            result = ca.logic_or(result, memory[k]) if not result.is_zero() else memory[k]
+    return result
 
 
 def _chosen(selection: Any, n_results: int) -> Any:

@@ -14,11 +14,11 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 
 from poppet.circuit.addresses import change_values
+from poppet.circuit.number_specs import number_specs
 from poppet.circuit.wiring import check_starts
 from poppet.core.errors import ErrorCollector, InputError
 from poppet.deploy.export_files import identifier, identifiers
 from poppet.engine.printers.instructions import trace_functions
-from poppet.identify.free_parameter import number_specs
 from poppet.parts.compound import Compound
 from poppet.parts.fields import NumberSpec, flatten
 from poppet.parts.part import Part, Surroundings

@@ -16,6 +16,7 @@ if TYPE_CHECKING:
 
     from poppet.circuit.circuit import BaseCircuit
     from poppet.core.codes import Note
+    from poppet.deploy.exported_watch import WatchSource
     from poppet.deploy.parity.parity_check import ParityCheck
 
 # Nothing heavy is imported here: the command line reads these declarations for its help.
@@ -58,6 +59,9 @@ class Target(NamedTuple):
     # Returns the checks of `poppet export check`.
     checks: Callable[[], Sequence[ParityCheck]] | str = tuple
     is_printable: bool = False  # True if the export is printed when no output file is specified
+    # `export_watch(watch, **settings)` returns the `Export` of a twin file; empty if the target has none.
+    export_watch: Callable[..., Export] | str = ""
+    watch_options: Sequence[str] = ("name",)  # names of the options that a twin file permits
 
     @property
     def command(self) -> str:
@@ -105,13 +109,53 @@ class Target(NamedTuple):
         -------
         Export
         """
+        export = self.make(circuit, source, **settings)
+        self._write(export, circuit.title, path)
+        return export
+
+    def write_watch(self, watch: WatchSource, path: str | Path, **settings: Any) -> Export:
+        """Export the watch of a running plant, and write the file or the folder.
+
+        If the export fails, nothing is written.
+
+        Parameters
+        ----------
+        watch : WatchSource
+            Plan and baseline of the watch.
+        path : str or Path
+            Output file, or folder of a target without suffixes.
+        **settings
+            Values of the options of the target by name.
+
+        Returns
+        -------
+        Export
+
+        Raises
+        ------
+        InputErrors
+            If the target or one of the options is not available for a watch, or the watch cannot be exported.
+        """
+        from poppet.core.errors import ErrorCollector
+
+        with ErrorCollector() as errors:
+            if not self.export_watch:
+                known = [f"poppet export {target.name}" for target in BUILT_IN if target.export_watch]
+                errors.add("deploy.watch.target", target=f"poppet {self.command}", known=known)
+            for option in self.options:
+                if settings.get(option.name) and option.name not in self.watch_options:
+                    errors.add("deploy.watch.option", option=option.names[-1])
+        make: Callable[..., Export] = import_object(self.export_watch)
+        export = make(watch, **{name: settings[name] for name in self.watch_options if name in settings})
+        self._write(export, watch.title, path)
+        return export
+
+    def _write(self, export: Export, title: str, path: str | Path) -> None:
         from pathlib import Path
 
         from poppet.deploy.export_files import write_export
 
-        export = self.make(circuit, source, **settings)
-        write_export(Path(path), self.name, circuit.title, export.files, is_folder=not self.suffixes)
-        return export
+        write_export(Path(path), self.name, title, export.files, is_folder=not self.suffixes)
 
     def parity_checks(self) -> Sequence[ParityCheck]:
         """Return the comparisons with the simulation that `poppet export check` runs."""
@@ -122,7 +166,7 @@ class Target(NamedTuple):
 BUILT_IN = (
     Target(
         "c",
-        "export a circuit or a sampled controller as C, with a program that checks the code",
+        "export a circuit, a sampled controller or a watch as C, with a program that checks the code",
         "poppet.deploy.c.project:export_c",
         (
             Option("--name NAME", "name of the model (default: that of the file)"),
@@ -138,13 +182,16 @@ BUILT_IN = (
             "poppet export c FILE.toml -o valve",
             "poppet export c FILE.toml --substeps 100 -o valve",
             "poppet export c FILE.toml --part controller --precision single -o controller",
+            "poppet export c twin.toml -o watch",
         ),
         limitations=(
             "The signals of the file are constants of the code, with at most 100,000 segments.",
             "A parameter on which other parameters depend is constant.",
             "A controller contains no signals: its inputs are members of a struct.",
+            "The watch of a twin file contains no fits (`docs/export_watch.md`).",
         ),
         checks="poppet.deploy.parity.host_runs:c_checks",
+        export_watch="poppet.deploy.c.watch_project:export_c_watch",
     ),
     Target(
         "fmu",
@@ -165,8 +212,8 @@ BUILT_IN = (
         ),
         (
             "poppet export fmu valve-fill.toml -o valve.fmu",
-            "poppet export fmu FILE.toml --part controller -o controller.fmu",
-            "poppet export fmu valve-fill.toml -o valve.fmu --fmi 3 --platform linux64,win64",
+            "poppet export fmu FILE.toml --part controller --fmi 3 --platform linux64,win64 -o controller.fmu",
+            "poppet export fmu twin.toml -o watch.fmu",
             "poppet export fmu valve-fill.toml -o valve.fmu --input bleed.opening --set run.duration=20",
         ),
         (".fmu",),
@@ -176,6 +223,8 @@ BUILT_IN = (
             'Binaries for other platforms require pip install "poppet[fmu]".',
         ),
         checks="poppet.deploy.parity.host_runs:fmu_checks",
+        export_watch="poppet.deploy.fmu.watch_package:export_fmu_watch",
+        watch_options=("fmi", "platform", "name"),
     ),
     Target(
         "ssp",

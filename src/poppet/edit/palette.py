@@ -49,6 +49,7 @@ GROUPS: dict[str, tuple[str, ...]] = {
     "bodies": ("mass", "joint", "guide"),
     "control": (
         "sequence", "switch", "pid", "pressure_controller", "electronics", "inverse_muscle", "antagonist",
+        "fmu",
     ),
 }  # fmt: skip
 """Kinds of each group of the palette, in the order of the palette."""

@@ -92,6 +92,11 @@ def references(table: Any, names: Collection[str] = ()) -> Iterator[Reference]:
             yield Reference(path, frozenset(_owners(text)), is_text=text.strip() != source)
 
 
+_REGISTERS = ("modbus", "registers")
+_ADDRESSED = (("ensemble", "parameters"), ("ensemble", "numbers"), _REGISTERS)
+"""Tables below the top level whose keys are addresses."""
+
+
 def renamed(text: TomlText, content: Mapping[str, Any], old: str, new: str) -> str:
     """Return a text in which a part has another name, in all places."""
 
@@ -121,13 +126,13 @@ def renamed(text: TomlText, content: Mapping[str, Any], old: str, new: str) -> s
 
 
 def without_references(text: TomlText, content: Mapping[str, Any], removed: Collection[str]) -> str:
-    """Return a text without ports, signals, connections, wires and stop conditions that refer to some parts.
+    """Return a text without ports, signals, connections, wires, registers and stop conditions of some parts.
 
     Conditions of sequences remain, because they are written by the user.
     """
     paths: set[Path] = {("drawing", name) for name in removed}
     for path, key in text.names():
-        is_of_part = len(path) == 2 and path[0] in ("signals", "connections", "drawing")
+        is_of_part = (len(path) == 2 and path[0] in ("signals", "connections", "drawing")) or path[:-1] == _REGISTERS
         if is_of_part and key.name.partition(".")[0] in removed:
             paths.add(path)
     for entry in text.entries():
@@ -157,7 +162,7 @@ def _is_name(path: Path) -> bool:
 
 def _is_address(path: Path) -> bool:
     is_input_or_wire = len(path) == 2 and path[0] in ("signals", "connections", "drawing")
-    return is_input_or_wire or (len(path) == 3 and path[:2] in (("ensemble", "parameters"), ("ensemble", "numbers")))
+    return is_input_or_wire or (len(path) == 3 and path[:2] in _ADDRESSED)
 
 
 def _address_values(

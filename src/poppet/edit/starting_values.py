@@ -83,6 +83,7 @@ STARTING_VALUES: dict[str, dict[str, Any]] = {
     "electronics": {"data": "vppm_6l"},
     "inverse_muscle": {"data": "dmsp_20_300"},
     "antagonist": {"data": "dmsp_20_300", "pulley_radius": "25 mm"},
+    "fmu": {"path": "model.fmu"},
 }
 """Values by kind and address of the field; kinds of plugins have none."""
 

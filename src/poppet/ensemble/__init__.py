@@ -3,6 +3,7 @@
 import warnings
 
 from poppet.ensemble.bands import Bands
+from poppet.ensemble.catalogue_sizing import CatalogueSizing, CatalogueTrial, size_from_catalogue
 from poppet.ensemble.ensemble_plan import EnsemblePlan
 from poppet.ensemble.ensemble_result import Ensemble, WorstCase, plan_of, run_ensemble, run_plan
 from poppet.ensemble.sizing import Sizing, size
@@ -10,6 +11,8 @@ from poppet.ensemble.statistics import SobolIndex, Summary, TornadoRange, Yield
 
 __all__ = [
     "Bands",
+    "CatalogueSizing",
+    "CatalogueTrial",
     "Ensemble",
     "EnsemblePlan",
     "Sizing",
@@ -22,6 +25,7 @@ __all__ = [
     "run_ensemble",
     "run_plan",
     "size",
+    "size_from_catalogue",
 ]
 
 _OLD_NAMES = {"Plan": EnsemblePlan, "Index": SobolIndex, "Range": TornadoRange, "Case": WorstCase}

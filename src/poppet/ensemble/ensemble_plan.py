@@ -16,6 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from poppet.circuit.circuit import BaseCircuit
+from poppet.circuit.number_specs import number_specs
 from poppet.circuit.options import Ambient, GasChoice
 from poppet.core.codes import Note
 from poppet.core.errors import ErrorCollector, InputError, NameSuggestion, OutOfRangeError
@@ -24,7 +25,6 @@ from poppet.core.units import convert, quantity
 from poppet.ensemble.distributions import MAX_INVALID_PROBABILITY, Distribution, read_distribution
 from poppet.ensemble.metrics import Metric, Requirement, read_metric, read_requirement
 from poppet.ensemble.sampling import MAX_SOBOL, METHODS, points
-from poppet.identify.free_parameter import number_specs
 from poppet.identify.result import Result, read_result
 from poppet.parts.fields import NumberSpec, declared
 from poppet.timeseries.tables.reading import read_table
@@ -220,12 +220,19 @@ class EnsemblePlan:
 
 
 def read_plan(
-    circuit: BaseCircuit, ensemble: Any, requirements: Any, folder: Path, *, allow_python: bool = False
+    circuit: BaseCircuit,
+    ensemble: Any,
+    requirements: Any,
+    folder: Path,
+    *,
+    allow_python: bool = False,
+    is_nominal: bool = False,
 ) -> EnsemblePlan:
     """Read the tables `ensemble` and `requirements` of a circuit, and report all errors together.
 
     `folder` is the folder to which file names in the tables refer. Without the keyword `allow_python`, Python functions
-    in files raise an error. Reading a plan executes none of them.
+    in files raise an error. Reading a plan executes none of them. If the keyword `is_nominal` is True, the plan
+    needs no uncertain parameters.
     """
     outputs = dict(circuit.model.outputs)
     ambient = circuit.surroundings.pressure
@@ -237,7 +244,7 @@ def read_plan(
         grid = np.zeros(0)
         with errors.collecting():
             grid = circuit.run.grid()
-        numbers = _ParameterReader(errors, circuit, read, folder)
+        numbers = _ParameterReader(errors, circuit, read, folder, is_nominal)
         metrics: dict[str, Metric] = {}
         raw_metrics = read.get("metrics", {})
         for name, raw in raw_metrics.items():
@@ -315,7 +322,9 @@ def _identifier(name: str, address: str, reserved: tuple[str, ...]) -> str:
 class _ParameterReader:
     """Reader of the distributions of all uncertain parameters from the table `ensemble` of a circuit file."""
 
-    def __init__(self, errors: ErrorCollector, circuit: BaseCircuit, read: Mapping[str, Any], folder: Path) -> None:
+    def __init__(
+        self, errors: ErrorCollector, circuit: BaseCircuit, read: Mapping[str, Any], folder: Path, is_nominal: bool
+    ) -> None:
         self.circuit, self.folder, self.ambient = circuit, folder, circuit.surroundings.pressure
         key = "numbers" if "numbers" in read and "parameters" not in read else "parameters"
         self.address = f"ensemble.{key}"
@@ -353,7 +362,7 @@ class _ParameterReader:
         if "file" in read:
             errors.add("ensemble.not_of_file", "ensemble.file", sampling=self.sampling)
         fit = parameters.pop("from_fit", None)
-        if not parameters and fit is None:
+        if not parameters and fit is None and not is_nominal:
             errors.add("ensemble.no_numbers", self.address)
         for address, raw in parameters.items():
             with errors.collecting():

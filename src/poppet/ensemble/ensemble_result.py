@@ -359,16 +359,24 @@ def run_ensemble(
 
 
 def plan_of(
-    circuit: BaseCircuit, *, requirements: Mapping[str, str] | None = None, allow_python: bool = False, **fields: Any
+    circuit: BaseCircuit,
+    *,
+    requirements: Mapping[str, str] | None = None,
+    allow_python: bool = False,
+    is_nominal: bool = False,
+    **fields: Any,
 ) -> EnsemblePlan:
     """Return the settings of an ensemble from the tables of a circuit.
 
-    The keyword `allow_python` permits Python functions in files, which the runs execute, but not this function. All
-    other keyword arguments replace fields of the table `ensemble`.
+    The keyword `allow_python` permits Python functions in files, which the runs execute, but not this function. If the
+    keyword `is_nominal` is True, the plan has no uncertain parameters. All other keyword arguments replace fields of
+    the table `ensemble`.
     """
     tables, folder = circuit.origin
     table = tables.get("ensemble", {})
     fields = with_parameters(fields)
+    if is_nominal:
+        fields |= {"parameters": {}, "sampling": "random", "runs": 1, "keep": "metrics", "indices": 0}
     if isinstance(table, Mapping):
         # The file of an overridden sampling method is ignored.
         omitted = {"file"} if fields.get("sampling", "file") != "file" else set()
@@ -376,7 +384,7 @@ def plan_of(
         table = {key: value for key, value in table.items() if key not in omitted} | fields
     if requirements is None:
         requirements = tables.get("requirements", {})
-    return read_plan(circuit, table, requirements, folder, allow_python=allow_python)
+    return read_plan(circuit, table, requirements, folder, allow_python=allow_python, is_nominal=is_nominal)
 
 
 def with_parameters(fields: Mapping[str, Any]) -> dict[str, Any]:

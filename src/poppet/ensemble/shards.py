@@ -5,7 +5,7 @@ from __future__ import annotations
 import io
 import math
 import pickle
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import replace
 from functools import cached_property
 from typing import Any, NamedTuple
@@ -114,21 +114,30 @@ class PreparedPlan:
         assert pilot.curves is not None
         return band_edges(self.plan, self.problem.grid, pilot.curves[pilot.is_done])
 
-    def run(self, values: Array) -> ShardResults:
-        """Run the circuit once for each row of parameter values, (m, n_parameters)."""
+    def run(
+        self, values: Array, *, threads: int | None = 1, progress: Callable[[int], Any] | None = None
+    ) -> ShardResults:
+        """Run the circuit once for each row of parameter values, (m, n_parameters).
+
+        `threads` is the number of threads, None for one per processor, and `progress` a function that is called with
+        the number of completed runs.
+        """
         if self.is_apart:
-            none, runs = np.zeros(0, dtype=np.int64), []
+            none = np.zeros(0, dtype=np.int64)
+            runs: list[ShardResults] = []
             for row in values:
                 changed = self._changed(row)
                 problem = self.problem if changed is None else changed.problem(self.plan.circuit.run)
                 results = self._run(problem, none, np.empty((1, 0)), row[np.newaxis])
+                if progress is not None:
+                    progress(len(runs) + 1)
                 runs.append(_mark_refused(results, np.ones(1, dtype=np.bool_)) if changed is None else results)
             *arrays, curves = zip(*runs, strict=True)
             all_curves = None if curves[0] is None else np.concatenate(curves)
             return ShardResults._make([*(np.concatenate(parts) for parts in arrays), all_curves])
         if not self.has_dependent_parameters:
             indices = np.array([self.instance.place(address) for address in self.plan.addresses], dtype=np.int64)
-            return self._run(self.problem, indices, values, values)
+            return self._run(self.problem, indices, values, values, threads, progress)
         # All parameters of each run, including the dependent ones. A rejected run uses those of the circuit, and its
         # results are discarded.
         parameters = np.tile(self.instance.numbers(), (len(values), 1))
@@ -139,8 +148,12 @@ class PreparedPlan:
                 refused[k] = True
             else:
                 parameters[k] = changed.numbers()
-        results = self._run(self.problem, np.arange(parameters.shape[1]), parameters, values)
+        results = self._run(self.problem, np.arange(parameters.shape[1]), parameters, values, threads, progress)
         return results if not refused.any() else _mark_refused(results, refused)
+
+    def run_parameters(self, parameters: Array, progress: Callable[[int], Any] | None = None) -> ShardResults:
+        """Run the circuit once for each row of all its parameters, (m, n), on all processors."""
+        return self._run(self.problem, np.arange(parameters.shape[1]), parameters, parameters, None, progress)
 
     def _changed(self, row: Array) -> Instance | None:
         try:
@@ -148,7 +161,10 @@ class PreparedPlan:
         except InputError:
             return None
 
-    def _run(self, problem: Problem, indices: Integers, values: Array, numbers: Array) -> ShardResults:
+    def _run(
+        self, problem: Problem, indices: Integers, values: Array, numbers: Array, threads: int | None = 1,
+        progress: Callable[[int], Any] | None = None,
+    ) -> ShardResults:  # fmt: skip
         plan, m = self.plan, len(values)
         metrics = np.full((m, len(plan.metrics)), np.nan)
         curves = np.full((m, len(plan.curves), problem.grid.size), np.nan) if plan.curves else None
@@ -160,7 +176,7 @@ class PreparedPlan:
             return np.empty((len(rows.runs), 0))
 
         problem = replace(problem, kernel=self.kernel)
-        batch = run_batch(Batch(problem, indices, values, self.held), reduce=keep, threads=1)
+        batch = run_batch(Batch(problem, indices, values, self.held), reduce=keep, threads=threads, progress=progress)
         # Look-up tables: a loop would take almost as long as the runs.
         outcomes, indices_of_outcomes = tuple(Outcome), batch.ends.counts[:, 5]
         if (indices_of_outcomes == outcomes.index(Outcome.INTERRUPTED)).any():

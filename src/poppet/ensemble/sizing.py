@@ -11,36 +11,25 @@ from dataclasses import dataclass, field, replace
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from poppet.circuit.circuit import BaseCircuit
 from poppet.core.codes import Note
-from poppet.core.errors import InputError, NameSuggestion, OutOfRangeError
+from poppet.core.errors import InputError, NameSuggestion, OutOfRangeError, UnitError
+from poppet.core.number_format import readable_unit
 from poppet.core.tables import Field
 from poppet.core.toml import ResultFileMixin
-from poppet.core.units import quantity
+from poppet.core.units import convert, quantity, unit_in
 from poppet.ensemble.ensemble_plan import Array, EnsemblePlan, varied_specs
 from poppet.ensemble.ensemble_result import plan_of, with_parameters
 from poppet.ensemble.executors import Progress
 from poppet.ensemble.metrics import Requirement
-from poppet.ensemble.shards import PreparedPlan
+from poppet.ensemble.sizing_search import Evaluations, SizingEvaluator, meets_requirements, search_values
 from poppet.ensemble.statistics import wilson
+from poppet.laws.iso6358 import nominal_flow_from_conductance
+from poppet.parts.flow_path import FlowPath
 
-POINTS = 65
-"""Number of parameter values in the first evaluation, which cover the range."""
-ROUNDS, PIECES = 4, 17
-"""Number of refinement rounds, and of pieces into which each round divides the gap to the nearest failing value.
-
-The final gap is 17^-4, about 1e-5, of the first gap.
-"""
-PEAKS, REFINEMENTS = 3, 6
-"""Number of local maxima of the margin that are refined, and maximum number of refinements of each maximum.
-
-A valid value can be between two failing ones. The final resolution is about 1e-6 of the value.
-"""
 DECADES = 2.0
 """Half width of the default range in decades: the range is centred on the value in the circuit."""
-MAX_RUNS = 4_000_000
 
 
 @dataclass(frozen=True)
@@ -89,6 +78,15 @@ class Sizing(ResultFileMixin):
         Number of runs at each value.
     remarks : tuple of Note
         Notes on the result.
+    bounded : mapping
+        Mapping from each requirement to the metric that it bounds.
+    shown_unit : str
+        Unit of the question: that of the search range, of the standard sizes, or of the value in the circuit. Texts and
+        figures show the parameter in this unit.
+    ambient_pressure : float
+        Absolute pressure to which gauge values refer [Pa].
+    critical_ratio : float
+        Critical ratio b of the flow path whose sonic conductance is the parameter; NaN for other parameters.
     """
 
     title: str
@@ -111,11 +109,37 @@ class Sizing(ResultFileMixin):
     bounds: Mapping[str, tuple[float, ...]]
     runs: int = 1
     remarks: tuple[Note, ...] = ()
+    bounded: Mapping[str, str] = field(default_factory=dict)
+    shown_unit: str = ""
+    ambient_pressure: float = 1e5
+    critical_ratio: float = math.nan
 
     @property
     def is_met(self) -> bool:
         """True if a value in the range meets the requirements."""
         return math.isfinite(self.value)
+
+    @property
+    def metrics_at_value(self) -> dict[str, float]:
+        """Mapping from each metric to its value at `value`; empty if no value meets the requirements."""
+        if not self.is_met:
+            return {}
+        k = int(np.flatnonzero(self.values == self.value)[0])
+        return {name: float(row[k]) for name, row in self.metrics.items()}
+
+    @property
+    def nominal_flow(self) -> float:
+        """Nominal flow of the sonic conductance at `value` [m^3/s ANR]; NaN for other parameters."""
+        return nominal_flow_from_conductance(self.value, self.critical_ratio) if self.has_nominal_flow else math.nan
+
+    @property
+    def has_nominal_flow(self) -> bool:
+        """True if the parameter is a sonic conductance, and a value meets the requirements."""
+        return self.is_met and math.isfinite(self.critical_ratio)
+
+    def shown(self, value: float) -> float:
+        """Convert a value of the parameter from its SI unit to `shown_unit`."""
+        return convert(value, self.unit, self.shown_unit or self.unit, ambient_pressure=self.ambient_pressure)
 
     def content(self) -> dict[str, Any]:
         """Return the content of the result file of a sizing as nested tables."""
@@ -123,6 +147,7 @@ class Sizing(ResultFileMixin):
         return {
             "method": "size",
             **{name: getattr(self, name) for name in content},
+            "shown": {"value": self.shown(self.value), "unit": self.shown_unit or self.unit},
             "interval": list(self.interval),
             "holding": [list(pair) for pair in self.holding],
             "requirements": dict(self.requirements),
@@ -168,7 +193,7 @@ def size(
     sizes : sequence, optional
         Standard sizes; the result contains the next one that is valid.
     progress : callable, optional
-        Function that is called with the number of completed rounds, their total number, and a description.
+        Function that is called with the number of completed runs, the expected total, and the kind `runs`.
     allow_python : bool, optional
         Permit metrics by Python functions in files, `FILE.py:FUNCTION`, which executes these files.
     **fields
@@ -186,24 +211,35 @@ def size(
 
     Notes
     -----
-    The first evaluation has 65 values, with logarithmic spacing in a positive range. Requirements need not be monotonic
-    in the parameter: the three failing values with the largest local margins are refined, which finds narrow valid
-    intervals between two values. Then the gap before the first valid value is divided. With a fraction, all values use
+    See `poppet.ensemble.sizing_search.search_values` for the search. With a fraction, all values use
     the same random samples, so differences are due to the parameter. If the parameter is also uncertain, the value is
     the median of its samples, and their relative spread is constant.
     """
     fields = with_parameters(fields)
     spec = varied_specs(circuit).get(free)
     if spec is None:
+        part, _, field_name = free.partition(".")
+        owner = circuit.parts.get(part)
+        if isinstance(owner, FlowPath) and field_name in owner.sizes:
+            stated = next(name for name in owner.sizes if getattr(owner, name) is not None)
+            raise InputError("size.other_capacity", free, stated=f"{part}.{stated}")
         near = NameSuggestion(free, varied_specs(circuit))
         raise InputError("names.unknown", free, meaning="a parameter of this circuit", suggestion=near)
     if free in circuit.signals or free in circuit.connections:
         raise InputError("ensemble.driven", free)
     ambient = circuit.surroundings.pressure
     nominal = circuit.numbers()[free].absolute(ambient)
+    texts = (*(between or ()), *sizes, circuit.numbers()[free].text)
+    written = next(filter(None, (unit_in(raw, spec.unit) for raw in texts)), "")
 
     def read_value(raw: Any, address: str) -> float:
-        parsed = quantity(raw, spec.unit, kind=spec.kind, name=address)
+        try:
+            parsed = quantity(raw, spec.unit, kind=spec.kind, name=address)
+        except UnitError as problem:
+            if problem.code != "quantity.no_unit" or not written:
+                raise
+            # The hint proposes the unit of the other values.
+            raise UnitError(problem.code, problem.address, **{**problem.facts, "unit": written}) from None
         return parsed.value + (ambient if parsed.reference == "gauge" else 0.0)
 
     standard = np.unique([read_value(raw, "sizes") for raw in sizes])
@@ -226,161 +262,52 @@ def size(
         Field(unit="1", above=0.0, below=1.0, meaning="required fraction").read(share, "share")
     sweep: dict[str, Any] = {"parameters": {free: {"distribution": "uniform", "low": low, "high": high}}, "runs": 1}
     plan = plan_of(circuit, **{**fields, **sweep, "sampling": "random", "keep": "metrics", "indices": 0})
+    selected = selected_requirements(plan, meet)
+    evaluator = SizingEvaluator(circuit, plan, selected, free, nominal, uncertain, share or 1.0, progress)
+    results = search_values(evaluator, low, high, largest=largest)
+    sizing = _make_sizing(circuit, evaluator, results, standard, largest)
+    sizing = replace(
+        sizing, shown_unit=written or readable_unit(spec.unit, sizing.value), ambient_pressure=ambient,
+        critical_ratio=_critical_ratio(circuit, free),
+    )  # fmt: skip
+    return replace(sizing, remarks=tuple(_with_shown_value(note, sizing) for note in sizing.remarks))
+
+
+def _with_shown_value(note: Note, sizing: Sizing) -> Note:
+    """Return a note on the best value with this value in the unit of the range."""
+    if "shown" not in note.facts:
+        return note
+    value = note.facts["value"]
+    unit = sizing.shown_unit if sizing.shown_unit != sizing.unit else readable_unit(sizing.unit, value)
+    shown = convert(value, sizing.unit, unit, ambient_pressure=sizing.ambient_pressure)
+    return Note(note.code, note.address, **{**note.facts, "shown": f"{shown:.4g} {unit}".removesuffix(" 1")})
+
+
+def _critical_ratio(circuit: BaseCircuit, free: str) -> float:
+    """Return b of the flow path whose C is the free parameter, or NaN for another parameter."""
+    part = free.removesuffix("sonic_conductance")
+    ratio = circuit.numbers().get(f"{part}critical_ratio") if part != free else None
+    return math.nan if ratio is None else float(ratio)
+
+
+def selected_requirements(plan: EnsemblePlan, names: Sequence[str]) -> tuple[Requirement, ...]:
+    """Return the requirements of a plan with the given names, or all of them without names."""
     requirements = {requirement.name: requirement for requirement in plan.requirements}
-    for name in meet:
+    for name in names:
         if name not in requirements:
-            raise InputError(
-                "names.unknown", name, meaning="a requirement", suggestion=NameSuggestion(name, requirements)
-            )
+            near = NameSuggestion(name, requirements)
+            raise InputError("names.unknown", name, meaning="a requirement", suggestion=near)
     if not requirements:
         raise InputError("size.no_requirement", "requirements")
-    selected = tuple(requirements[name] for name in dict.fromkeys(meet or requirements))
-    evaluator = _Evaluator(circuit, plan, selected, free, nominal, uncertain, share or 1.0)
-    first = np.geomspace(low, high, POINTS) if low > 0.0 else np.linspace(low, high, POINTS)
-    results = evaluator.evaluate(first, progress, 0)
-    results = _refine_peaks(evaluator, results, largest, progress)
-    for round_index in range(ROUNDS):
-        holds = _meets_requirements(results, evaluator.share)
-        # The valid value at the end of the valid range, and the neighbouring failing value.
-        k = int(np.flatnonzero(holds)[-1 if largest else 0]) if holds.any() else -1
-        neighbour = k + 1 if largest else k - 1
-        if k < 0 or not 0 <= neighbour < len(holds):
-            break
-        inner = np.linspace(results.values[k], results.values[neighbour], PIECES + 1)[1:-1]
-        results = results.joined(evaluator.evaluate(inner, progress, round_index + 1))
-    return _make_sizing(circuit, evaluator, results, standard, largest)
-
-
-@dataclass(frozen=True)
-class _Evaluations:
-    """Results of all runs at several values of the parameter to be sized.
-
-    The values are in ascending order.
-    """
-
-    values: Array
-    shares: Array
-    metrics: Array  # (n, n_metrics)
-    margins: Array  # (n, n_requirements)
-    worst: Array  # (n,) minimum of all margins relative to their bounds, for the run at the quantile
-
-    def joined(self, other: _Evaluations) -> _Evaluations:
-        order = np.argsort(np.concatenate([self.values, other.values]), kind="stable")
-        rows = (np.concatenate(pair)[order] for pair in zip(vars(self).values(), vars(other).values(), strict=True))
-        return _Evaluations(*rows)
-
-
-class _Evaluator:
-    """Function object that runs a circuit at values of the parameter to be sized.
-
-    It returns the metrics of the runs, and the margins to the requirements.
-    """
-
-    def __init__(
-        self,
-        circuit: BaseCircuit,
-        sweep: EnsemblePlan,
-        requirements: tuple[Requirement, ...],
-        free: str,
-        nominal: float,
-        uncertain: EnsemblePlan | None,
-        share: float,
-    ) -> None:
-        self.plan, self.requirements, self.share = sweep, requirements, share
-        names = [metric.name for metric in sweep.metrics]
-        self.columns = [names.index(requirement.metric) for requirement in requirements]
-        # Scales for the comparison of margins with different units.
-        self.sizes = np.array([max(abs(bound) for _, bound in r.bounds) or 1.0 for r in requirements])
-        if uncertain is None:
-            self._ready, self.draws, self._column = PreparedPlan(sweep), np.ones((1, 1)), 0
-            return
-        draws = uncertain.sample(0, uncertain.runs)
-        addresses = uncertain.addresses
-        if uncertain.runs * (POINTS + ROUNDS * PIECES) > MAX_RUNS:
-            raise InputError("size.too_many", "ensemble.runs", runs=uncertain.runs, most=MAX_RUNS // 200)
-        # A parameter that is also uncertain keeps its relative spread.
-        if free in addresses:
-            median = uncertain.quantile(free, 0.5)
-            if not median:
-                raise InputError("size.about_zero", free)
-            self._column, draws = addresses.index(free), draws.copy()
-            draws[:, self._column] /= median
-        else:
-            self._column = len(addresses)
-            draws, addresses = np.column_stack([draws, np.ones(len(draws))]), (*addresses, free)
-        self.draws = draws
-        table = replace(uncertain, sampling="file", table=(addresses, self._with(nominal)), alone={}, joint=())
-        self._ready = PreparedPlan(replace(table, joint_normal=None, keep="metrics", curves=(), metrics=sweep.metrics))
-
-    def _with(self, value: float) -> Array:
-        draws = self.draws.copy()
-        draws[:, self._column] *= value
-        return draws
-
-    def evaluate(self, values: Array, progress: Progress | None, round_index: int) -> _Evaluations:
-        if progress is not None:
-            progress(round_index, ROUNDS + 1, f"{len(values)} values")
-        runs = len(self.draws)
-        results = self._ready.run(np.concatenate([self._with(value) for value in values])).metrics
-        metrics = results.reshape(len(values), runs, -1)
-        met = np.ones((len(values), runs), dtype=np.bool_)
-        margins = np.empty((len(values), len(self.requirements)))
-        worst = np.full((len(values), runs), np.inf)
-        # Index of the worst run that must not fail.
-        decides = runs - math.ceil(self.share * runs - 1e-9)
-        for k, (requirement, column) in enumerate(zip(self.requirements, self.columns, strict=True)):
-            met &= requirement.met(metrics[:, :, column])
-            margin = np.where(np.isnan(metrics[:, :, column]), -np.inf, requirement.margin(metrics[:, :, column]))
-            worst = np.minimum(worst, margin / self.sizes[k])
-            margins[:, k] = np.sort(margin, axis=1)[:, decides]
-        worst = np.sort(worst, axis=1)[:, decides]
-        return _Evaluations(np.asarray(values), met.mean(axis=1), metrics.mean(axis=1), margins, worst)
-
-
-def _meets_requirements(results: _Evaluations, share: float) -> NDArray[np.bool_]:
-    return results.shares >= share - 1e-12
-
-
-def _refine_peaks(
-    evaluator: _Evaluator, results: _Evaluations, largest: bool, progress: Progress | None
-) -> _Evaluations:
-    """Search near local maxima of the margin for a parameter value that meets all requirements.
-
-    The result contains `results` and the new evaluations. The search begins at the largest margin, and its number of
-    rounds is limited. If values that meet the requirements are known, only maxima below the smallest of them are
-    refined; if `largest` is True, only maxima above the largest.
-    """
-    holds, worst = np.flatnonzero(_meets_requirements(results, evaluator.share)), results.worst
-    left, right = np.append(-np.inf, worst[:-1]), np.append(worst[1:], -np.inf)
-    is_peak = np.isfinite(worst) & (worst >= left) & (worst >= right) & (worst > np.minimum(left, right))
-    if holds.size:
-        is_peak[: holds[-1] + 1] &= not largest
-        is_peak[holds[0] :] &= largest
-    indices = np.flatnonzero(is_peak)
-    peaks = indices[np.argsort(-worst[indices], kind="stable")][:PEAKS]
-    for value in results.values[peaks].tolist():
-        for _ in range(REFINEMENTS):
-            k = int(np.searchsorted(results.values, value))
-            low, high = results.values[max(k - 1, 0)], results.values[min(k + 1, len(results.values) - 1)]
-            inner = np.setdiff1d(np.linspace(low, high, PIECES + 1)[1:-1], results.values)
-            refined = evaluator.evaluate(inner, progress, 0)
-            previous, results = results.worst[k], results.joined(refined)
-            best = int(np.argmax(refined.worst))
-            if _meets_requirements(refined, evaluator.share).any():
-                break
-            if refined.worst[best] > previous:
-                value = float(refined.values[best])
-            elif value in (low, high):  # an end of the range
-                break
-    return results
+    return tuple(requirements[name] for name in dict.fromkeys(names or requirements))
 
 
 def _make_sizing(
-    circuit: BaseCircuit, evaluator: _Evaluator, results: _Evaluations, standard: Array, largest: bool
+    circuit: BaseCircuit, evaluator: SizingEvaluator, results: Evaluations, standard: Array, largest: bool
 ) -> Sizing:
     plan, share = evaluator.plan, evaluator.share
     free = plan.addresses[0]
-    holds = _meets_requirements(results, share)
+    holds = meets_requirements(results, share)
     edges = np.flatnonzero(np.diff(holds.astype(int), prepend=0, append=0))
     pairs = zip(edges[::2], edges[1::2], strict=True)
     intervals = tuple((float(results.values[a]), float(results.values[b - 1])) for a, b in pairs)
@@ -398,7 +325,7 @@ def _make_sizing(
         suffix = "upper" if best == len(holds) - 1 else "lower" if best == 0 else "inside"
         if not results.shares.any() and not np.isfinite(results.worst).any():
             suffix = "known"
-        remarks.append(Note(f"size.none_{suffix}", free, value=float(results.values[best]), unit=unit))
+        remarks.append(Note(f"size.none_{suffix}", free, value=float(results.values[best]), unit=unit, shown=""))
     else:
         k = int(np.flatnonzero(holds)[-1 if largest else 0])
         value, neighbour = float(results.values[k]), k + 1 if largest else k - 1
@@ -417,7 +344,7 @@ def _make_sizing(
         if len(intervals) > 1:
             remarks.append(Note("size.several", free, count=len(intervals)))
         if standard.size:
-            fits = _meets_requirements(evaluator.evaluate(standard, None, 0), share)
+            fits = meets_requirements(evaluator.evaluate(standard), share)
             suitable = standard[fits & (standard <= value if largest else standard >= value)]
             if suitable.size:
                 standard_size = float(suitable[-1 if largest else 0])
@@ -429,4 +356,5 @@ def _make_sizing(
         {metric.name: results.metrics[:, j] for j, metric in enumerate(plan.metrics)},
         {metric.name: metric.unit for metric in plan.metrics},
         intervals, {r.name: r.text for r in evaluator.requirements}, bounds, len(evaluator.draws), tuple(remarks),
+        {r.name: r.metric for r in evaluator.requirements},
     )  # fmt: skip

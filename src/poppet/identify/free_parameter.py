@@ -3,19 +3,16 @@
 from __future__ import annotations
 
 import math
-import re
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any, Literal
 
 from poppet.circuit.circuit import BaseCircuit
+from poppet.circuit.number_specs import number_specs
 from poppet.core.errors import ErrorCollector, InputError, NameSuggestion, OutOfRangeError
 from poppet.core.tables import Field, read_fields
 from poppet.core.units import Kind
-from poppet.parts.fields import NumberSpec, flatten
-from poppet.parts.rows import NumberTable
-from poppet.parts.steps import SequenceProgram
 
 Role = Literal["number", "start", "lag", "input_lag", "delay", "offset", "dead_time"]
 FIELDS = ("start", "min", "max", "prior")
@@ -98,27 +95,6 @@ def by_name(free: Sequence[FreeParameter], x: Iterable[float]) -> dict[str, floa
 def with_starts(free: Sequence[FreeParameter], x: Iterable[float]) -> tuple[FreeParameter, ...]:
     """Return copies of the free parameters with the start values `x`."""
     return tuple(replace(f, start=float(v)) for f, v in zip(free, x, strict=True))
-
-
-def number_specs(circuit: BaseCircuit) -> dict[str, NumberSpec]:
-    """Return the declaration of each parameter of a circuit by address.
-
-    A declaration contains the unit and the valid range.
-    """
-    declared = {f"{name}.{key}": spec for name, part in circuit.parts.items() for key, spec, _ in flatten(part)}
-    for name, part in circuit.parts.items():
-        for table in vars(part).values():
-            if isinstance(table, NumberTable | SequenceProgram):
-                declared |= {f"{name}.{table.field}.{key}": spec for key, spec in table.number_specs().items()}
-        for key, number in part.numbers().items():
-            # Tabulated values of C and b have limits; coefficients of polynomials have none.
-            match = re.search(r"\b(sonic_conductance|critical_ratio)\.(value|y\d+)$", key)
-            spec = NumberSpec(number.unit, f"coefficient {key}")
-            if match is not None:
-                below = 1.0 if match[1] == "critical_ratio" else math.inf
-                spec = NumberSpec(number.unit, f"value {key}", low=0.0, below=below)
-            declared.setdefault(f"{name}.{key}", spec)
-    return declared
 
 
 def read_free(

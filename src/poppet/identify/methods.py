@@ -79,6 +79,43 @@ _PROFILE = MethodOption(Option("--profile ADDRESS ...", "interval by profile lik
 _CONTOUR = MethodOption(Option("--contour", "cost versus conductance and wall conductance, for the report"), "contour")
 _BOOTSTRAP = MethodOption(Option("--bootstrap N", "N bootstrap fits", keywords={"type": int, "default": 0}), "repeats")
 _COMPARE = MethodOption(Option("--compare FILE", "compare with another fit file"), "compare")
+_TANK_RECORDING = tuple(
+    MethodOption(Option(usage, help_text, **keywords))
+    for usage, help_text, keywords in (
+        (
+            "--from RECORDING",
+            "recording of a test; poppet asks on a terminal for what it does not contain, writes FILE "
+            "(default: RECORDING.toml), and fits",
+            {"keywords": {"dest": "recording"}},
+        ),
+        ("--time COLUMN", 'column of the time, with its unit if the heading has none: "t [ms]"', {}),
+        ("--pressure COLUMN", 'column of the tank pressure: "p_tank [bar g]"', {}),
+        ("--temperature COLUMN", 'column of the gas temperature in the tank: "T [degC]" (default: not used)', {}),
+        ("--reference NAME", "gauge or absolute, if neither heading nor --pressure states it", {}),
+        ("--volume VOLUME", 'volume of the tank with its lines: "20 l"', {}),
+        ("--ambient PRESSURE", 'ambient pressure, absolute: "987 hPa"; or its column', {}),
+        ("--ambient-temperature TEMPERATURE", "ambient temperature, or its column (default: 20 degC +/- 3 K)", {}),
+        ("--direction NAME", "discharge or charge (default: from the recorded pressure)", {}),
+        ("--supply PRESSURE", 'supply pressure of a charge, or its column: "p_supply [bar g]"', {}),
+        (
+            "--opens TIME",
+            'time at which the valve opens, from the first sample: "2.3 s"; or a column with the valve signal; free: '
+            "estimated",
+            {},
+        ),
+        ("--closes TIME", "time at which the valve closes; no: not in the recording", {}),
+        ("--window TIMES", 'start and end of the test in the recording: "0.5 s, 20 s"', {}),
+        ("--wall-conductance VALUE", 'wall conductance h A: "6 W/K" (default: free)', {}),
+        (
+            "--picture FILE",
+            "picture of the interpretation (default: FILE-interpretation.png, without .toml)",
+            {"formats": (".png", ".svg", ".pdf")},
+        ),
+        ("--yes", "accept the interpretation without a question, also with doubts", {}),
+        ("--force", "overwrite FILE", {}),
+    )
+)  # fmt: skip
+"""Options with which a recording is described instead of a file."""
 _LIBRARY = MethodOption(
     Option("--library FILE", "write C(x), b(x) for circuit files", (".toml",)),
     write="poppet.identify.characteristic.characteristic_file:write_characteristic",
@@ -104,7 +141,11 @@ BUILT_IN = (
         run="poppet.identify.tank.identify_tank:identify_tank",
         read="poppet.identify.tank.test:read_tank_file",
         fields="poppet.identify.tank.test:FILE_FIELDS",
-        options=(_PROFILE, _CONTOUR, _BOOTSTRAP),
+        options=(_PROFILE, _CONTOUR, _BOOTSTRAP, *_TANK_RECORDING),
+        examples=(
+            'poppet identify tank --from RECORDING.csv --time "t [s]" --pressure "p_tank [bar g]" --volume "20 l" '
+            '--ambient "987 hPa" -o RESULT.toml',
+        ),
         description="Flow characteristics from the pressure in a tank during charge or discharge, fitted to the "
         "integrated equations.",
         intervals=_INTERVALS_OF_FITS,
@@ -157,7 +198,6 @@ BUILT_IN = (
         run="poppet.identify.friction.identify_friction:identify_friction",
         read="poppet.identify.friction.friction_file:read_friction_file",
         fields="poppet.identify.friction.friction_file:TOP_LEVEL",
-        examples=("poppet identify friction FRICTION.toml -o RESULT.toml --report REPORT.html",),
         description="Dry friction versus speed and pressure. Each law is fitted to steady sliding by least squares; "
         "the validation error of recordings or strokes ranks the laws. The motion after reversals gives "
         "the bristles.",

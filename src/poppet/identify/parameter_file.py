@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
 from poppet.circuit.circuit import BaseCircuit
+from poppet.core.codes import Note
 from poppet.core.errors import InputError, NameSuggestion
 from poppet.core.toml_file import TomlFile
 from poppet.identify.result import Result, read_result
@@ -66,6 +68,26 @@ def with_numbers(circuit: BaseCircuit, path: str | Path) -> tuple[BaseCircuit, l
         for problem in error.problems:
             problem.located(file=file.name, line=file.line_of(f"parts.{problem.address}"))
         raise
+
+
+def change_circuit(
+    circuit: BaseCircuit, values: Mapping[str, Any], result: str | Path | None = None
+) -> tuple[BaseCircuit, list[Note]]:
+    """Return a copy of a circuit with other values, and notes on the changes.
+
+    The estimates in the result file `result` are applied first, then `values` by address. The notes are about
+    unreliable estimates, and about signals that were removed because they drove an input in `values`.
+    """
+    notes = []
+    if result is not None:
+        circuit, doubtful = with_numbers(circuit, result)
+        notes += [Note("cli.not_trusted", file=str(result), names=doubtful)] if doubtful else []
+    circuit = circuit.with_values(values) if values else circuit
+    dropped = [address for address in values if address in circuit.signals]
+    # The value is the default of an input: it would have no effect while a signal drives the input.
+    if dropped:
+        circuit = replace(circuit, signals={k: v for k, v in circuit.signals.items() if k not in dropped})
+    return circuit, notes + [Note("cli.signal_left_out", address, value=values[address]) for address in dropped]
 
 
 def _muscle_fields(circuit: BaseCircuit, result: Result) -> dict[str, Any]:

@@ -15,6 +15,7 @@ if TYPE_CHECKING:
     from poppet.parts.cylinder import Cylinder
     from poppet.parts.electronics import Electronics
     from poppet.parts.flow_path import Orifice
+    from poppet.parts.fmu import FMU
     from poppet.parts.gripper import Gripper
     from poppet.parts.logic_valves import QuickExhaustValve, ShuttleValve, TwoPressureValve
     from poppet.parts.main_stage import Contact, Exhaust, Friction, MainStage, Spring, Stop
@@ -78,6 +79,7 @@ KINDS: Registry[type[Part]] = Registry(
         "tube": "poppet.parts.tube:Tube",
         "switch": "poppet.parts.switch:Switch",
         "sequence": "poppet.parts.sequence:Sequence",
+        "fmu": "poppet.parts.fmu:FMU",
     },
     lambda name, value: isinstance(value, type) and issubclass(value, Part) and value.kind == name,
 )
@@ -92,7 +94,7 @@ _PATHS = {
 
 # Literal, so that type checkers can read it.
 __all__ = [
-    "KINDS", "PID", "Antagonist", "BodyFriction", "BodyStop", "Chamber", "CheckValve", "Compressor", "Contact",
+    "FMU", "KINDS", "PID", "Antagonist", "BodyFriction", "BodyStop", "Chamber", "CheckValve", "Compressor", "Contact",
     "Cylinder", "DirectionalValve", "Electronics", "Exhaust", "Filter", "FlowControlValve", "FlowSource", "Friction",
     "Gripper", "Guide", "InverseMuscle", "Joint", "JointFriction", "JointStop", "MainStage", "Mass", "Muscle",
     "Orifice", "Part", "Passage", "PilotStage", "PilotedCheckValve", "PressureBooster", "PressureController",

@@ -235,6 +235,14 @@ class MovingBody(Body):
         if (low is not None and start < low - self.max_depth) or (high is not None and start > high + self.max_depth):
             raise InputError("bodies.beyond_stop", "initial_position", value=start, low=low, high=high, unit=self.unit)
 
+    def notes(self) -> tuple[Note, ...]:
+        """Return a note if dry friction is specified, but the law omits it."""
+        levels = [f"{sign}{level}_{self.effort}" for sign in ("", "negative_") for level in ("coulomb", "static")]
+        has_law = self.friction is None or self._law in DRY_LAWS
+        idle = [] if has_law else [name for name in levels if getattr(self.friction, name) is not None]
+        note = Note("bodies.idle_friction", f"friction.{idle[0]}", law=self._law) if idle else None
+        return super().notes() + ((note,) if note else ())
+
     def _levels(self) -> list[tuple[Any, Any]]:
         """Return pairs of Coulomb and static friction, or their defaults, in SI units.
 

@@ -88,6 +88,7 @@ class Input:
     is_flag: bool = False  # 0 or 1, a Boolean in exported programs
     is_onset: bool = False  # without a signal, 0 before its delay, and its default afterwards
     at_rest: float | None = None  # value in steady states, unless another value is requested
+    is_coupled: bool = False  # output of an FMU, which only a co-simulation sets
 
 
 @dataclass(frozen=True)

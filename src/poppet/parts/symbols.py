@@ -378,6 +378,14 @@ ANTAGONIST = (
 )
 # An open contact (IEC 60617).
 SWITCH = _CONTROLLER + line((0.14, 0.42), (0.34, 0.42), (0.68, 0.66)) + line((0.66, 0.42), (0.86, 0.42))
+# A block with inputs and outputs.
+FMU = (
+    _CONTROLLER
+    + rectangle(0.36, 0.36, 0.28, 0.28)
+    + line((0.18, 0.56), (0.36, 0.56))
+    + line((0.18, 0.44), (0.36, 0.44))
+    + line((0.64, 0.5), (0.82, 0.5))
+)
 # An initial step, a transition and a step (IEC 60848).
 SEQUENCE = (
     _CONTROLLER

@@ -45,7 +45,7 @@ def passport(component: CatalogueComponent) -> str:
 
 def component_list(components: Iterable[CatalogueComponent]) -> str:
     """Return a table of components: name, kinds, function, C, b and further numbers."""
-    rows = [["component", "kind", "function", "C [dm^3/(s bar)]", "b", "further numbers"]]
+    rows = [["component (?: with doubts)", "kind", "function", "C [dm^3/(s bar)]", "b", "further numbers"]]
     for component in components:
         capacity = flow_capacity(component)
         function = component.printed.get("function") or ", ".join(

@@ -4,13 +4,15 @@ from __future__ import annotations
 
 import html
 import math
+from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from poppet.control.comparison import Comparison
-from poppet.control.loop import SampledPlant, step_response
+from poppet.control.loop import Margins
+from poppet.control.loop_figures import bode_figure, disturbance_courses, step_courses, step_figure
 from poppet.control.metrics import readable_metric_unit, readable_unit_of
 from poppet.control.tuning import Tuning
 from poppet.core.number_format import pretty, scaled
@@ -41,19 +43,38 @@ _LEFT, _WIDTH, _GAP, _TOP = 0.75, 3.1, 0.3, 0.62
 _UPPER, _LOWER, _STRIP = 1.9, 0.9, 1.3
 _SMALL_OPENING = 0.3
 """Maximum opening for an axis that is scaled to the openings."""
-_MAX_SAMPLES = 2000
-"""Maximum number of samples of a step response."""
 _STYLE = "pre { overflow-x: auto; background: var(--wash); padding: .6rem .9rem; }\n"
 
 
 def margin_table(tuning: Tuning) -> ReportTable:
-    """Return a table of the robustness margins of all tuned control loops."""
-    rows = [
+    """Return a table of the robustness margins of all tuned control loops.
+
+    The last column is the lower gain margin; it is omitted if no loop has one.
+    """
+    return _loop_table([loop for point in tuning.points for loop in point.margins.items()])
+
+
+def file_margin_table(tuning: Tuning, circuit: BaseCircuit) -> ReportTable | None:
+    """Return a table of the margins of the same loops with the gains of the circuit.
+
+    It is None if these gains have no such margins, for example those of a schedule. An unstable loop has no margins.
+    """
+    loops = tuning.margins_of(circuit)
+    stable = _loop_table([loop for loop in loops.items() if loop[1].is_stable])
+    missing = (None,) * (len(stable.columns) - 1)
+    unstable = [(f"{name}: unstable", *missing) for name, m in loops.items() if not m.is_stable]
+    return ReportTable(stable.columns, [*stable.rows, *unstable]) if loops else None
+
+
+def _loop_table(loops: Sequence[tuple[str, Margins]]) -> ReportTable:
+    rows: list[tuple[Any, ...]] = [
         (name, m.sensitivity, m.complementary, m.gain_margin, m.phase_margin, m.delay_margin, m.crossover)
-        for point in tuning.points
-        for name, m in point.margins.items()
+        for name, m in loops
     ]
-    headings = "Ms", "Mt", "gain margin", "phase margin [deg]", "delay margin [s]", "crossover [Hz]"
+    headings = ["Ms", "Mt", "gain margin", "phase margin [deg]", "delay margin [s]", "crossover [Hz]"]
+    if any(m.lower_gain_margin > 0.0 for _, m in loops):
+        headings.append("lower gain margin")
+        rows = [(*row, m.lower_gain_margin or None) for row, (_, m) in zip(rows, loops, strict=True)]
     return ReportTable(("at", *numeric(*headings, digits=".4g")), rows)
 
 
@@ -80,6 +101,20 @@ def verification_table(tuning: Tuning) -> ReportTable:
     return ReportTable(("step there and back at", *numeric(*headings, digits=".3g")), rows)
 
 
+def step_table(tuning: Tuning) -> ReportTable:
+    """Return a table of overshoot and settling time of all linear loops, after setpoint and disturbance steps."""
+    rows = [
+        (
+            setpoint.name,
+            max(0.0, 100.0 * (float(setpoint.values[setpoint.peak]) - 1.0)),
+            *(f"{c.settling_time:.3g}" if math.isfinite(c.settling_time) else "never" for c in (setpoint, disturbed)),
+        )
+        for setpoint, disturbed in zip(step_courses(tuning), disturbance_courses(tuning), strict=True)
+    ]
+    headings = "overshoot [%]", "settling [s]", "settling after a disturbance [s]"
+    return ReportTable(("at", *numeric(*headings, digits=".2g")), rows)
+
+
 def write_tuning(tuning: Tuning, circuit: BaseCircuit, path: str | Path) -> Path:
     """Write the report of a controller tuning as a self-contained HTML page."""
     return write_page(path, lambda: tuning_page(tuning, circuit))
@@ -88,23 +123,32 @@ def write_tuning(tuning: Tuning, circuit: BaseCircuit, path: str | Path) -> Path
 def tuning_page(tuning: Tuning, circuit: BaseCircuit) -> str:
     """Return the report of a controller tuning as HTML.
 
-    It contains gains, sensitivities, step responses and margins.
+    It contains gains, Bode plots, margins and step responses.
     """
     title = f"{circuit.title or 'A circuit'}: gains of {tuning.controller}"
-    step = (
-        "step up and back of the nonlinear plant; its size makes the proportional part equal to the sine"
-        if tuning.is_verified
-        else "small setpoint step of the linear loop, without limits and dead zones of the valves"
+    bode = (
+        "Bode plot of the open loops with sampling and delay. Circles: crossovers; squares: frequencies of the gain "
+        "margins; lines: smallest margins. Below: sensitivity |S| = |1/(1 + L)| and its bound."
     )
-    caption = f"Left: sensitivity |S| = |1/(1 + L)| of the tuned loops, its maximum Ms and its bound. Right: {step}."
+    steps = (
+        "Setpoint steps of the nonlinear plant. Their size makes the proportional part equal to the sine."
+        if tuning.is_verified
+        else "Small steps of the linear loops, without limits and dead zones of the valves. Above: setpoint; below: "
+        "disturbance that is added to the command."
+    )
     lead = f"Form {tuning.form}. Bounded: {tuning.bound_text}, {tuning.command_text}."
     with style("A report of a tuning"):
         sections = [
             Section("", head(title, lead) + findings(tuning.notes)),
             Section("Gains", f"<pre>{html.escape(tuning.text())}</pre>\n"),
-            Section("Loops", picture(loop_figure(tuning), "loops", caption)),
-            Section("Margins", margin_table(tuning)),
-            Section("Steps", verification_table(tuning) if tuning.is_verified else ""),
+            Section("Margins", (picture(bode_figure(tuning), "bode", bode), margin_table(tuning))),
+            Section(
+                "Steps",
+                (
+                    picture(step_figure(tuning), "steps", steps),
+                    verification_table(tuning) if tuning.is_verified else step_table(tuning),
+                ),
+            ),
         ]
     return document(title, sections, style=_STYLE)
 
@@ -149,40 +193,6 @@ def comparison_page(comparison: Comparison, title: str) -> str:
             Section("Spread", picture(spread_figure(comparison), "spread", MARKERS, is_still=True)),
         ]
     return document(title, sections, style=_STYLE)
-
-
-def loop_figure(tuning: Tuning) -> Figure:
-    """Draw the sensitivity and the step response of each tuned control loop.
-
-    The curves belong to operating points, and at each of them to the sides (signs) or the sine amplitudes of the
-    command.
-    """
-    figure = new_figure(10.0, 3.9)
-    left, right = (axes_in(figure, edge, 0.75, 4.0, 2.5) for edge in (0.75, 5.75))
-    left.axhline(tuning.sensitivity, color=GREY, linewidth=0.9, linestyle=(0, (2, 2)), label="bound")
-    colours = iter(PALETTE * 4)
-    for point in tuning.points:
-        runs = {run.at: run for run in point.verified}
-        for name, plant in point.plants.items():
-            line = {"color": next(colours), "linewidth": 1.2, "label": name}
-            z = plant.at(plant.frequencies)
-            loop = point.gains.response(z, plant.sample_time) * plant.response(z)
-            left.semilogx(plant.frequencies[::8], np.abs(1.0 / (1.0 + loop))[::8], **line)
-            if isinstance(plant, SampledPlant):
-                crossover = max(margins.crossover for margins in point.margins.values())
-                length = max(point.gains.integral_time, 1.0 / (2.0 * np.pi * max(crossover, 1e-9)))
-                samples = max(min(_MAX_SAMPLES, int(12.0 * length / plant.sample_time)), 2)
-                step = step_response(plant, point.gains, point.setpoint_weight, samples)
-                right.plot(plant.sample_time * np.arange(step.size), step, **line)
-            elif name in runs:
-                run = runs[name]
-                right.plot(run.time - run.time[0], (run.measured - run.setpoint[0]) / run.step, **line)
-    left.set(xlabel="frequency [Hz]", ylabel="sensitivity [1]")
-    right.axhline(1.0, color=GREY, linewidth=0.8)
-    right.set(xlabel="time [s]", ylabel="measurement per step [1]")
-    handles, labels = left.get_legend_handles_labels()
-    figure.legend(handles, labels, loc="upper left", bbox_to_anchor=(0.07, 0.99), ncols=4, fontsize=7.5)
-    return figure
 
 
 def plot_comparison(comparison: Comparison, path: str | Path | None = None, *, title: str = "") -> Figure:

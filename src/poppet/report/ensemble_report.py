@@ -16,7 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from poppet.core.message_format import sentence
-from poppet.core.number_format import USUAL, number, pretty, readable_unit, scaled
+from poppet.core.number_format import USUAL, number, pretty, scaled
 from poppet.core.number_format import with_unit as value_with_unit
 from poppet.core.units import convert
 from poppet.ensemble import Bands, Ensemble, Sizing, Yield
@@ -401,7 +401,8 @@ def sizing_page(sizing: Sizing) -> str:
     )
     with style("A page of a sizing"):
         caption += f" {share_caption}" if sizing.share < 1.0 else ""
-        result = (paragraph(_headline(sizing), bold=True), _margin_table(sizing), findings(sizing.remarks))
+        line = paragraph(_metric_line(sizing) if sizing.is_met else "")
+        result = (paragraph(_headline(sizing), bold=True), line, _margin_table(sizing), findings(sizing.remarks))
         sections = [
             Section("", head(sizing.title, lead)),
             Section("Result", result),
@@ -415,7 +416,7 @@ def sizing_text(sizing: Sizing) -> str:
     """Return the result of a sizing as text for a terminal."""
     lines = [sizing.title] if sizing.title else []
     lines.append(_headline(sizing))
-    lines += ["", _margin_table(sizing).text()] if sizing.is_met else []
+    lines += ["", _margin_table(sizing).text(), "", _metric_line(sizing)] if sizing.is_met else []
     return "\n".join([*lines, *(f"- {remark}" for remark in sizing.remarks)])
 
 
@@ -431,17 +432,30 @@ def _headline(sizing: Sizing) -> str:
         low, high = (100.0 * end for end in sizing.interval)
         text += f" (yield {100.0 * sizing.share:g} %, 95 % interval {low:.4g} ... {high:.4g} %)"
     text += f", limited by {sizing.limiting}" if sizing.limiting else ""
+    if sizing.has_nominal_flow:
+        flow = 6e4 * sizing.nominal_flow  # [l/min ANR]
+        text += f"; nominal flow {flow:.4g} l/min ANR with b = {sizing.critical_ratio:.3g}"
     return text + (f"; of the sizes: {_value_text(sizing, sizing.size)}." if math.isfinite(sizing.size) else ".")
 
 
 def _value_text(sizing: Sizing, value: float) -> str:
-    unit = readable_unit(sizing.unit, value)
-    return value_with_unit(number(scaled(value, sizing.unit, unit)), unit)
+    return value_with_unit(number(sizing.shown(value)), sizing.shown_unit)
 
 
 def _margin_table(sizing: Sizing) -> ReportTable:
-    rows = [(name, sizing.requirements[name], margin) for name, margin in sizing.margins.items()]
-    return ReportTable(("requirement", "", Column("margin at the value", ".3g")), rows, "Requirements")
+    units = {name: sizing.units[metric] for name, metric in sizing.bounded.items()}
+    rows = [
+        (name, sizing.requirements[name], value_with_unit(f"{margin:.3g}", units[name]))
+        for name, margin in sizing.margins.items()
+    ]
+    return ReportTable(("requirement", "", *numeric("margin at the value")), rows, "Requirements")
+
+
+def _metric_line(sizing: Sizing) -> str:
+    """Return the metrics at the value of the parameter as text; for several runs, they are means."""
+    values = sizing.metrics_at_value.items()
+    texts = (f"{name} {value_with_unit(f'{value:.4g}', sizing.units[name])}" for name, value in values)
+    return f"{'Means' if sizing.share < 1.0 else 'Metrics'} at this value: {', '.join(texts)}."
 
 
 def curve_figure(sizing: Sizing) -> Figure:
@@ -449,8 +463,8 @@ def curve_figure(sizing: Sizing) -> Figure:
 
     If there are several runs at each value of the parameter, the yield is also drawn.
     """
-    unit = readable_unit(sizing.unit, float(np.median(sizing.values)))
-    x = np.array([scaled(value, sizing.unit, unit) for value in sizing.values])
+    unit = sizing.shown_unit
+    x = np.array([sizing.shown(value) for value in sizing.values])
     rows = [*sizing.metrics, *(["yield"] if sizing.share < 1.0 else [])]
     figure = new_figure(WIDTH, 0.35 + len(rows) * (_PANEL + 0.35) + 0.3)
     for k, name in enumerate(rows):
@@ -468,10 +482,10 @@ def curve_figure(sizing: Sizing) -> Figure:
             axes.axhline(bound, color=INK, linewidth=1.0, linestyle=(0, (5, 3)))
         axes.set_ylabel(label, parse_math=False)
         for interval in sizing.holding:
-            first, last = (scaled(end, sizing.unit, unit) for end in interval)
+            first, last = (sizing.shown(end) for end in interval)
             axes.axvspan(first, last, color=PALETTE[2], alpha=0.12, linewidth=0)
         if sizing.is_met:
-            axes.axvline(scaled(sizing.value, sizing.unit, unit), color=ACCENT, linewidth=1.4)
+            axes.axvline(sizing.shown(sizing.value), color=ACCENT, linewidth=1.4)
         if x[0] > 0.0:
             axes.set_xscale("log")
             axes.xaxis.set_major_formatter(lambda value, _: f"{value:g}")

@@ -59,11 +59,14 @@ def write_page(path: str | Path, text: Callable[[], str]) -> Path:
     return write_whole(target, lambda stream: stream.write(content))
 
 
-def document(title: str, sections: Iterable[tuple[str, Content]], *, style: str = "", program: str = "") -> str:
+def document(
+    title: str, sections: Iterable[tuple[str, Content]], *, style: str = "", program: str = "", connects: str = ""
+) -> str:
     """Return a complete HTML page with the given sections.
 
     The keyword `style` contains further style sheets. The keyword `program` is a script that runs after all others and
-    may use WebAssembly.
+    may use WebAssembly. The keyword `connects` contains the sources to which scripts can connect, as in a content
+    security policy.
 
     Examples
     --------
@@ -79,7 +82,7 @@ def document(title: str, sections: Iterable[tuple[str, Content]], *, style: str 
     body = f"<main>\n{body}</main>" + "".join(f"\n<script>{text}</script>\n" for text in code)
     css = stylesheet("page") + (interactive.style() if has_plots else "") + style
     meta = '<meta charset="utf-8">\n<meta name="viewport" content="width=device-width, initial-scale=1">\n'
-    meta += interactive.policy(*code, computes=bool(program))
+    meta += interactive.policy(*code, computes=bool(program), connects=connects)
     meta += f"<title>{html.escape(title)}</title>\n<style>{css}</style>"
     return f'<!DOCTYPE html>\n<html lang="en">\n<head>\n{meta}\n</head>\n<body>{body}</body>\n</html>\n'
 

@@ -199,6 +199,26 @@ class Signal(ABC):
             raise InputError("signals.duration", duration=duration)
         return self.segments(duration, duration)
 
+    def window(self, begin: float, end: float, duration: float | None) -> SegmentTable:
+        """Return the segments of a time window, for runs without an end.
+
+        Parameters
+        ----------
+        begin, end : float
+            Time window, not negative [s].
+        duration : float or None
+            Duration for kinds of signals that depend on the duration [s].
+
+        Returns
+        -------
+        SegmentTable
+            Segments of `segments` that begin before `end`, from one that is valid at `begin` on. Periodic signals need
+            memory for the window only.
+        """
+        table = self.segments(end, duration)
+        first = max(0, int(np.searchsorted(table.start, begin, side="right")) - 1)
+        return SegmentTable(*(getattr(table, column.name)[first:] for column in fields(table)))
+
     def evaluate(self, times: float | Floats, duration: float | None = None) -> FloatArray:
         """Return the values of the signal at given times.
 
@@ -309,6 +329,16 @@ class DelayedSegments(Signal):
             np.append(getattr(initial, column.name), getattr(table, column.name))[:n] for column in fields(table)[1:]
         )
         return SegmentTable(start[:n], *joined)
+
+    def window(self, begin: float, end: float, duration: float | None) -> SegmentTable:
+        if begin <= self.delay:
+            return super().window(begin, end, duration)
+        # As in `segments`, the limits have a margin for rounding.
+        margin = 2.0 * math.ulp(end)
+        table = self.signal.window(max(0.0, begin - self.delay - margin), end - self.delay + margin, duration)
+        start = table.start + self.delay
+        n = int(np.searchsorted(start, end, side="left"))
+        return SegmentTable(start[:n], *(getattr(table, column.name)[:n] for column in fields(table)[1:]))
 
     def bounds(self) -> tuple[float, float]:
         return self.signal.bounds()

@@ -304,9 +304,18 @@ class Prbs(Signal):
         n = end / self.bit_time
         if n > _MAX_BITS:
             raise InputError("signals.too_many_bits", bit_time=self.bit_time, bits=n, until=end, limit=_MAX_BITS)
-        bits = np.random.PCG64(self.seed).random_raw(math.ceil(n)) >> np.uint64(63)
+        return self._bits(0, end)
+
+    def window(self, begin: float, end: float, duration: float | None) -> SegmentTable:
+        return self._bits(max(0, math.floor(begin / self.bit_time) - 1), end)
+
+    def _bits(self, first: int, end: float) -> SegmentTable:
+        """Return the segments from the bit with the index `first` on that begin before the time `end`."""
+        last = max(first + 1, math.ceil(end / self.bit_time))
+        bits = np.random.PCG64(self.seed).advance(first).random_raw(last - first)
+        bits >>= np.uint64(63)
         changed = np.concatenate(([0], np.flatnonzero(np.diff(bits)) + 1))
-        start = changed * self.bit_time
+        start = (first + changed) * self.bit_time
         changed, start = changed[start < end], start[start < end]
         value = np.where(bits[changed] == 1, self.high, self.low)
         return lines(start, value, np.zeros(len(start)), np.arange(len(start)) > 0)
@@ -344,11 +353,24 @@ class _Pulses(Signal):
                 "signals.too_many_periods", frequency=self.frequency, periods=end * self.frequency, until=end,
                 limit=_MAX_PERIODS,
             )  # fmt: skip
-        number = np.arange(math.ceil(end * self.frequency))
+        return self._periods(0, end, duration)
+
+    def window(self, begin: float, end: float, duration: float | None) -> SegmentTable:
+        return self._periods(max(0, math.floor(begin * self.frequency) - 1), end, duration)
+
+    def _periods(self, first: int, end: float, duration: float | None) -> SegmentTable:
+        """Return the segments from the period with the index `first` on that begin before the time `end`."""
+        # The product of the smallest numbers is rounded to 0.
+        number = np.arange(first, max(first + 1, math.ceil(end * self.frequency)))
         # One division per edge gives the double nearest to the intended decimal value.
         begin = number / self.frequency
         number, begin = number[begin < end], begin[begin < end]
-        duty = self.duty.evaluate(begin, duration) if isinstance(self.duty, Signal) else np.full(len(begin), self.duty)
+        if isinstance(self.duty, Signal):
+            # The limit of a window is exclusive, see `evaluate`.
+            limit = math.nextafter(float(begin[-1]), math.inf) if begin.size else end
+            duty = self.duty.window(float(begin[0]) if begin.size else 0.0, limit, duration).evaluate(begin)
+        else:
+            duty = np.full(len(begin), self.duty)
         fall = (number + duty) / self.frequency
         start = np.column_stack([begin, fall]).ravel()
         is_high = np.column_stack([fall > begin, duty >= 1.0]).ravel()

@@ -164,3 +164,16 @@ def test_numbers_of_a_table_of_friction_have_addresses():
     assert after.structure == before.structure
     with refused("names.unknown", "slide.friction.position_factor.factor_3"):
         before.with_values({"slide.friction.position_factor.factor_3": 3.0})
+
+
+@pytest.mark.parametrize("kind", ["none", "viscous"])
+def test_dry_friction_without_a_law_for_it_gives_a_note(kind):
+    """The default law is viscous: a Coulomb force alone had no effect and no message."""
+    friction = {"kind": kind, "coulomb_force": "20 N", "viscous_coefficient": "50 N s/m"}
+    (note,) = [note for note in circuit(Mass(mass=1.0, friction=friction)).static_notes if "friction" in note.address]
+    assert (note.code, note.address, note.facts["law"]) == (
+        "bodies.idle_friction", "slide.friction.coulomb_force", kind,
+    )  # fmt: skip
+    for complete in (friction | {"kind": "elasto_plastic"}, {"viscous_coefficient": "50 N s/m"}):
+        notes = circuit(Mass(mass=1.0, friction=complete)).static_notes
+        assert not any(note.code == "bodies.idle_friction" for note in notes)

@@ -158,6 +158,27 @@ def test_stalled_run_is_repeated_with_a_note(monkeypatch):
     assert recording["tank.pressure"] == pytest.approx(reference["tank.pressure"], rel=1e-5)
 
 
+@pytest.mark.parametrize("solver", ["rosenbrock", "cvodes", "radau"])
+def test_an_interrupted_run_of_another_solver_keeps_its_results(monkeypatch, solver):
+    """Ctrl-C and time limits reach a run that another solver continues."""
+    original_run = simulate.run_kernel
+    monkeypatch.setattr(
+        simulate, "run_kernel", lambda problem, _: dataclasses.replace(original_run(problem), outcome=Outcome.STALLED)
+    )
+
+    def interrupt(time: float) -> None:
+        if time > 0.55:
+            raise KeyboardInterrupt
+
+    reference = filling().simulate("2 s", "0.1 s", solver="radau")
+    recording = filling().simulate("2 s", "0.1 s", progress=interrupt, throw=False, solver=solver)
+    assert recording.ending.code == "run.ended.interrupted"
+    assert [note.code for note in recording.remarks] == ["run.handed_over"] * (solver == "rosenbrock")
+    assert 0.45 < recording.time[-1] < 1.0
+    rows = recording.time.size
+    assert recording["tank.pressure"] == pytest.approx(reference["tank.pressure"][:rows], rel=1e-5)
+
+
 def test_violated_balance_gives_a_note(monkeypatch):
     from poppet.circuit import notes as outcome
 

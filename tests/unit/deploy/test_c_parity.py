@@ -68,9 +68,11 @@ def test_exported_c_of_ten_circuits_equals_the_kernel(name, tmp_path, monkeypatc
     test_exported_c_equals_the_kernel_in_every_bit(name, tmp_path, monkeypatch)
 
 
-def test_the_integrator_in_c_is_made_from_the_present_source(monkeypatch):
+@pytest.mark.parametrize("name", ["INTEGRATOR", "ESTIMATOR"])
+def test_the_integrator_in_c_is_made_from_the_present_source(name, monkeypatch):
     monkeypatch.syspath_prepend(str(Path(__file__).parents[3] / "tools"))
-    translated = importlib.import_module("integrator_c").integrator_c()
-    shipped = Path(compiled.__file__).with_name("integrator.c").read_text(encoding="utf-8")
+    translator, made = importlib.import_module("integrator_c"), getattr(compiled, name)
+    translated = translator.integrator_c(getattr(translator, name))
+    shipped = Path(compiled.__file__).with_name(made.text).with_suffix(".c").read_text(encoding="utf-8")
     # Comments of the sources are no part of the text, but of their mark.
-    assert shipped == f"/* {compiled.INTEGRATOR.mark()} */\n{translated}\n", "run `make integrator`"
+    assert shipped == f"/* {made.mark()} */\n{translated}\n", "run `make integrator`"

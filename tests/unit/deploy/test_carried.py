@@ -9,9 +9,9 @@ import numpy as np
 import pytest
 
 from poppet import load
+from poppet.circuit.number_specs import number_specs
 from poppet.core.errors import InputError
 from poppet.deploy.export_model import ExportModel, build_export_model, find_tied
-from poppet.identify.free_parameter import number_specs
 from poppet.parts.fields import flatten
 from poppet.timeseries.signals import Square
 from refusals import refused

@@ -11,6 +11,8 @@ import pytest
 
 from javascript import needs_node
 from poppet import edit
+from poppet.core.errors import InputError
+from poppet.timeseries.tables.reading import read_table
 
 pytestmark = needs_node
 WWW = Path(edit.__file__).parent / "www"
@@ -46,6 +48,49 @@ def test_tables_of_spreadsheets(tmp_path, content):
     time, pressure = in_node("csv.js", TABLE, content, tmp_path)
     assert time == {"name": "time", "unit": "s", "values": [0, 1, 2]}
     assert pressure == {"name": "tank.pressure", "unit": "bar", "values": [1.5, 2, None]}
+
+
+AS_PYTHON = {
+    "quoted decimal commas": 't (s),"p (bar)"\n"0,10","6,01"\n"0,20","5,98"\n"0,30",\n',
+    "quoted numbers without decimals": 't (s),p (bar)\n"0","6"\n"1","5,5"\n"2","5"\n',
+    "decimal points": "t;p\n0.1;6.013\n0.2;5.993\n0.3;5.5\n",
+    "exponents": "t,p\n1E0,1.5d3\n2e0,-1D-3\n3.,.5\n",
+    "a small jump": "t;p\n100;1.013\n200;93\n300;87\n",
+    "three decimals beside other ones": "t;p\n100;1.02\n200;1.013\n300;993\n",
+    "zero": "t;p\n100;1.013\n200;0\n300;1.011\n",
+    "infinite values and words for none": "t;p;word\n1;inf;a\n2;-;b\n3;n/a;c\n4;-inf;d\n",
+    "thousands": "t;p\n100;6.013\n200;1.013\n300;993\n400;987\n",
+    "thousands, rising": "t;p\n100;987\n200;993\n300;-1.013\n",
+    "thousands and decimal commas": "t;p\n0,1;6.013\n0,2;987,5\n0,3;993,5\n",
+    "a cell that is no number": "t;p\n1;6,1\n2;6,2\n3;error\n",
+}
+
+
+def read_in_python(file):
+    """Return the columns of a file with their values as texts, or the code and the facts of the error."""
+    try:
+        table = read_table(file)
+    except InputError as problem:
+        return [problem.code.partition(".")[2], {name: fact for name, fact in problem.facts.items() if name != "line"}]
+    columns = zip(table.names, table.units, table.columns, strict=True)
+    return [[name, unit, [str(float(value)) for value in values]] for name, unit, values in columns]
+
+
+def test_tables_are_read_as_in_python(tmp_path):
+    body = (
+        "const read = content => { try { return page.readTable(content).map(c => "
+        "[c.name, c.unit, Array.from(c.values, String)]); } "
+        "catch (problem) { return [problem.message.split('.')[1], problem.facts]; } }; return data.map(read);"
+    )
+    found = dict(zip(AS_PYTHON, in_node("csv.js", body, list(AS_PYTHON.values()), tmp_path), strict=True))
+    file = tmp_path / "measured.csv"
+    for case, content in AS_PYTHON.items():
+        file.write_text(content, encoding="utf-8")
+        expected = read_in_python(file)
+        if isinstance(expected[0], list):
+            for column in found[case]:
+                column[2] = [str(float(value)) for value in column[2]]
+        assert found[case] == expected, case
 
 
 def test_names_that_spreadsheets_take_for_formulas(tmp_path):

@@ -13,7 +13,8 @@ import pytest
 from poppet import loads
 from poppet.core.errors import InputError
 from poppet.edit.document import Document
-from poppet.edit.part_names import references
+from poppet.edit.part_names import references, renamed, without_references
+from poppet.edit.toml_text import TomlText
 from poppet.ensemble import plan_of
 from poppet.parts import KINDS
 from poppet.parts.fields import port, reference
@@ -171,3 +172,20 @@ def test_references_of_an_invalid_table():
 def test_a_rename_to_a_name_of_a_part_is_rejected():
     with pytest.raises(InputError):
         rename(EVERYWHERE, "tank", "valve")
+
+
+MODBUS = """
+[modbus.registers]
+"tank.pressure" = { input = 0 }  # gauge
+hole.opening = { holding = 0 }
+"""
+
+
+def test_registers_follow_the_name_of_their_part():
+    text = renamed(TomlText(MODBUS), {}, "tank", "vessel")
+    assert text == MODBUS.replace('"tank.pressure"', '"vessel.pressure"')
+    text = renamed(TomlText(MODBUS), {}, "hole", "gap")
+    assert text == MODBUS.replace("hole.", "gap.")
+    for removed, left in (("tank", {"hole": {"opening": {"holding": 0}}}), ("hole", {"tank.pressure": {"input": 0}})):
+        after = tomllib.loads(without_references(TomlText(MODBUS), {}, {removed}))
+        assert after["modbus"]["registers"] == left

@@ -72,14 +72,15 @@ def connections(kind):
     return operations
 
 
-@pytest.mark.parametrize("kind", ENTRIES)
+# An FMU needs a file: a new one is invalid until the file exists.
+@pytest.mark.parametrize("kind", [kind for kind in ENTRIES if kind != "fmu"])
 def test_a_new_part_is_valid_once_its_ports_are_connected(kind):
     new = {"op": "add", "kind": kind, "name": "new", "fields": starting_fields(kind)}
     document = Document(PLANT).apply([new, *connections(kind)])
     assert type(loads(document.text).parts["new"]) is parts.KINDS[kind]
 
 
-@pytest.mark.parametrize("kind", sorted(STARTING_VALUES))
+@pytest.mark.parametrize("kind", sorted(STARTING_VALUES.keys() - {"fmu"}))
 def test_the_source_of_each_parameter_is_assumed(kind):
     new = {"op": "add", "kind": kind, "name": "new", "fields": starting_fields(kind)}
     document = Document(PLANT).apply([new, *connections(kind)])

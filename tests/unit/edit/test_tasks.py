@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import base64
 import csv
 import io
 import json
@@ -17,15 +18,19 @@ import pytest
 
 from poppet import load
 from poppet.api import loads
+from poppet.core.errors import InputError
 from poppet.core.provenance import Number, Source
 from poppet.edit.document import Document
-from poppet.edit.tasks import fits, manager, process, runs, studies
+from poppet.edit.tasks import fits, manager, process, runs, studies, tank_tests
 from poppet.edit.tasks.facts import task_facts
 from poppet.edit.tasks.kinds import TASKS
 from poppet.edit.tasks.manager import Tasks, check_file_name
 from poppet.edit.tasks.order import TaskOrder, written_value
+from poppet.identify.recorded_columns import UserStatement
+from poppet.identify.tank.tank_recording import interpret_tank
 from poppet.timeseries.tables.table import Table
 from refusals import refused
+from tank_discharge import excel_export
 
 EXAMPLES = Path(__file__).parents[3] / "examples"
 FILL = """
@@ -243,6 +248,19 @@ def test_a_recording_gives_the_parameter_of_the_circuit_that_made_it(job):
     assert order.path("-fit.html").exists()
 
 
+def test_a_tank_test_is_interpreted_as_on_the_command_line(job):
+    order = job(recording="export.csv", statements={"volume": "20 l", "opens": ""})
+    path = excel_export(order.uploads / "export.csv")
+    data = tank_tests.interpret_recording(order).data
+    expected = interpret_tank(path, {"volume": UserStatement("20 l", "answer")})
+    assert [(item["subject"], item["value"], tuple(item["origins"])) for item in data["items"]] == [*expected.items]
+    assert [question["key"] for question in data["questions"]] == ["reference", "opens", "ambient"]
+    assert base64.b64decode(data["picture"])[:4] == b"\x89PNG"
+    with pytest.raises(InputError) as caught:
+        tank_tests.fit_tank_test(order)
+    assert (caught.value.code, caught.value.address) == ("question.unanswered", "reference")
+
+
 def test_columns_are_proposed_by_names_and_units(job):
     order = job(recording="bench.csv")
     recorded(order.uploads)
@@ -252,6 +270,23 @@ def test_columns_are_proposed_by_names_and_units(job):
         ("p_tank", "", "tank.pressure", False),
     ]
     assert columns[1]["high"] == pytest.approx(0.13e-8 * 1e6 * RATE * 2.0 / 1e-3 / 1e5, rel=1e-3)
+
+
+def test_a_pressure_without_a_reference_is_no_column(job):
+    order = job(
+        recording="bench.csv",
+        time={"column": "time", "unit": "ms"},
+        columns={"tank.pressure": {"column": "p_tank", "unit": "bar"}},
+        free=["fill.sonic_conductance"],
+    )
+    recorded(order.uploads)
+    with pytest.raises(InputError) as caught:
+        fits.fit_parameters(order)
+    assert (caught.value.code, caught.value.address) == ("edit.no_reference", "tank.pressure")
+    of_poppet = {"tank.pressure": {"column": "tank.pressure", "unit": "bar"}}
+    assert "tank.pressure" in fits.recording_table(
+        job(recording="bench.csv", time={"column": "time"}, columns=of_poppet, free=[])
+    )
 
 
 def test_a_column_has_one_quantity_and_a_quantity_one_column():

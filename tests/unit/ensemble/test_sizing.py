@@ -7,7 +7,7 @@ import math
 import numpy as np
 import pytest
 
-from poppet import loads
+from poppet import InputError, loads
 from poppet.ensemble import size
 from poppet.identify.free_parameter import read_free
 from refusals import refused
@@ -164,7 +164,18 @@ def test_requirements_that_no_value_meets() -> None:
     circuit = loads(CHARGE.replace("THERMAL", "isothermal"))
     low = size(circuit, C, between=("0.01 dm^3/(s bar)", "0.1 dm^3/(s bar)"))
     assert [note.code for note in low.remarks] == ["size.none_upper"]
-    assert low.remarks[0].facts == {"value": pytest.approx(1e-9), "unit": "m^3/(s Pa)"}
+    shown = "0.1 dm^3/(s bar)"
+    assert low.remarks[0].facts == {"value": pytest.approx(1e-9), "unit": "m^3/(s Pa)", "shown": shown}
+    narrow = loads(CHARGE.replace("THERMAL", "isothermal").replace("1 dm^3/(s bar)", "0.1 dm^3/(s bar)"))
+    in_other_unit = size(narrow, "supply.temperature", between=("-10 degC", "60 degC"))
+    assert [note.code for note in in_other_unit.remarks] == ["size.none_lower"]
+    assert "supply.temperature = -10 degC." in str(in_other_unit.remarks[0])
+    with pytest.raises(InputError) as caught:
+        size(circuit, C, between=(0.5, "5 dm^3/(s bar)"))  # a number is in SI
+    assert caught.value.code == "size.range"
+    with pytest.raises(InputError, match=r'Write "0.5 dm\^3/\(s bar\)"') as caught:
+        size(circuit, C, between=("0.5", "5 dm^3/(s bar)"))
+    assert caught.value.code == "quantity.no_unit"
     never = size(circuit, C, between=("1e-4 dm^3/(s bar)", "1e-3 dm^3/(s bar)"))
     assert [note.code for note in never.remarks] == ["size.none_known"]
     reversed_ = size(circuit, "tank.volume", between=("50 l", "90 l"))

@@ -167,7 +167,8 @@ def test_every_class_with_html_output_has_a_card():
         module, _, kind = name.rpartition(".")
         assert issubclass(getattr(import_module(module), kind), notebook.HtmlMixin)
     kinds = {cls.__name__ for cls in notebook.HtmlMixin.__subclasses__()}
-    assert kinds == {"Columns", "BaseCircuit", "LinearModel", "Result", "BenchResult", "LimitsResult", "Ensemble"}
+    results = {"Result", "BenchResult", "LimitsResult", "Ensemble", "Tuning"}
+    assert kinds == {"Columns", "BaseCircuit", "LinearModel"} | results
     assert html_of(3.0) is None
 
 

@@ -204,7 +204,7 @@ PRESSURE = {"column": "p", "unit": "bar g"}
         ({"skip": "60 s"}, "tank.pressure", "measured.few_samples"),
         ({"skip": "1 s", "until": "0.5 s"}, "until", "measured.until_before_skip"),
         ({"separator": 3}, "separator", "fields.other_type"),
-        ({"header_rows": "two"}, "header_rows", "fields.out_of_range"),
+        ({"header_rows": "two"}, "header_rows", "fields.other_type"),
         ({"ambient_pressure": "1 bar g"}, "ambient_pressure", "fields.out_of_range"),
         ({"skp": "1 s"}, "skp", "fields.unknown"),
         ({"tank": {"pressure": PRESSURE}}, "tank", "measured.unquoted"),

@@ -55,6 +55,25 @@ def test_guessed_layout_gives_a_note(tmp_path: Path, separator: str, decimal: st
     assert (table.notes[0].code, table.notes[0].facts["decimal"]) == ("table.guessed", decimal)
 
 
+@pytest.mark.parametrize("options", [{}, {"separator": ","}, {"decimal": ","}, {"separator": ",", "decimal": ","}])
+def test_quoted_numbers_with_decimal_commas(tmp_path: Path, options: dict[str, Any]) -> None:
+    rows = [f'"{t}"|"{p}"'.replace(".", ",").replace("|", ",") for t, p in zip(TIME, PRESSURE, strict=True)]
+    text = "\n".join(['"t (s)","p (bar)"', *rows])
+    table = read_table(written(tmp_path, text), **options)
+    assert_bench(table)
+
+
+def test_points_between_thousands_are_no_decimal_points(tmp_path: Path) -> None:
+    text = "t;p\n100;1.026\n200;1.013\n300;993\n400;987\n"
+    problem = refused(written(tmp_path, text))
+    assert (problem.code, problem.line) == ("table.thousands", 3)
+    assert problem.facts == {"column": "p", "before": "1.013", "after": "993"}
+    # A stated decimal point, a smaller jump, another number of decimals, and zeros leave no doubt.
+    assert read_table(written(tmp_path, text), decimal=".").columns[1].tolist() == [1.026, 1.013, 993.0, 987.0]
+    for change in (("1.026", "1.02"), ("1.026", "0.026"), ("1.013", "10.013"), ("993", "0"), ("993", "993.5")):
+        read_table(written(tmp_path, text.replace(*change)))
+
+
 def test_stated_layout_gives_no_note(tmp_path: Path) -> None:
     file = written(tmp_path, "t [s];p [bar]\n" + body(";", ","))
     table = read_table(file, separator=";", decimal=",", header_rows=1)

@@ -9,6 +9,7 @@ import pytest
 
 from poppet.timeseries.measurements import read_measurement
 from poppet.timeseries.tables.reading import read_table
+from poppet.timeseries.tables.table import heading_of
 from refusals import refused
 
 START = datetime(2026, 11, 23, 23, 59, 58, 500000)  # crosses midnight
@@ -116,3 +117,51 @@ def test_text_is_still_no_time(tmp_path):
     table = {"file": path.name, "time": "t", "tank.pressure": {"column": "p"}}
     with refused("measured.column_of_text"):
         read_measurement("test", table, tmp_path, ambient_pressure=1e5)
+
+
+@pytest.mark.parametrize("date", ["", "28.11.2026;"])
+def test_clock_times_cross_midnight(tmp_path, date):
+    rows = [f"{date}{START + timedelta(seconds=float(t)):%H:%M:%S,%f}".rstrip("0") for t in SECONDS]
+    path = tmp_path / "log.csv"
+    path.write_text("\n".join([f"{'Datum;' if date else ''}Uhrzeit;p [bar_rel]", *(f"{row}0;1,5" for row in rows)]))
+    table = read_table(path)
+    index = table.names.index("Uhrzeit")
+    assert table.columns[index] == pytest.approx(SECONDS, abs=1e-12)
+    assert table.units[index:] == ("s", "bar g")
+
+
+def test_a_clock_time_in_a_comment_is_no_stamp(tmp_path):
+    path = tmp_path / "log.csv"
+    path.write_text("t;p\n" + "".join(f"{k};1,5\n" for k in range(10)) + "11;1,5\n")
+    assert [note.code for note in read_table(path).notes] == ["table.guessed"]
+    path.write_text("start 12:00:01;\nt;p\n" + "".join(f"{k};1,5\n" for k in range(10)))
+    assert "table.time_stamps" not in {note.code for note in read_table(path).notes}
+
+
+def test_clock_times_with_am_and_pm(tmp_path):
+    hours = [("11:59:59 AM", 0.0), ("12:00:00 PM", 1.0), ("12:59:59 pm", 3600.0), ("1:00:00PM", 3601.0)]
+    path = tmp_path / "log.csv"
+    path.write_text("\n".join(["time;p", *(f"{text};1.5" for text, _ in hours)]))
+    assert read_table(path).columns[0].tolist() == [seconds for _, seconds in hours]
+
+
+def test_a_comma_after_the_seconds_separates_the_only_other_column(tmp_path):
+    path = tmp_path / "log.csv"
+    path.write_text("\n".join(["time,p", *(f"12:00:{k:02d},{6000 - k}" for k in range(20))]))
+    table = read_table(path)
+    assert table.columns[0].tolist() == [*range(20)]
+    assert table.columns[1].tolist() == [6000 - k for k in range(20)]
+
+
+@pytest.mark.parametrize(
+    ("heading", "name", "unit"),
+    [
+        ("Durchfluss in l / min", "Durchfluss", "l/min"),
+        ("Zyklen / h", "Zyklen / h", ""),  # a rate, and no time in hours
+        ("Drehzahl 1 / min", "Drehzahl 1 / min", ""),
+        ("Zeit t / ms", "Zeit t", "ms"),
+        ("t/s", "t", "s"),
+    ],
+)
+def test_a_unit_of_time_after_a_stroke_can_be_a_rate(heading, name, unit):
+    assert heading_of(heading) == (name, unit)

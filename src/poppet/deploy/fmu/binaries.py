@@ -11,7 +11,7 @@ import shutil
 import subprocess
 import sys
 import tempfile
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
 
@@ -106,8 +106,6 @@ def link_library(code: str, sources: Mapping[str, str], platform_name: str, main
     import llvmlite.binding as llvm
 
     platform = PLATFORMS[platform_name]
-    library = f"model{platform.suffix}"
-    command = [*link_commands(platform_name)[0], *FLAGS, "-I.", "-o", library, main, "kernel.o", "-lm"]
     module = llvm.parse_assembly(code)
     module.link_in(llvm.parse_assembly(INTEGRATOR.read()))
     # The C library has a `step` too, and importers have other names: hidden symbols cannot collide.
@@ -115,10 +113,19 @@ def link_library(code: str, sources: Mapping[str, str], platform_name: str, main
         if not function.is_declaration and function.linkage == llvm.Linkage.external:
             function.name, function.visibility = f"model_{function.name}", "hidden"
     kernel = compile_object(module, platform.triple, cpu=platform.cpu, reloc="pic", codemodel="default")
+    return link_files({**sources, "kernel.o": kernel}, platform_name, (main, "kernel.o"))
+
+
+def link_files(files: Mapping[str, str | bytes], platform_name: str, linked: Sequence[str]) -> bytes:
+    """Return the binary (shared library) of some C sources and object files for one platform.
+
+    `files` maps names to contents, and `linked` are the names of the files that are compiled and linked.
+    """
+    library = f"model{PLATFORMS[platform_name].suffix}"
+    command = [*link_commands(platform_name)[0], *FLAGS, "-I.", "-o", library, *linked, "-lm"]
     with tempfile.TemporaryDirectory() as folder:
-        for name, source in sources.items():
-            Path(folder, name).write_text(source, encoding="utf-8")
-        Path(folder, "kernel.o").write_bytes(kernel)
+        for name, content in files.items():
+            Path(folder, name).write_bytes(content.encode() if isinstance(content, str) else content)
         result = subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False)
         if result.returncode:
             raise InputError("deploy.fmu.not_linked", command=command[0], said=result.stderr[-2000:])

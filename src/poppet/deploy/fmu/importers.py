@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 
 from poppet.core.errors import InputError, needed
 from poppet.core.toml_file import LARGEST, TomlFile
-from poppet.deploy.fmu.archive import check_entries, open_archive
+from poppet.cosim.archive import check_entries, open_archive
 from poppet.deploy.fmu.fmu_layout import FOLLOWS
 
 if TYPE_CHECKING:

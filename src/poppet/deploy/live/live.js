@@ -2,6 +2,8 @@
    as text only. */
 (async () => {
   const { header, blobs } = await unpacked(document.getElementById("model").textContent);
+  const target = connectionOf(location.hash);
+  if (target) { new ConnectedPage(header, target); return; }
   const kernel = await Kernel.of({ header, blobs });
   const find = id => document.getElementById(id), { outputs, sliders } = header;
   const make = (tag, kind, parent, text) => {
@@ -12,7 +14,7 @@
   };
   const [timeName, timeSize] = header.time, figure = find("curves"), plot = figure.plot;
   const MOST_POINTS = 200;  // of a course
-  const digits = v => Number.isFinite(v) ? String(+v.toPrecision(5)) : "-";
+  const digits = fiveDigits;
   const time = Float64Array.from(kernel.grid, t => t / timeSize), end = time[time.length - 1];
   for (const panel of plot.panels) for (const line of panel.spec.lines ?? []) line.x = time;
   const state = { changed: new Map(), kept: null, at: null, measured: [], runs: {} };
@@ -116,43 +118,20 @@
 
   /* --- Schematic: values and moving bodies at the time of the pointer --- */
 
-  const SVG = "http://www.w3.org/2000/svg";
-  const place = find("drawing");
-  place.innerHTML = header.drawing.svg;
-  const svg = place.querySelector("svg");
-  const shape = (tag, look, parent = svg) => {
-    const found = document.createElementNS(SVG, tag);
-    for (const name in look) found.setAttribute(name, look[name]);
-    return parent.appendChild(found);
-  };
-  const values = header.drawing.values.map(item => {
-    const text = shape("text", { x: item.x, y: item.y + 2.7, "text-anchor": "middle", "font-size": 7.5, fill: "#1f5fa8",
-                                 "font-family": "system-ui, sans-serif", "font-weight": 600 });
-    shape("title", {}, text).textContent = outputs[item.output].address;
-    return { ...item, text, node: text.appendChild(document.createTextNode("")) };
-  });
-  const movers = header.drawing.movers.map(mover => ({ ...mover, ...body(mover) }));
-
-  /* A body at rest; `to` moves it to a fraction of its travel, or to an angle. */
-  function body({ kind, x, y, width, height }) {
-    const ink = { fill: "none", stroke: "#1b1f24", "stroke-width": 1 }, solid = { fill: "#c2410c", stroke: "#1b1f24", "stroke-width": .8 };
-    const left = x - width / 2, top = y - height / 2, moved = shape("g", { class: "mover" });
-    if (kind === "lever") {
-      shape("circle", { cx: x, cy: y, r: 2, fill: "#1b1f24" });
-      shape("line", { x1: x, y1: y, x2: x + height * .8, y2: y, stroke: "#c2410c", "stroke-width": 2.4, "stroke-linecap": "round" }, moved);
-      return { moved, to: (share, angle) => moved.setAttribute("transform", `rotate(${-angle * 180 / Math.PI} ${x} ${y})`) };
-    }
-    const travel = kind === "poppet" ? width * .35 : width * .62;
-    if (kind === "poppet") {
-      shape("path", { d: `M${left} ${top} h${width * .35} v${height * .28} M${left} ${top + height} h${width * .35} v${-height * .28}`, ...ink });
-      const seat = left + width * .35;
-      shape("path", { d: `M${seat - 5} ${y} L${seat + 1} ${top} V${top + height} Z M${seat + 1} ${y} h${width * .25}`, ...solid }, moved);
-    } else {
-      shape("rect", { x: left, y: top, width: width * .72, height, ...ink });
-      shape("path", { d: `M${left + 1} ${top + .6} h5 v${height - 1.2} h-5 Z M${left + 6} ${y} h${width * .66}`, ...solid }, moved);
-    }
-    return { moved, to: share => moved.setAttribute("transform", `translate(${(share * travel).toFixed(2)} 0)`) };
+  const drawing = new PageDrawing(find("drawing"), header.drawing, outputs);
+  // Enlarged texts of 7.5 units have at least 12 pixels. The frame then shows the first moving body; a telephone begins so.
+  drawing.svg.style.setProperty("--readable", `${1.6 * drawing.svg.viewBox.baseVal.width}px`);
+  function enlarged(isLarge) {
+    const frame = find("drawing"), [centre] = [...header.drawing.movers, ...header.drawing.values];
+    frame.classList.toggle("is-large", isLarge);
+    find("size").textContent = isLarge ? "Whole" : "Enlarge";
+    find("size").setAttribute("aria-label", isLarge ? "Whole drawing" : "Enlarge the drawing");
+    if (!isLarge || !centre) return;
+    const scale = drawing.svg.clientWidth / drawing.svg.viewBox.baseVal.width;
+    frame.scrollTo(centre.x * scale - frame.clientWidth / 2, centre.y * scale - frame.clientHeight / 2);
   }
+  enlarged(matchMedia("(max-width: 40rem)").matches);
+  find("size").onclick = () => enlarged(!find("drawing").classList.contains("is-large"));
 
   function along(k, at) {
     const n = time.length, { table, rows } = state.runs.now, offset = k * n;
@@ -164,16 +143,11 @@
 
   function live() {
     const at = state.at ?? end, { table, rows } = state.runs.now, n = time.length;
-    for (const { output, sign, node } of values) {
-      const { unit, factor, shift } = outputs[output];
-      node.data = `${sign} ${digits(along(output, at) * factor + shift)} ${unit.replace("deg", "°")}`;
-    }
-    for (const mover of movers) {
-      let [low, high] = mover.stops ?? [Infinity, -Infinity];
-      if (!mover.stops) for (const v of table.subarray(mover.output * n, mover.output * n + rows)) { low = Math.min(low, v); high = Math.max(high, v); }
-      const v = along(mover.output, at), share = high > low ? Math.min(1, Math.max(0, (v - low) / (high - low))) : 0;
-      mover.to(share, v);
-    }
+    drawing.show(k => along(k, at), k => {
+      let [low, high] = [Infinity, -Infinity];
+      for (const v of table.subarray(k * n, k * n + rows)) { low = Math.min(low, v); high = Math.max(high, v); }
+      return [low, high];
+    });
     find("time").value = at;
     find("clock").textContent = `${digits(at)} ${timeName}`;
   }
@@ -401,6 +375,7 @@
     bars();
     for (const panel of plot.panels) if (!away.has(panel)) scaled(panel);
     live();
+    drawing.dim(new Set([...state.changed.keys()].filter(address => byAddress.get(address).number >= 0).map(address => address.split(".")[0])));
     for (const show of rows) show();
     const { status, accepted, attempts, reached, share } = now.ended, how = {
       done: "", stopped: ` Ended at ${digits(reached)} s, where a condition was met.`, stalled: ` The run stalled at ${digits(reached)} s.`,
@@ -463,6 +438,10 @@
     catch { prompt("The link", location.href); }
   };
   const told = text => { find("told").textContent = text; };
+  for (const button of document.querySelectorAll("[data-copy]")) button.onclick = async () => {
+    try { await navigator.clipboard.writeText(button.dataset.copy); button.textContent = "Copied"; }
+    catch { getSelection().selectAllChildren(button.previousElementSibling); }
+  };
 
   function save(name, text) {
     const link = make("a", "", document.body);

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import asdict, replace
 from functools import cache
 from importlib.resources import files
@@ -11,13 +11,13 @@ from typing import TYPE_CHECKING, Any
 from poppet.core.number_format import USUAL, pretty, printable
 from poppet.core.units import convert
 from poppet.deploy.export_model import ExportModel, build_export_model
+from poppet.deploy.live.page_drawing import page_drawing
 from poppet.deploy.live.page_inputs import Slider, affine, select_sliders
 from poppet.deploy.live.page_kernel import kernel_script, pack_base64, run_data
 from poppet.deploy.targets import CircuitSource, Export
-from poppet.report.circuit.schematic import EmptyLine, draw_with_empty_lines
-from poppet.report.html_page import document, findings, head, inline_svg
+from poppet.report.html_page import document, findings, head
 from poppet.report.plots.interactive import data_element, minify
-from poppet.timeseries.plotting.figures import figure_bytes, style
+from poppet.timeseries.plotting.figures import style
 from poppet.timeseries.plotting.panels import STILL
 from poppet.timeseries.plotting.plots import Sheet, axis_unit
 
@@ -26,15 +26,14 @@ if TYPE_CHECKING:
     from poppet.timeseries.recording import Recording
 
 _LEAD = "The model itself runs in this page. Change a parameter, and curves, bars and the drawing follow; * is assumed."
-_CURVES = "<!-- curves -->"
+CURVES = "<!-- curves -->"
+"""Place of the figure of a page."""
+LOOPBACK = "ws://127.0.0.1:* ws://localhost:*"
+"""Servers to which an exported page can connect: served circuits on the same computer."""
 MAX_ROWS = 2001
 """Maximum number of rows that a page computes; a longer run has a larger output step on the page."""
 MAX_ATTEMPTS = 500_000
 """Maximum number of solver steps on a page, because the user waits for the result."""
-_SYMBOLS = {"Pa": "p", "m": "x", "rad": "angle", "N": "F", "N m": "M", "kg/s": "qm"}
-"""Symbols of the quantities in the boxes of the schematic, by SI unit, in the order of preference."""
-_MAX_LINES, _MIN_WIDTH = 3, 1.3  # of a box; width [in]
-_MOVES = {"stroke": "poppet", "position": "piston", "piston_position": "piston"}
 _INPUT_UNITS = {
     "Pa": ("Pa", "kPa", "MPa", "mbar", "bar", "psi", "bar g", "kPa g", "mbar g", "psi g"),
     "K": ("K", "degC", "degF"),
@@ -62,7 +61,7 @@ def export_live(circuit: BaseCircuit, source: CircuitSource, *, parameters: Sequ
     return Export({"page.html": page}, f"{len(page) / 1000:.0f} kB; runs in any browser, without a network connection.")
 
 
-def live_page(circuit: BaseCircuit, *, parameters: Sequence[str] = ()) -> str:
+def live_page(circuit: BaseCircuit, *, parameters: Sequence[str] = (), bar: str = "") -> str:
     """Return the HTML text of a page that simulates a circuit.
 
     Parameters
@@ -73,6 +72,8 @@ def live_page(circuit: BaseCircuit, *, parameters: Sequence[str] = ()) -> str:
         Addresses of the parameters and inputs with a slider, with a range if the default range is not suitable:
         ``"tank.volume=50 l..400 l"``. The default is the inputs with signals, then the parameters with
         the greatest influence on the curves.
+    bar : str, optional
+        HTML above the title, for example links. The buttons in it with the attribute `data-copy` copy its value.
 
     Returns
     -------
@@ -96,7 +97,7 @@ def live_page(circuit: BaseCircuit, *, parameters: Sequence[str] = ()) -> str:
         circuit = circuit.with_values({"run.output_step": float(grid[-1]) / (MAX_ROWS - 1)})
     export_model = build_export_model(circuit)
     recording = circuit.simulate(throw=False)
-    sheet = Sheet({"": recording}, None, None, "", inner=False)
+    sheet = Sheet({"": recording}, None, None, "", inner=False, has_bands=False)
     displayed = [series.name for panel in sheet.panels for series in panel.series]
     sliders, mapping = select_sliders(export_model, circuit, parameters, displayed)
     header, blobs = run_data(replace(export_model.problem, most_attempts=MAX_ATTEMPTS), mapping)
@@ -105,14 +106,16 @@ def live_page(circuit: BaseCircuit, *, parameters: Sequence[str] = ()) -> str:
     data = pack_base64({**header, **content}, blobs)
     omitted = content["left_out"]
     notes = [f"Constant in the file's run, and without a curve here: {', '.join(omitted)}."] if omitted else []
-    title, curves = circuit.title or "A circuit", _empty_figure(content, float(grid[-1]))
+    title, curves = circuit.title or "A circuit", empty_figure(content, float(grid[-1]))
     sections = [
-        ("", head(title, _LEAD) + _read("body.html").replace(_CURVES, curves)),
+        ("", bar + head(title, _LEAD) + read_page_file("body.html").replace(CURVES, curves)),
         ("Notes of the run as in the file", findings([*recording.remarks, *notes])),
         ("", f'<script type="application/octet-stream" id="model">{data}</script>\n'),
     ]
-    program = minify(kernel_script() + _read("live.js"))
-    return document(title, sections, style=minify(_read("live.css")), program=program)
+    program = minify(
+        kernel_script() + read_page_file("drawing.js") + read_page_file("connected.js") + read_page_file("live.js")
+    )
+    return document(title, sections, style=minify(page_style()), program=program, connects=LOOPBACK)
 
 
 def page_content(
@@ -124,7 +127,7 @@ def page_content(
     bar of a flow regime also has the index of the flow.
     """
     ambient = circuit.surroundings.pressure
-    sheet = Sheet({"": recording}, None, None, "", inner=False)
+    sheet = Sheet({"": recording}, None, None, "", inner=False, has_bands=False)
     index_of = {output.address: k for k, output in enumerate(export_model.outputs)}
     slider_data = []
     for slider in sliders:
@@ -134,11 +137,40 @@ def page_content(
             # JSON has no infinity.
             fields[name] = min(max(fields[name], -1e300), 1e300)
         slider_data.append(fields | {"shown": pretty(slider.unit) if slider.unit != "1" else ""})
-    outputs = []
-    for output in export_model.outputs:
-        unit = USUAL.get(output.unit, output.unit)
-        factor, shift = affine(output.unit, unit, ambient)
-        outputs.append({"address": output.address, "si": output.unit, "unit": unit, "factor": factor, "shift": shift})
+    bars = []
+    for band in sheet.bands:
+        flow = index_of.get(f"{band.name.removesuffix('regime')}mass_flow_rate", -1) if "regime" in band.name else -1
+        styles = [[code, look.text, look.colour, look.is_hatched] for code, look in band.looks.items()]
+        bars.append({"output": index_of[band.name], "label": band.label, "looks": styles, "flow": flow, "still": STILL})
+    return {
+        "title": export_model.title,
+        "time": [sheet.time_name, sheet.time_size],
+        "sliders": slider_data,
+        "outputs": output_rows(((output.address, output.unit) for output in export_model.outputs), ambient),
+        "panels": panel_rows(sheet, index_of),
+        "bands": bars,
+        "left_out": [series.name for series in sheet.left_out],
+        "drawing": page_drawing(circuit, [(output.address, output.unit) for output in export_model.outputs]),
+        "units": {si: [[name, *affine(name, si, ambient)] for name in names] for si, names in _INPUT_UNITS.items()},
+        "n_inputs": max(1, len(export_model.inputs)),
+    }
+
+
+def output_rows(outputs: Iterable[tuple[str, str]], ambient: float) -> list[dict[str, Any]]:
+    """Return address, SI unit and display unit of each output, with the conversion between them.
+
+    `outputs` contains pairs of address and SI unit, and `ambient` is the ambient pressure [Pa].
+    """
+    rows = []
+    for address, si in outputs:
+        unit = USUAL.get(si, si)
+        factor, shift = affine(si, unit, ambient)
+        rows.append({"address": address, "si": si, "unit": unit, "factor": factor, "shift": shift})
+    return rows
+
+
+def panel_rows(sheet: Sheet, index_of: Mapping[str, int]) -> list[dict[str, Any]]:
+    """Return the panels of a page without curves. `index_of` contains the index of each output."""
     panels = []
     for panel, colours in zip(sheet.panels, sheet.colours, strict=True):
         lines = [
@@ -150,71 +182,10 @@ def page_content(
         if sheet._has_second_axis(panel):
             y["second"] = {"label": "l/min ANR", "factor": float(convert(1.0, panel.unit, "l/min ANR"))}
         panels.append({"y": y, "lines": lines})
-    bars = []
-    for band in sheet.bands:
-        flow = index_of.get(f"{band.name.removesuffix('regime')}mass_flow_rate", -1) if "regime" in band.name else -1
-        styles = [[code, look.text, look.colour, look.is_hatched] for code, look in band.looks.items()]
-        bars.append({"output": index_of[band.name], "label": band.label, "looks": styles, "flow": flow, "still": STILL})
-    return {
-        "title": export_model.title,
-        "time": [sheet.time_name, sheet.time_size],
-        "sliders": slider_data,
-        "outputs": outputs,
-        "panels": panels,
-        "bands": bars,
-        "left_out": [series.name for series in sheet.left_out],
-        "drawing": _schematic_of_page(export_model, circuit),
-        "units": {si: [[name, *affine(name, si, ambient)] for name in names] for si, names in _INPUT_UNITS.items()},
-        "n_inputs": max(1, len(export_model.inputs)),
-    }
+    return panels
 
 
-def _schematic_of_page(export_model: ExportModel, circuit: BaseCircuit) -> dict[str, Any]:
-    """Return the schematic as SVG text, with positions of values and of moving symbols.
-
-    The positions are empty lines inside the boxes of the parts.
-    """
-    inner = export_model.instance.inner
-    values_of: dict[str, list[dict[str, Any]]] = {}
-    for unit, symbol in _SYMBOLS.items():
-        for k, output in enumerate(export_model.outputs):
-            path, _, name = output.address.rpartition(".")
-            part = path.partition(".")[0]
-            if output.unit != unit or output.address in inner or part not in circuit.parts:
-                continue
-            values_of.setdefault(part, []).append({"output": k, "sign": symbol, "name": name.replace("_", " ")})
-    values_of = {part: values[:_MAX_LINES] for part, values in values_of.items()}
-    movers: dict[str, dict[str, Any]] = {}
-    for k, output in enumerate(export_model.outputs):
-        part, _, name = output.address.rpartition(".")
-        if part in values_of and part not in movers and name in _MOVES and output.unit in ("m", "rad"):
-            stops = export_model.instance.domains.get(output.address, (None, None))[1]
-            kind = "lever" if output.unit == "rad" else _MOVES[name]
-            movers[part] = {"output": k, "kind": kind, "stops": list(stops) if stops else None}
-    n_lines = {part: len(values) + 2 * (part in movers) for part, values in values_of.items()}
-    # The page has the title.
-    figure, empty_lines = draw_with_empty_lines(replace(circuit, title="", like=circuit), n_lines, _MIN_WIDTH)
-    title = f"The circuit {export_model.title}"
-    svg = inline_svg(figure_bytes(figure, "svg", "circuit").decode("utf-8"), "circuit", title)
-    lines_of: dict[str, list[EmptyLine]] = {
-        part: [line for line in empty_lines if line.part == part] for part in n_lines
-    }
-    placed_values = []
-    for part, values in values_of.items():
-        lines = lines_of[part]
-        if part in movers:
-            (first, second), lines = lines[:2], lines[2:]
-            movers[part] |= {
-                "x": first.x,
-                "y": (first.y + second.y) / 2,
-                "width": first.width,
-                "height": 1.7 * first.height,
-            }
-        placed_values += [value | {"x": line.x, "y": line.y} for value, line in zip(values, lines, strict=True)]
-    return {"svg": svg, "values": placed_values, "movers": [movers[part] for part in values_of if part in movers]}
-
-
-def _empty_figure(content: dict[str, Any], duration: float) -> str:
+def empty_figure(content: dict[str, Any], duration: float) -> str:
     """Return the HTML of the figure of a live page, without curves and bars.
 
     The script of the page adds them. `content` is the result of `page_content`, and `duration` the duration of the run
@@ -230,7 +201,7 @@ def _empty_figure(content: dict[str, Any], duration: float) -> str:
         variant = {"width": 1.1, "dash": [5, 3], "isKept": True}
         lines += [{**line, **variant, "label": f"{line['label']} (A)"} for line in lines]
         y = {"range": [0.0, 1.0], **panel["y"]}
-        panels.append({**common, "x": x, "y": y, "lines": lines, "box": [1.0, 2.0 * k, 7.0, 1.6]})
+        panels.append({**panel, **common, "x": x, "y": y, "lines": lines, "box": [1.0, 2.0 * k, 7.0, 1.6]})
     if content["bands"]:
         styles = {text: (colour, hatch) for band in content["bands"] for _, text, colour, hatch in band["looks"]}
         boxes = [
@@ -245,6 +216,12 @@ def _empty_figure(content: dict[str, Any], duration: float) -> str:
     return f'<figure id="curves" aria-label="Curves and bars over time">{data_element(data)}</figure>\n'
 
 
+def page_style() -> str:
+    """Return the style sheets of a live page."""
+    return read_page_file("live.css") + read_page_file("connected.css")
+
+
 @cache
-def _read(name: str) -> str:
+def read_page_file(name: str) -> str:
+    """Return the text of a file of the live pages."""
     return (files("poppet.deploy.live") / name).read_text(encoding="utf-8")

@@ -243,7 +243,7 @@ def _slider(export_model: ExportModel, circuit: BaseCircuit, address: str) -> Sl
         index, signal = list(inputs).index(address), circuit.signals.get(address)
         low, high = signal.bounds() if signal else (item.value, item.value)
         if not (math.isfinite(low) and math.isfinite(high) and low < high):
-            low, high = _default_range(item.value, item.low, item.high, item.unit)
+            low, high = default_range(item.value, item.low, item.high, item.unit)
         else:
             low, high = max(item.low, low - 0.25 * (high - low)), min(item.high, high + 0.25 * (high - low))
         source = "a signal of the file" if item.is_driven else "without a signal"
@@ -277,7 +277,7 @@ def _slider(export_model: ExportModel, circuit: BaseCircuit, address: str) -> Sl
     place = list(parameters).index(address) if address in parameters else None
     setters = tuple(k for k, i in enumerate(export_model.inputs) if i.parameter == place and not i.is_driven)
     is_input = len(setters) == 1 and list(inputs)[setters[0]] == address and not _is_guided(export_model, address)
-    low, high = _default_range(value, least, most, number.unit)
+    low, high = default_range(value, least, most, number.unit)
     source = "; ".join(filter(None, (number.source.kind, number.source.locator, number.source.note)))
     match = _NUMBER.fullmatch(number.text.strip())
     # The unit in which the user wrote the parameter, or a practical unit.
@@ -322,7 +322,7 @@ def _signal_and_delay(export_model: ExportModel, index: int) -> dict[str, Any]:
     return {"course": course, "delay": delay}
 
 
-def _default_range(value: float, lower_limit: float, upper_limit: float, unit: str) -> tuple[float, float]:
+def default_range(value: float, lower_limit: float, upper_limit: float, unit: str) -> tuple[float, float]:
     """Return a default range for a slider, within the limits of the parameter.
 
     The range is half to twice the value, or 30 K on either side of a temperature. For the value 0, it extends to the

@@ -13,6 +13,7 @@ import numpy as np
 
 from poppet.core.codes import Note
 from poppet.core.errors import InputError, NameSuggestion
+from poppet.cosim.archive import check_archive
 from poppet.deploy.comparison import (
     MARGIN,
     change_effects,
@@ -20,7 +21,6 @@ from poppet.deploy.comparison import (
     rounding_changes,
     tolerance_changes,
 )
-from poppet.deploy.fmu.archive import check_archive
 from poppet.deploy.parity.host_runs import kernel_checks
 from poppet.deploy.parity.parity_check import KernelReference, NotRunError, ParityCheck
 from poppet.deploy.targets import TARGETS
@@ -208,6 +208,7 @@ def run_kernel(circuit: BaseCircuit, fmu: Path | None = None) -> KernelReference
 
     If `fmu` is the path of an FMU, the checks use this file instead of newly exported FMUs.
     """
+    circuit.require_equations()
     circuit.simulate()  # compiles everything, and raises the error of a run that fails
     problem = circuit.problem(circuit.run)
     seconds = []

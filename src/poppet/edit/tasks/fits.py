@@ -11,7 +11,7 @@ import numpy as np
 
 from poppet.core.errors import ErrorCollector, InputError, NameSuggestion
 from poppet.core.provenance import Number
-from poppet.core.units import same_dimension
+from poppet.core.units import same_dimension, stated_reference
 from poppet.edit.document import Document
 from poppet.edit.tasks.order import TaskOrder, TaskResult, changed_circuit, sourced, value_operations
 from poppet.edit.tasks.runs import sentences
@@ -168,9 +168,16 @@ def upload_path(uploads: Path, name: str) -> Path:
 
 
 def _column(raw: Any, address: str) -> dict[str, Any]:
-    """Return column and unit of a quantity; other fields, such as a file, are not accepted."""
+    """Return column and unit of a quantity; other fields, such as a file, are not accepted.
+
+    The unit of a pressure must state gauge or absolute. Recordings of poppet, whose headings are addresses, are
+    absolute.
+    """
     if not isinstance(raw, Mapping) or not {"column"} <= raw.keys() <= {"column", "unit"}:
         raise InputError("edit.no_column", address, value=raw)
+    unit = raw.get("unit") or "1"
+    if same_dimension(unit, "Pa") and not stated_reference(unit) and raw["column"] != address:
+        raise InputError("edit.no_reference", address, unit=unit)
     return {key: value for key, value in raw.items() if value != ""}
 
 

@@ -32,6 +32,7 @@ class TaskKind(NamedTuple):
 
 _ADDRESS = Field(type="string", is_required=True, meaning="address of a parameter")
 _RECORDING = Field(type="string", is_required=True, meaning="name of the recording")
+_STATEMENTS = Field(type="table", meaning="mapping from questions to answers")
 _METRIC = Field(type="table", meaning="metric")
 
 TASKS = {
@@ -55,6 +56,11 @@ TASKS = {
             "free": Field(is_required=True, meaning="list of free parameters"),
             "start": Field(choices=("first", "free", "circuit")),
         },
+    ),
+    "interpret": TaskKind("tank_tests:interpret_recording", {"recording": _RECORDING, "statements": _STATEMENTS}),
+    "tank": TaskKind(
+        "tank_tests:fit_tank_test",
+        {"recording": _RECORDING, "statements": _STATEMENTS, "part": Field(type="string", meaning="flow path")},
     ),
     "ensemble": TaskKind(
         "studies:run_ensemble",

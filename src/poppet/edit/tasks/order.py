@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-import re
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
@@ -15,11 +14,10 @@ from poppet.circuit.circuit import BaseCircuit
 from poppet.core.errors import InputError
 from poppet.core.number_format import readable_unit
 from poppet.core.provenance import Number
-from poppet.core.units import convert, is_known, same_dimension
+from poppet.core.units import convert, unit_in
 from poppet.edit.document import MARK, Document
 from poppet.parts.fields import NumberSpec
 
-_NUMBER = re.compile(r"\s*[-+]?[0-9.]+(?:[eE][-+]?[0-9]+)?\s*(?P<unit>.*?)\s*")
 _CLOSE = 1e-4
 """Largest relative difference between a result and the value that its operation sets."""
 
@@ -113,9 +111,7 @@ def written_value(
 
 def shown_unit(value: float, unit: str, like: Number | None = None) -> str:
     """Return the unit in which the user has written a number, otherwise a unit that suits the value."""
-    match = _NUMBER.fullmatch(like.text if like is not None else "")
-    written = match["unit"] if match is not None else ""
-    return written if is_known(written) and same_dimension(written, unit) else readable_unit(unit, value)
+    return unit_in(like.text if like is not None else "", unit) or readable_unit(unit, value)
 
 
 def default_range(circuit: BaseCircuit, address: str, spec: NumberSpec) -> tuple[float, float]:

@@ -75,7 +75,7 @@ def _find_size(order: TaskOrder) -> TaskResult:
     def sized(between: tuple[Any, Any] | None) -> Sizing:
         return size(
             order.circuit, address, between=between, largest=options.get("extreme") == "largest",
-            progress=lambda done, total, _: order.report("rounds", done, total), **fields,
+            progress=lambda done, total, kind: order.report(kind, done, total), **fields,
         )  # fmt: skip
 
     is_stated = "low" in options or "high" in options

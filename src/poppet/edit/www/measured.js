@@ -53,7 +53,7 @@ export class Measured extends EventTarget {
     try {
       columns = readTable(content);
     } catch (problem) {
-      this.store.announce(text("measured.invalid", { file, problem: text(problem.message) }));
+      this.store.announce(text("measured.invalid", { file, problem: text(problem.message, problem.facts) }));
       return [];
     }
     const clock = columns.find(({ name }) => /^(time|t|zeit)$/i.test(name)) ?? columns[0];

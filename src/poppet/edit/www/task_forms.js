@@ -21,7 +21,7 @@ export class TaskForm {
     this.problem = this.form.appendChild(make("p", { class: "why", role: "alert" }));
   }
 
-  /* Add the buttons, and start the task with the options that `read` returns. */
+  /* Add the buttons, and start the task with the options that `read` returns; `task` is a name, or a function that returns it. */
   finish(task, read) {
     const start = make("button", { type: "submit", class: "is-main" }, text("tasks.start"));
     const cancel = make("button", { type: "button", onclick: () => this.dialog.close() }, text("tasks.close"));
@@ -30,7 +30,7 @@ export class TaskForm {
       event.preventDefault();
       this.problem.textContent = "";
       start.disabled = true;
-      const id = await this.tasks.start(task, read(), reply => this.refuse(reply));
+      const id = await this.tasks.start(typeof task === "string" ? task : task(), read(), reply => this.refuse(reply));
       start.disabled = false;
       if (id) this.dialog.close();
     });

@@ -4,6 +4,7 @@ import { errorsOf } from "./connection.js";
 import { fillOptions, make, newId } from "./elements.js";
 import { text } from "./strings.js";
 import { TaskForm } from "./task_forms.js";
+import { tankTest } from "./task_tank.js";
 
 const TYPES = ".csv,.txt,.tsv,.dat,.asc,.lvm,.log,.tdms,.mf4,.mdf,.mat,.parquet";
 const EXAMPLES = { Pa: "bar g", K: "degC", "kg/s": "g/s", m: "mm", "m/s": "m/s", N: "N", rad: "deg", s: "s", 1: "1" };
@@ -26,7 +27,7 @@ export function identify(tasks, facts, dropped) {
     const [file] = event.dataTransfer.files;
     if (file) take(file);
   });
-  form.finish("identify", () => state.options?.() ?? {});
+  form.finish(() => state.task ?? "identify", () => state.options?.() ?? {});
   if (dropped) take(dropped);
 }
 
@@ -43,18 +44,37 @@ async function read(form, facts, file, area, state) {
     form.problem.textContent = !reply ? text("problems.lost") : reply.status === 413 ? text("tasks.too_large") : errorsOf({ status: reply.status, body })[0].message;
     return;
   }
-  const id = await form.tasks.start("columns", { recording: body.name }, refusal => form.refuse(refusal));
-  const result = id && await form.tasks.result(id);
   area.replaceChildren();
-  if (result?.state !== "done") {
-    form.problem.textContent = result?.errors.map(({ message, hint }) => `${message} ${hint}`).join(" ") ?? form.problem.textContent;
-    return;
-  }
-  state.options = columnsForm(form, facts, body.name, result, area);
+  const model = form.choice("model", { circuit: text("tasks.model_circuit"), tank: text("tasks.model_tank") }, area);
+  const content = area.appendChild(make("div", {}));
+  const update = async () => {
+    // A form that arrives after another choice stays outside of the page.
+    const place = make("div", { class: "task-fields" });
+    content.replaceChildren(place);
+    Object.assign(state, { task: model.value === "tank" ? "tank" : "identify", options: null });
+    const show = model.value === "tank" ? tankTest : columnsForm;
+    const options = await show(form, facts, body.name, place);
+    if (options && place.isConnected) state.options = options;
+  };
+  model.addEventListener("change", update);
+  await update();
+}
+
+/* Result of a task that reads the recording; the form shows its errors, and the result is then null. */
+export async function answer(form, task, options) {
+  form.problem.textContent = "";
+  const id = await form.tasks.start(task, options, refusal => form.refuse(refusal));
+  const result = id && await form.tasks.result(id);
+  if (result?.state === "done") return result;
+  form.problem.textContent = result?.errors.map(({ message, hint }) => `${message} ${hint}`).join(" ") ?? form.problem.textContent;
+  return null;
 }
 
 /* Table of the columns, free parameters and start values; the result reads the options. */
-function columnsForm(form, facts, recording, { data, notes }, area) {
+async function columnsForm(form, facts, recording, area) {
+  const result = await answer(form, "columns", { recording });
+  if (!result) return null;
+  const { data, notes } = result;
   const quantities = { ...facts.inputs, ...facts.outputs }, id = newId(), list = make("datalist", { id });
   fillOptions(list, Object.keys(quantities));
   const rows = data.columns.map(column => columnRow(column, quantities, id));

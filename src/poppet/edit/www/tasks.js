@@ -85,7 +85,7 @@ export class Tasks {
     clearTimeout(this.timer);
     const { status, body } = await attempt("/tasks");
     if (status !== 200) return;
-    this.list.show(body.tasks.filter(({ task }) => task !== "columns"));
+    this.list.show(body.tasks.filter(({ task }) => !["columns", "interpret"].includes(task)));
     if (body.tasks.some(({ state }) => state === "running")) this.timer = setTimeout(() => this.refresh(), PERIOD);
   }
 

@@ -257,7 +257,7 @@ class _RecordingReader:
             table = Table(names, (data.time, *data.values), units, data.remarks)
             internal, ambient_pressure = set(data.inner), data.ambient_pressure
         else:
-            table, internal = _frame_table(data, location), set()
+            table, internal = frame_table(data, location), set()
             ambient_pressure = self.circuit.surroundings.pressure
         if not table.columns[0].size:
             raise InputError("fit.no_rows", location)
@@ -330,7 +330,7 @@ class _RecordingReader:
         return fields, omitted
 
 
-def _frame_table(frame: DataFrame, location: str) -> Table:
+def frame_table(frame: DataFrame, location: str) -> Table:
     """Convert a data frame to a table whose first column is the time.
 
     `location` identifies the data frame in messages.

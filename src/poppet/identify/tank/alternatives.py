@@ -13,6 +13,7 @@ from poppet.identify.fit.experiment import channels_of
 from poppet.identify.fit.fit_findings import error_model_of
 from poppet.identify.fit.fit_plan import FitPlan
 from poppet.identify.fit.identify_fit import CLEAR, STRONG
+from poppet.identify.fit.intervals import Stages
 from poppet.identify.fit.residuals import correlation_time, is_white
 from poppet.identify.fit.search import FitObjective, Optimum, SearchSettings, optimise
 from poppet.identify.fit.statistics import aicc, estimates
@@ -31,6 +32,8 @@ from poppet.identify.tank.test import TankTest
 from poppet.parts.fields import NumberLike
 from poppet.timeseries.checks import FloatArray
 
+STAGE = "fits of alternative models"
+"""Name of this stage of an identification on the progress display."""
 HELD = (
     "wall_heat_capacity",
     "subsonic_index",
@@ -84,11 +87,14 @@ def misfit_channels(plan: FitPlan, result: Result) -> set[str]:
     return channels
 
 
-def fit_alternatives(test: TankTest, runs: Sequence[TankRun], plan: FitPlan, result: Result) -> list[Alternative]:
+def fit_alternatives(
+    test: TankTest, runs: Sequence[TankRun], plan: FitPlan, result: Result, stages: Stages | None = None
+) -> list[Alternative]:
     """Fit a tank test with one more free parameter, for each of several parameters, and return the best fit first.
 
-    The list is empty if the recordings give no reason for another model.
+    The list is empty if the recordings give no reason for another model. `stages` is called before each fit.
     """
+    show = stages or (lambda stage, completed, total: None)
     plans = {
         name: alternative_plan
         for name in HELD
@@ -101,8 +107,9 @@ def fit_alternatives(test: TankTest, runs: Sequence[TankRun], plan: FitPlan, res
         # Pressures with and without a light wall can be equal although the derivatives differ.
         is_blind = all(len(run.measurement.channels) == 1 for run in runs)
         plans = {name: plans[name] for name in plans if is_blind and name == "wall_heat_capacity"}
-    alternatives = []
+    alternatives: list[Alternative] = []
     for name, alternative_plan in plans.items():
+        show(STAGE, len(alternatives), len(plans) + 1)
         # A light wall has additional minima: a wall that takes little heat resembles an adiabatic tank.
         starts = LIGHTER if name == "wall_heat_capacity" else ((1.0, 1.0),)
         optimum = min(
@@ -114,6 +121,7 @@ def fit_alternatives(test: TankTest, runs: Sequence[TankRun], plan: FitPlan, res
     alternatives.sort(key=lambda alternative: alternative.difference)
     if alternatives:
         # Search the best one as thoroughly as the fit: its optimum can be far from that of the fit.
+        show(STAGE, len(plans), len(plans) + 1)
         best = plans[alternatives[0].name]
         optimum = _fit_plan(best, result, kicks=best.settings.kicks)
         thorough = _to_alternative(alternatives[0].name, best, optimum, result)

@@ -142,7 +142,7 @@ def identify_tank(
             plan = plan_tank_fit(test, runs)
             uncertainties = read_uncertainties(test, plan)
     result = identify_fit(plan, profile=profile, repeats=repeats, contour=contour, progress=progress, stages=stages)
-    result = apply_caps(test, uncertainties, runs, plan, replace(result, method="tank"))
+    result = apply_caps(test, uncertainties, runs, plan, replace(result, method="tank"), stages)
     if test.compare and not result.conditions["interrupted"]:
         result = compare_laws(test, runs, plan, result)
     result = add_budget(test, uncertainties, runs, plan, result, widen_for_ambient(test, runs, result))
@@ -178,7 +178,12 @@ def widen_for_ambient(test: TankTest, runs: Sequence[TankRun], result: Result) -
 
 
 def apply_caps(
-    test: TankTest, uncertainties: Uncertainties, runs: Sequence[TankRun], plan: FitPlan, result: Result
+    test: TankTest,
+    uncertainties: Uncertainties,
+    runs: Sequence[TankRun],
+    plan: FitPlan,
+    result: Result,
+    stages: Stages | None = None,
 ) -> Result:
     """Compare a tank test with alternative models, and reduce verdicts if there is evidence against its model.
 
@@ -190,7 +195,7 @@ def apply_caps(
     timing = time_unit_notes(runs)
     # Fits with a wrong time of closing do not compare models.
     is_mistimed = any(note.code == "finding.unusual.closes" for note in timing)
-    alternatives = [] if is_mistimed else fit_alternatives(test, runs, plan, result)
+    alternatives = [] if is_mistimed else fit_alternatives(test, runs, plan, result, stages)
     comparison = dict(result.comparison)
     if alternatives:
         comparison["alternatives"] = alternatives_table(alternatives, number)

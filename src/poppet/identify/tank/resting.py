@@ -12,6 +12,8 @@ Basis = Callable[[FloatArray, float], tuple[FloatArray, FloatArray]]
 """Two functions of time for a trial value."""
 WINDOW = 0.25
 """Fraction of the total change that limits the window of the test."""
+LEAST_WINDOW = 10
+"""Least number of samples in the window."""
 SAMPLES = 300
 """Largest number of samples in the window; more are thinned out."""
 TIMES = 60
@@ -34,7 +36,7 @@ def rest_before_opening(time: FloatArray, values: FloatArray, noise: float) -> f
     begin = float(np.median(values[: min(3, 1 + time.size // 50)]))
     change = np.abs(values - begin)
     end = int(np.argmax(change >= WINDOW * np.max(change))) + 1
-    if end < 10:
+    if end < LEAST_WINDOW:
         return 0.0
     samples = slice(0, end, 1 + end // SAMPLES)
     t, y = time[samples] / time[end - 1], values[samples] / noise
@@ -55,6 +57,22 @@ def rest_before_opening(time: FloatArray, values: FloatArray, noise: float) -> f
         trials = np.linspace(0.8 * rest, 1.2 * rest, TIMES)
         rest = _best_trial(t[is_near], y[is_near], trials, _times_after_rest)[1]
     return float(rest * time[end - 1])
+
+
+def rest_of_few_samples(time: FloatArray, values: FloatArray) -> float:
+    """Return how long the pressure is constant at first, if few samples show its change [s].
+
+    `rest_before_opening` needs ten samples of the first quarter of the change. With fewer, the first interval decides:
+    a tank empties or fills fastest at the start. The result is 0 if its change is at least half the largest one.
+    `time` starts at 0.
+    """
+    change = np.abs(values - values[0])
+    end = int(np.argmax(change >= WINDOW * np.max(change))) + 1
+    if end >= LEAST_WINDOW:
+        return 0.0
+    steps = np.abs(np.diff(values[: end + 1]))
+    steepest = int(np.argmax(steps))
+    return float(time[steepest]) if steps[0] < 0.5 * steps[steepest] else 0.0
 
 
 def _times_after_rest(t: FloatArray, rest: float) -> tuple[FloatArray, FloatArray]:

@@ -267,18 +267,32 @@ def _check_run(test: TankTest, run: TankRun, ambient_pressure: float) -> None:
         supply = _pressure(run.supply, ambient_pressure)
         if not is_free(run.supply_pressure) and end > ABOVE_SUPPLY * supply:
             raise InputError("tank.above_supply", location, end=end, supply=supply)
-    share = max(6.0 * noise_of(values) / span, 0.002)
-    if test.valve_delay != 0.0 or run.opens != 0.0 or share > STIRRED:
-        return
-    if test.pressure_lag == 0.0 and channel.lag == 0.0:
-        rest = rest_before_opening(channel.time - channel.time[0], values, max(noise, quantum_of(values) / 12**0.5))
+    if test.valve_delay == 0.0 and run.opens == 0.0:
+        rest = constant_start(channel, has_lag=test.pressure_lag != 0.0 or channel.lag != 0.0)
         if rest > 0.0:
             raise InputError("tank.rests", location, rest=rest)
-    samples = [_index_of_change(channel, fraction) for fraction in (share, 4.0 * share, ONSET, COURSE)]
-    stirred, later, onset, course = (float(fraction) for fraction in channel.time[samples] - channel.time[0])
+
+
+def constant_start(channel: Channel, *, has_lag: bool = False) -> float:
+    """Return how long a recorded pressure is constant before it begins to change [s].
+
+    The result is 0 if a constant start is not evident. If `has_lag` is True, a sensor lag can also explain a short one.
+    """
+    values, time = channel.values, channel.time - channel.time[0]
+    span, noise = float(np.ptp(values)), max(noise_of(values), 1e-9)
+    share = max(6.0 * noise_of(values) / span, 0.002)
+    if share > STIRRED:
+        return 0.0
+    if not has_lag:
+        rest = rest_before_opening(time, values, max(noise, quantum_of(values) / 12**0.5))
+        if rest > 0.0:
+            return rest
+    samples = [index_of_change(channel, fraction) for fraction in (share, 4.0 * share, ONSET, COURSE)]
+    stirred, later, onset, course = (float(fraction) for fraction in time[samples])
     # The response of a slow sensor starts as a parabola: four times the fraction after twice the time.
     if samples[0] > 3 and later < 1.5 * stirred and stirred > (RESTING + share / (COURSE - ONSET)) * (course - onset):
-        raise InputError("tank.rests", location, rest=float(channel.time[samples[0] - 1] - channel.time[0]))
+        return float(time[samples[0] - 1])
+    return 0.0
 
 
 def _pressure(argument: Any, ambient_pressure: float) -> float:
@@ -364,7 +378,7 @@ def _initial_conductance(run: TankRun, volume: float, ambient: Ambient) -> float
     It is calculated for choked flow and gas at constant temperature.
     """
     channel = run.pressure
-    first, last = (_index_of_change(channel, share) for share in (ONSET, COURSE))
+    first, last = (index_of_change(channel, share) for share in (ONSET, COURSE))
     first = min(first, max(0, last - 1))  # one sample can reach both fractions
     span = max(float(channel.time[last] - channel.time[first]), 1e-9)
     high, low = float(channel.values[first]), float(channel.values[last])
@@ -377,7 +391,7 @@ def _initial_conductance(run: TankRun, volume: float, ambient: Ambient) -> float
     return volume * rate / factor
 
 
-def _index_of_change(channel: Channel, share: float) -> int:
+def index_of_change(channel: Channel, share: float) -> int:
     """Return the index of the first sample at which a fraction of the total change of a channel is reached.
 
     `share` is this fraction.
@@ -427,7 +441,7 @@ def _free_parameters(
         if test.valve_delay == "free":
             # The delay starts from the onset of the change.
             latest = run.measurement.duration - run.opens
-            onset = run.pressure.time[_index_of_change(run.pressure, ONSET)] - run.opens
+            onset = run.pressure.time[index_of_change(run.pressure, ONSET)] - run.opens
             delay, address = float(np.clip(onset, 0.0, 0.5 * latest)), f"{test.part}.opening"
             parameters.append(
                 FreeParameter(f"{name}.{test.part}.delay", address, "s", delay, 0.0, latest, "dead_time", name)

@@ -345,7 +345,8 @@ class _Schematic:
         for k, line in enumerate(box.lines):
             y = top - 0.17 - _LINE * (k + 0.5)
             if line:
-                self._text(position.x, y, line, _TEXT)
+                # A live page marks the lines of a changed part.
+                self._text(position.x, y, line, _TEXT, gid=f"caption.{name}.{k}")
             else:
                 self.empty_lines.append((name, position.x, y, box.width - 2.0 * _PAD))
         height = _TAG - 0.025

@@ -13,6 +13,7 @@ CARDS = {
     "poppet.bench.iso10094.bench_result.BenchResult": "bench_card",
     "poppet.bench.limits.maps.LimitsResult": "limits_card",
     "poppet.ensemble.ensemble_result.Ensemble": "ensemble_card",
+    "poppet.control.tuning.Tuning": "tuning_card",
 }
 """Mapping from the name of a class to the function in `poppet.report.notebook.cards`, imported at the first call."""
 

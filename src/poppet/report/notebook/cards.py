@@ -29,13 +29,17 @@ from poppet.report.tables import ReportTable, code, numeric
 from poppet.timeseries.columns import Columns
 from poppet.timeseries.plotting.panels import Panel, Series, code_styles, panels_of, shown_series, thinned
 from poppet.timeseries.plotting.plots import axis_unit, home_colours, panel_colours, time_unit
+from poppet.timeseries.plotting.tube_bands import cells_of, with_bands
 from poppet.timeseries.recording import Recording
 
 if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
     from poppet.bench.iso10094.bench_result import BenchResult
     from poppet.bench.limits.maps import LimitsResult
     from poppet.circuit.circuit import BaseCircuit
     from poppet.circuit.linear_model import LinearModel
+    from poppet.control.tuning import Tuning
     from poppet.ensemble import Ensemble
     from poppet.identify.result import Result
 
@@ -111,7 +115,6 @@ def circuit_card(circuit: BaseCircuit) -> str:
 
 def _drawing(circuit: BaseCircuit) -> str:
     from poppet.report.circuit.schematic import draw_circuit
-    from poppet.timeseries.plotting.figures import figure_bytes
 
     if len(circuit.parts) > MAX_PARTS:
         return ""
@@ -119,17 +122,7 @@ def _drawing(circuit: BaseCircuit) -> str:
         figure = draw_circuit(replace(circuit, title="", like=circuit))  # the card shows the title
     except MissingDependencyError as error:
         return paragraph(str(error), css_class="lead")
-    figure.patch.set_visible(False)
-    svg = figure_bytes(figure, "svg", "notebook").decode("utf-8")
-    # All drawings of a notebook share one page, so their identifiers must be unique.
-    svg = inline_svg(svg, f"poppet{crc32(svg.encode()):08x}", f"Circuit {circuit.title}".strip())
-    for colour, mixed in _COLOURS.items():
-        svg = svg.replace(colour, mixed)
-    svg = re.sub(r"<!--.*?-->|<defs>\s*<style.*?</style>\s*</defs>", "", svg, flags=re.DOTALL)
-    svg = re.sub(r">\s+<", "><", svg)
-    width = _SCALE * _POINTS_PER_INCH * figure.get_figwidth()
-    svg = svg.replace("<svg ", f'<svg style="width:{width:.0f}px;max-width:none" ', 1)
-    return f'<div class="scroll poppet-picture" tabindex="0">{svg}</div>'
+    return themed_svg(figure, f"Circuit {circuit.title}".strip())
 
 
 def recording_card(recording: Recording) -> str:
@@ -190,6 +183,46 @@ def ensemble_card(ensemble: Ensemble) -> str:
     return card(ensemble.plan.circuit.title, lead, yield_table(ensemble), metric_table(ensemble))
 
 
+def tuning_card(tuning: Tuning) -> str:
+    """Return a tuning as HTML: gains, Bode plot and step responses with margins."""
+    from poppet.control.loop_figures import bode_figure, step_figure
+    from poppet.report.control_report import margin_table
+
+    gains = f"<pre>{html.escape(tuning.text())}</pre>"
+    try:
+        figures = [
+            themed_svg(bode_figure(tuning), "Bode plot of the open loops"),
+            themed_svg(step_figure(tuning), "Responses to setpoint and disturbance steps"),
+        ]
+    except MissingDependencyError as error:
+        figures = [paragraph(str(error), css_class="lead")]
+    lead = f"Tuning of {tuning.controller}: {tuning.bound_text}."
+    return card("", lead, gains, *figures, folded("margins", margin_table(tuning)), note_list(tuning.notes))
+
+
+def themed_svg(figure: Figure, label: str) -> str:
+    """Return a figure as HTML whose colours suit a light and a dark notebook.
+
+    `label` is the text for screen readers. Grey colours are mixed from the colour of the text.
+    """
+    from poppet.timeseries.plotting.figures import PALETTE, figure_bytes
+
+    figure.patch.set_visible(False)
+    for axes in figure.axes:
+        axes.patch.set_visible(False)
+    svg = figure_bytes(figure, "svg", "notebook").decode("utf-8")
+    # All drawings of a notebook share one page, so their identifiers must be unique.
+    svg = inline_svg(svg, f"poppet{crc32(svg.encode()):08x}", label)
+    mixed = {colour: f"color-mix(in srgb, {colour} 72%, currentColor)" for colour in PALETTE}
+    for colour, shown in ({"#e6e8ec": "color-mix(in srgb, currentColor 14%, transparent)"} | mixed | _COLOURS).items():
+        svg = svg.replace(colour, shown)
+    svg = re.sub(r"<!--.*?-->|<defs>\s*<style.*?</style>\s*</defs>", "", svg, flags=re.DOTALL)
+    svg = re.sub(r">\s+<", "><", svg)
+    width = _SCALE * _POINTS_PER_INCH * figure.get_figwidth()
+    svg = svg.replace("<svg ", f'<svg style="width:{width:.0f}px;max-width:none" ', 1)
+    return f'<div class="scroll poppet-picture" tabindex="0">{svg}</div>'
+
+
 def identification_card(result: Result) -> str:
     """Return an identification as HTML: headline, parameters and findings."""
     from poppet.report.identification.headline import headline, next_step, split_notes
@@ -244,13 +277,16 @@ def svg_plot(recording: Columns) -> str:
         return ""
     pairs = zip(recording.names, recording.units, strict=True)
     names = [name for name, unit in pairs if code_styles(name, unit, recording[name]) is None]  # no codes
-    # Only the samples that the plot shows. Internal outputs are omitted if there are other outputs.
-    thin, ambient = [], recording.ambient_pressure
-    for name in [name for name in names if name not in recording.inner] or names:
-        rows = thinned(recording.time, recording[name], COLUMNS)
-        values, units = recording[name][rows].reshape(1, -1), (recording.unit(name),)
-        thin.append(Columns(recording.time[rows], (name,), units, values, ambient_pressure=ambient))
-    panels, _ = panels_of(shown_series(thin, None, None))
+    # Internal outputs are omitted if there are other outputs.
+    names = [name for name in names if name not in recording.inner] or names
+    tubes = cells_of(names)
+    cells = {cell for group in tubes.values() for cell in group}
+    series = _thinned_series(recording, [name for name in names if name not in cells])
+    series += [_thinned_band(recording, group) for group in tubes.values()]
+    order = {name: k for k, name in enumerate(names)}
+    first_cells = {name: group[0] for name, group in tubes.items()}
+    series.sort(key=lambda item: order[first_cells.get(item.name, item.name)])
+    panels, _ = panels_of(series)
     panels = [panel for panel in panels if any(not line.is_still for line in panel.series)][:MAX_PANELS]
     homes = home_colours(panels)
     start, end = float(recording.time[0]), float(recording.time[-1])
@@ -258,6 +294,28 @@ def svg_plot(recording: Columns) -> str:
     times = "".join(f"<span>{text}</span>" for text in (f"{start / size:.5g}", f"time [{unit}]", f"{end / size:.5g}"))
     body = "".join(_panel_html(panel, panel_colours(panel, homes), (start, end)) for panel in panels)
     return f'{body}<div class="poppet-time">{times}</div>' if body else ""
+
+
+def _thinned_series(recording: Columns, names: Sequence[str]) -> list[Series]:
+    """Return series in their usual units, with only the samples that a plot shows."""
+    thin = []
+    for name in names:
+        rows = thinned(recording.time, recording[name], COLUMNS)
+        values, units = recording[name][rows].reshape(1, -1), (recording.unit(name),)
+        thin.append(Columns(recording.time[rows], (name,), units, values, ambient_pressure=recording.ambient_pressure))
+    return shown_series(thin, None, None)
+
+
+def _thinned_band(recording: Columns, cells: Sequence[str]) -> Series:
+    """Return the band of the cells of a tube, with only the samples that a plot shows."""
+    values = np.array([recording[name] for name in cells])
+    (low, high) = (thinned(recording.time, edge, COLUMNS) for edge in (values.min(axis=0), values.max(axis=0)))
+    rows, units = np.union1d(low, high), tuple(recording.unit(name) for name in cells)
+    thin = Columns(
+        recording.time[rows], tuple(cells), units, values[:, rows], ambient_pressure=recording.ambient_pressure
+    )
+    (band,) = with_bands(shown_series([thin], None, None))
+    return band
 
 
 def _panel_html(panel: Panel, colours: dict[str, str], span: tuple[float, float]) -> str:
@@ -273,14 +331,22 @@ def _panel_html(panel: Panel, colours: dict[str, str], span: tuple[float, float]
         part = line.name.partition(".")[0]
         ranks[line.name] = counts[part] = counts.get(part, -1) + 1
     series = sorted(panel.series, key=lambda line: ranks[line.name])[:MAX_LINES]
-    finite = np.concatenate([line.values[np.isfinite(line.values)] for line in series])
+    edges = [edge for line in series for edge in (line.values, line.high) if edge is not None]
+    finite = np.concatenate([edge[np.isfinite(edge)] for edge in edges])
     low, high = float(finite.min()), float(finite.max())
     paths, keys = [], []
     for line in series:
         colour = f"color-mix(in srgb, {colours[line.name]} 72%, currentColor)"
-        points = svg_path(line, span, (low, high if high > low else low + 1.0))
+        scale = low, high if high > low else low + 1.0
+        points = svg_path(line, span, scale)
         # The first colour is for browsers without `color-mix`.
         paths.append(f'<path stroke="{colours[line.name]}" style="stroke:{colour}" d="{points}"/>')
+        if line.high is not None:
+            upper = svg_path(replace(line, values=line.high), span, scale)
+            back = svg_path(replace(line, time=line.time[::-1], values=line.high[::-1]), span, scale)
+            paths.append(f'<path stroke="{colours[line.name]}" style="stroke:{colour}" d="{upper}"/>')
+            area = f"fill:{colour};fill-opacity:.3;stroke:none"
+            paths.append(f'<path style="{area}" d="{points}L{back[1:]}Z"/>')
         mark = f'<i style="background:{colours[line.name]};background:{colour}"></i>'
         keys.append(f"<span>{mark}{html.escape(panel.labels[line.name])}</span>")
     n_omitted = len(panel.series) - len(series)

@@ -304,13 +304,15 @@ def style() -> str:
     return f"{text.strip()}\n{stylesheet('plots').strip()}\n"
 
 
-def policy(*scripts: str, computes: bool = False) -> str:
+def policy(*scripts: str, computes: bool = False, connects: str = "") -> str:
     """Return a content security policy (CSP) that permits only the given scripts.
 
-    If the keyword `computes` is True, the policy also permits WebAssembly.
+    If the keyword `computes` is True, the policy also permits WebAssembly. The keyword `connects` contains the sources
+    to which scripts can connect; without it, there are none.
     """
     hashes = (base64.b64encode(hashlib.sha256(text.encode()).digest()).decode() for text in scripts)
     allowed = " ".join(f"'sha256-{digest}'" for digest in hashes) or "'none'"
     allowed += " 'wasm-unsafe-eval'" * computes
     rules = f"default-src 'none'; style-src 'unsafe-inline'; img-src data:; script-src {allowed}; base-uri 'none'"
+    rules += f"; connect-src {connects}" * bool(connects)
     return f'<meta http-equiv="Content-Security-Policy" content="{rules}; form-action \'none\'">\n'

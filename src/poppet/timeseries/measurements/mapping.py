@@ -18,9 +18,9 @@ from poppet.timeseries.checks import FloatArray, split_heading
 from poppet.timeseries.measurements.measurement import (
     LEAST_SAMPLES,
     Channel,
+    ColumnSamples,
     InputChannel,
     Measurement,
-    Samples,
     cut_window,
     ordered,
     quantum_of,
@@ -117,7 +117,7 @@ class _MappedColumn:
     location: str
     unit: str
     written: str
-    samples: Samples
+    samples: ColumnSamples
     fields: Mapping[str, Any]
     delay: float | None
     lag: float | None

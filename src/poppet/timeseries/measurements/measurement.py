@@ -138,7 +138,7 @@ LEAST_SAMPLES = 8  # with fewer samples, noise and curvature cannot be distingui
 
 
 @dataclass(frozen=True, eq=False)
-class Samples:
+class ColumnSamples:
     """Samples of a column without NaN, with notes on merged and omitted samples."""
 
     time: FloatArray  # (n,), strictly increasing [s]
@@ -146,7 +146,7 @@ class Samples:
     notes: tuple[Note, ...] = ()  # without an address
 
 
-def ordered(time: FloatArray, values: FloatArray) -> Samples:
+def ordered(time: FloatArray, values: FloatArray) -> ColumnSamples:
     """Return the finite samples of a column, with strictly increasing times.
 
     Samples with equal times become one sample with their mean. Times that decrease raise an error.
@@ -173,10 +173,10 @@ def ordered(time: FloatArray, values: FloatArray) -> Samples:
     stamps, stamp_index, count = np.unique(time, return_inverse=True, return_counts=True)
     if stamps.size < time.size:
         notes.append(Note("measured.repeated_stamps", count=time.size - stamps.size))
-    return Samples(stamps, np.bincount(stamp_index, values) / count, tuple(notes))
+    return ColumnSamples(stamps, np.bincount(stamp_index, values) / count, tuple(notes))
 
 
-def cut_window(samples: list[Samples], skip: float, end: float = math.inf) -> tuple[float, list[Samples]]:
+def cut_window(samples: list[ColumnSamples], skip: float, end: float = math.inf) -> tuple[float, list[ColumnSamples]]:
     """Return the start of a time window, and the samples of all channels in this window.
 
     The limits `skip` and `end` are relative to the first sample of all channels [s]. The start is the first sample time
@@ -189,6 +189,6 @@ def cut_window(samples: list[Samples], skip: float, end: float = math.inf) -> tu
     windows = []
     for column in samples:
         is_used = (column.time >= begin - slack) & (column.time <= first + end + slack)
-        windows.append(Samples(column.time[is_used], column.values[is_used], column.notes))
+        windows.append(ColumnSamples(column.time[is_used], column.values[is_used], column.notes))
     origin = min((float(column.time[0]) for column in windows if column.time.size), default=begin)
     return origin, [replace(column, time=column.time - origin) for column in windows]

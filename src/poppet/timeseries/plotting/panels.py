@@ -47,7 +47,7 @@ class Series:
     """One series of a recording, in the unit in which it is drawn.
 
     `source` is the index of the recording. `rank` determines the order of the panels: it is the index of the physical
-    quantity.
+    quantity. A band, such as that of the cells of a tube, extends from `values` to `high`.
     """
 
     name: str
@@ -57,11 +57,13 @@ class Series:
     unit: str
     quantity: str
     rank: int
+    high: FloatArray | None = None
 
     @property
     def is_still(self) -> bool:
         """True if the series is constant, except for numerical noise of the solver."""
-        finite = self.values[np.isfinite(self.values)]
+        edges = self.values if self.high is None else np.concatenate([self.values, self.high])
+        finite = edges[np.isfinite(edges)]
         if not finite.size:
             return True
         usual = _QUANTITIES[self.rank][2] if self.rank < len(_QUANTITIES) else 0.0
@@ -71,7 +73,9 @@ class Series:
     def is_staircase(self) -> bool:
         """True if the series jumps and is constant between jumps."""
         is_change = np.diff(self.values) != 0.0
-        return bool(is_change.any() and not np.any(is_change[1:] & is_change[:-1]) and is_change.size > 1)
+        return bool(
+            self.high is None and is_change.any() and not np.any(is_change[1:] & is_change[:-1]) and is_change.size > 1
+        )
 
     @property
     def is_count(self) -> bool:

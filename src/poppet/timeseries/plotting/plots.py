@@ -7,6 +7,8 @@ from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+import numpy as np
+
 from poppet.core.codes import Note
 from poppet.core.errors import InputError, OutOfRangeError
 from poppet.core.number_format import pretty, with_unit
@@ -38,6 +40,7 @@ from poppet.timeseries.plotting.panels import (
     shown_series,
     thinned,
 )
+from poppet.timeseries.plotting.tube_bands import cells_of, with_bands
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -62,6 +65,7 @@ def plot_recordings(
 
     With moving bodies, the order is positions, velocities, pressures, forces. The timeline then shows sticking and
     slipping, and temperatures, heat flows and masses are omitted in the same way as internal outputs.
+    The cells of a tube are one band from minimum to maximum, unless they are selected or `inner` is True.
     Mass flows of air have a second axis in l/min ANR.
 
     Examples
@@ -104,12 +108,14 @@ class Sheet:
     """Figure of one or several recordings: its content and its layout.
 
     `select` contains names or patterns of the series to draw. `units` maps names or patterns to units, or is a list
-    of units, each for all series of its quantity. If `inner` is True, internal outputs are drawn as well.
+    of units, each for all series of its quantity. If `inner` is True, internal outputs are drawn as well. If
+    `has_bands` is False, the cells of a tube are separate series.
     """
 
     def __init__(
         self, recordings: Mapping[str, Columns], select: str | Iterable[str] | None,
         units: Mapping[str, str] | Sequence[str] | str | None, title: str, inner: bool = False,
+        *, has_bands: bool = True,
     ) -> None:  # fmt: skip
         self.keys, items = list(recordings), list(recordings.values())
         self.title = title or (items[0].title if len(items) == 1 else "")
@@ -127,6 +133,10 @@ class Sheet:
         hidden = hidden if self.bands or any(item.name not in hidden for item in series) else set()
         self.inner = sorted(hidden)
         series = [item for item in series if item.name not in hidden]
+        # The cells of a tube are one band, unless the user wants all series.
+        cells = {} if is_complete or not has_bands else cells_of(item.name for item in series)
+        self.tubes = [*dict.fromkeys(name.rpartition(".")[0] for name in cells)]
+        series = with_bands(series) if self.tubes else series
         self.panels, self.left_out = panels_of(series, keep_still=names is not None, bodies=bodies)
         homes = home_colours(self.panels)
         self.colours = [panel_colours(panel, homes) for panel in self.panels]
@@ -234,6 +244,8 @@ class Sheet:
             notes.append(str(Note("drawing.left_out", values=values)))
         if self.inner:
             notes.append(str(Note("drawing.inner", count=len(self.inner), first=self.inner[:2])))
+        if self.tubes:
+            notes.append(str(Note("drawing.cells", tubes=self.tubes)))
         if any(band.is_thinned for band in self.bands):
             notes.append(str(Note("drawing.thinned")))
         return [line for note in notes for line in textwrap.wrap(note, _NOTE_LENGTH)]
@@ -247,7 +259,8 @@ class Sheet:
         for series in panel.series:
             label = panel.labels[series.name]
             label = f"{label} ({self.keys[series.source]})" if self._is_overlay else label
-            self._line(axes, series, colours[series.name], label)
+            draw = self._line if series.high is None else self._cells
+            draw(axes, series, colours[series.name], label)
         axes.set_ylabel(f"{panel.quantity}\n{axis_unit(panel)}", linespacing=1.3, parse_math=False)
         axes.yaxis.set_label_coords(-_LABEL / self.width, 0.5)
         axes.margins(y=0.06)
@@ -278,6 +291,17 @@ class Sheet:
             marker="o" if len(series.time) == 1 else None,
             markersize=4,
         )
+
+    def _cells(self, axes: Any, series: Series, colour: str, label: str) -> None:
+        """Draw the band of the cells of a tube, with thin lines at its edges."""
+        assert series.high is not None
+        time = series.time / self.time_size
+        edges = [(values, thinned(series.time, values, COLUMNS)) for values in (series.values, series.high)]
+        rows = np.unique(np.concatenate([indices for _, indices in edges]))
+        area = time[rows], series.values[rows], series.high[rows]
+        axes.fill_between(*area, color=colour, alpha=0.28, linewidth=0.0, label=label)
+        for values, indices in edges:
+            draw_thinned(axes, time, values, indices, color=colour, linewidth=0.8, linestyle=LINE_STYLES[series.source])
 
     # Timeline -----------------------------------------------------------------------------------------------
 

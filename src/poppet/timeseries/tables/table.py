@@ -11,14 +11,20 @@ import numpy as np
 
 from poppet.core.codes import Note
 from poppet.core.errors import InputError, NameSuggestion
-from poppet.core.units import is_known
+from poppet.core.units import is_known, same_dimension
 from poppet.timeseries.checks import FloatArray
 
 _TRAILING_UNIT = re.compile(r"\s*(?P<name>.*?\S)\s*(?:\[(?P<square>[^\[\]]*)\]|\((?P<round>[^()]*)\))\s*")
+_UNIT_AFTER_IN = re.compile(
+    r"\s*(?P<name>.*?\S)(?: +in +|(?P<stroke> +/ +|(?<=\b[pt])/))(?P<unit>\S+(?: ?/ ?\S+)?(?: \S+)?)\s*"
+)
+"""Heading with a unit after "in" or a stroke (DIN 461): `p in bar`, `Druck / mbar`, `t/s`."""
+_TIME_BEFORE_STROKE = re.compile(r"(?:.*\W)?(?:t|time|zeit|uhrzeit|elapsed|dauer|duration)", re.IGNORECASE)
+"""Name before a stroke and a unit of time; after other names, such as in `strokes / min`, the text can be a rate."""
 
 # Unit spellings of instruments and loggers, in lower case. Other spellings must be those of poppet.
 _SPELLINGS = {
-    **dict.fromkeys(("sec", "secs", "second", "seconds"), "s"),
+    **dict.fromkeys(("sec", "secs", "second", "seconds", "sek", "sek.", "sekunden"), "s"),
     **dict.fromkeys(("msec", "milliseconds"), "ms"),
     "minutes": "min",
     "hours": "h",
@@ -34,6 +40,12 @@ _SPELLINGS = {
     "slpm": "l/min N",
     "volts": "V",
 }
+_GAUGE, _ABSOLUTE = ("g", "ü", "ue", "rel", "rel.", "relativ", "relative"), ("a", "abs", "abs.", "absolut")
+_WITH_REFERENCE = re.compile(
+    r"(?P<unit>[kMmh]?bar|[kMh]?Pa|psi)[ _]*\(?(?P<reference>" + "|".join(map(re.escape, _GAUGE + _ABSOLUTE)) + r")\)?",
+    re.IGNORECASE,
+)
+"""Pressure unit with the reference in the spelling of loggers, such as `bar_rel` or `bar ü`."""
 
 
 def unit_of(spelling: str) -> str:
@@ -43,10 +55,13 @@ def unit_of(spelling: str) -> str:
 
     Examples
     --------
-    >>> unit_of("PSI"), unit_of("Deg C"), unit_of("g/min"), unit_of("filtered")
-    ('psi', 'degC', 'g/min', '')
+    >>> unit_of("PSI"), unit_of("Deg C"), unit_of("g/min"), unit_of("bar_rel"), unit_of("filtered")
+    ('psi', 'degC', 'g/min', 'bar g', '')
     """
     text = spelling.strip()
+    if match := _WITH_REFERENCE.fullmatch(text):
+        unit = match["unit"] if is_known(match["unit"]) else match["unit"].lower()
+        return f"{unit} {'g' if match['reference'].lower() in _GAUGE else 'a'}" if is_known(unit) else ""
     unit = _SPELLINGS.get(" ".join(text.lower().replace("°", "deg ").split()))
     if unit:
         return unit
@@ -60,8 +75,8 @@ def heading_of(text: str) -> tuple[str, str]:
 
     Examples
     --------
-    >>> heading_of("P1(PSI)"), heading_of("flow (filtered)")
-    (('P1', 'psi'), ('flow (filtered)', ''))
+    >>> heading_of("P1(PSI)"), heading_of("flow (filtered)"), heading_of("p in bar")
+    (('P1', 'psi'), ('flow (filtered)', ''), ('p', 'bar'))
     """
     match = _TRAILING_UNIT.fullmatch(text)
     if match:
@@ -70,6 +85,11 @@ def heading_of(text: str) -> tuple[str, str]:
         unit = unit_of(written) if match["square"] is not None or not written.strip().isdigit() else ""
         if unit or not written.strip():
             return match["name"], unit
+    written_out = _UNIT_AFTER_IN.fullmatch(text)
+    if written_out and (unit := unit_of(written_out["unit"].replace(" /", "/").replace("/ ", "/"))):
+        is_rate = written_out["stroke"] and same_dimension(unit, "s")
+        if not is_rate or _TIME_BEFORE_STROKE.fullmatch(written_out["name"]):
+            return written_out["name"], unit
     return text.strip(), ""
 
 

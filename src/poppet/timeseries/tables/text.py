@@ -39,6 +39,11 @@ LARGEST_TEXT = 256 * 2**20  # limit of the size of a text file [bytes]; reading 
 
 _OPEN = re.compile(r'(?:^|[,;\t])\s*"(?:[^"]|"")*+$')
 _CLOSE = re.compile(r'(?:[^"]|"")*+"\s*(?:[,;\t]|$)')
+_QUOTED_COMMA = re.compile(r'"\s*[+-]?\d*,\d+(?:[eEdD][+-]?\d+)?\s*"')
+_THOUSANDS = re.compile(r"[+-]?[1-9]\d{0,2}\.\d{3}")
+_BELOW_THOUSAND = re.compile(r"[+-]?\d{1,3}")
+_THOUSANDS_OR_LESS = re.compile(f"{_THOUSANDS.pattern}|{_BELOW_THOUSAND.pattern}")
+_JUMP = 100.0  # between neighbouring values; above it, the points separate thousands and the jump is below 10
 _MAX_JOINED = 20  # maximum number of newlines in a cell
 
 Line = tuple[int, str]  # line number in the file, counted from 1, and text of the line
@@ -121,6 +126,8 @@ def read(
         notes.append(Note("table.guessed", separator=separator_name, decimal=layout.decimal))
     notes += heading_notes + [Note("table.comment", text=comment.lstrip("# \t")) for _, comment in comments]
     columns, cell_notes = _columns(body, layout, names)
+    if decimal is None and layout.decimal == ".":
+        _reject_thousands(body, layout, names, columns)
     if len(names) > 1 and names[-1] == "" and not np.isfinite(columns[-1]).any():
         names, units, columns = names[:-1], units[:-1], columns[:-1]  # each line ends with a separator
     names = [name or f"column {k}" for k, name in enumerate(names)]
@@ -217,7 +224,8 @@ def _guess_layout(lines: Sequence[Line], separators: Sequence[str], decimals: Se
     columns is returned.
     """
     sample = [text for _, text in (*lines[:: 1 + len(lines) // _BETWEEN], *lines[-_LAST:])]
-    choices = [(s, d) for s in separators for d in decimals if s != d]
+    has_quoted_commas = any(_QUOTED_COMMA.search(text) for text in sample)
+    choices = [(s, d) for s in separators for d in decimals if s != d or (s == "," and has_quoted_commas)]
     if not choices:
         raise InputError("table.same_sign", "separator", sign=separators[0])
     best_score, best_layout = (False, 0.0, 0), None
@@ -275,9 +283,12 @@ def _column_headings(
 
 def _columns(body: list[Line], layout: _TextLayout, names: list[str]) -> tuple[list[FloatArray], list[Note]]:
     texts = [text for _, text in body]
-    if layout.decimal == ",":
+    has_points = layout.decimal == "," and any("." in text for text in texts)  # between thousands: no numbers
+    if layout.decimal == "," != layout.separator:
         texts = [text.replace(",", ".") for text in texts]
-    table = _all_numbers(texts, None if layout.separator == " " else layout.separator, layout.width)
+    separator = None if layout.separator == " " else layout.separator
+    is_exact = not has_points and layout.decimal != layout.separator
+    table = _all_numbers(texts, separator, layout.width) if is_exact else None
     if table is not None:
         return [np.ascontiguousarray(column) for column in table], []
     rows = [(number, layout.cells(text)) for number, text in body]
@@ -289,6 +300,30 @@ def _columns(body: list[Line], layout: _TextLayout, names: list[str]) -> tuple[l
         _column([(number, cells[k]) for number, cells in rows], layout, names[k], notes) for k in range(layout.width)
     ]
     return columns, notes
+
+
+def _reject_thousands(body: list[Line], layout: _TextLayout, names: list[str], columns: list[FloatArray]) -> None:
+    """Raise an error if the points of a column seem to separate thousands.
+
+    All numbers of such a column are integers below 1000 or have three digits behind a point. Between both forms, a
+    value jumps by more than a factor of 100.
+    """
+    for k, column in enumerate(columns):
+        sizes = np.abs(column)
+        with np.errstate(invalid="ignore"):
+            is_jump = np.maximum(sizes[1:], sizes[:-1]) > _JUMP * np.minimum(sizes[1:], sizes[:-1])
+            jumps = np.flatnonzero(is_jump & (np.minimum(sizes[1:], sizes[:-1]) > 0.0))
+        for row in jumps.tolist():
+            pair = [(number, layout.cells(text)[k]) for number, text in body[row : row + 2]]
+            n_pointed = sum(_THOUSANDS.fullmatch(cell) is not None for _, cell in pair)
+            if n_pointed + sum(_BELOW_THOUSAND.fullmatch(cell) is not None for _, cell in pair) < 2:
+                break
+            if n_pointed == 1:
+                cells = [layout.cells(text)[k] for _, text in body[: len(column)]]
+                if all(_THOUSANDS_OR_LESS.fullmatch(cell) or cell.lower() in _EMPTY for cell in cells):
+                    (first, before), (_, after) = pair
+                    raise InputError("table.thousands", column=names[k], before=before, after=after, line=first)
+                break
 
 
 def _all_numbers(texts: list[str], delimiter: str | None, width: int) -> FloatArray | None:

@@ -1,4 +1,4 @@
-"""Calendar times in text files: ISO 8601 and `dd.mm.yyyy hh:mm:ss,fff`."""
+"""Calendar and clock times in text files: ISO 8601, `dd.mm.yyyy hh:mm:ss,fff`, `hh:mm:ss,fff`, with AM or PM."""
 
 from __future__ import annotations
 
@@ -18,6 +18,13 @@ _STAMP = re.compile(
     r"(?:\.(?P<point>\d{1,9})|,(?P<comma>\d{1,9})(?![\d,.]))?)?"
     r"[ ]?(?P<zone>Z|[+-]\d\d:?\d\d)?(?![\w:])"
 )
+_CLOCK = re.compile(
+    r"(?<![\w.:,+-])(?<!/\d\d )(?<!/\d{4} )(?P<hour>[01]?\d|2[0-3]):(?P<minute>[0-5]\d):(?P<second>[0-5]\d)"
+    r"(?:\.(?P<point>\d{1,9})|,(?P<comma>\d{1,9})(?![\d,.]))?(?:[ ]?(?P<half>[AaPp])[Mm])?(?![\w:])"
+)
+"""Time of day without a date, or with its date in another column; a date with strokes before it is not readable."""
+_DAY = 86400 * 10**9
+"""Period of a clock without a date [ns]; samples are less than half a day apart."""
 _MOST = 0.5
 """Fraction of the last lines that must contain a time stamp."""
 _LAST = 60
@@ -42,19 +49,38 @@ def convert_stamps(lines: Sequence[tuple[int, str]]) -> tuple[list[tuple[int, st
         First time stamp; empty if there is none.
     """
     last = [text for _, text in lines[-_LAST:]]
-    if sum(_STAMP.search(text) is not None for text in last) < _MOST * len(last) or not last:
+    counts = [(sum(pattern.search(text) is not None for text in last), pattern) for pattern in (_STAMP, _CLOCK)]
+    pattern = next((pattern for count, pattern in counts if last and count >= _MOST * len(last)), None)
+    if pattern is None:
         return list(lines), ""
-    start, first, converted = None, "", []
+    start, first, previous, converted = None, "", 0, []
     for number, text in lines:
-        match = _STAMP.search(text)
+        match = pattern.search(text)
+        if match and match["comma"] and match.group() == text.strip():
+            match = pattern.search(text[: match.start("comma") - 1])  # the comma separates the only two columns
         nanoseconds = None if match is None else _time_in_nanoseconds(match)
         if match is None or nanoseconds is None:
             converted.append((number, text))
             continue
         if start is None:
             start, first = nanoseconds, match.group()
+        elif pattern is _CLOCK:
+            nanoseconds += round((previous - nanoseconds) / _DAY) * _DAY
+        previous = nanoseconds
         converted.append((number, f"{text[: match.start()]}{_FORM.format(nanoseconds - start)}{text[match.end() :]}"))
     return converted, first
+
+
+def nanoseconds_of(text: str) -> int | None:
+    """Return the time of a time stamp since 1970 [ns], or None if the text is no time stamp.
+
+    Examples
+    --------
+    >>> nanoseconds_of("1970-01-01T00:00:01.5Z"), nanoseconds_of("6.1 bar")
+    (1500000000, None)
+    """
+    match = _STAMP.fullmatch(text.strip())
+    return None if match is None else _time_in_nanoseconds(match)
 
 
 def _time_in_nanoseconds(match: re.Match[str]) -> int | None:
@@ -62,19 +88,22 @@ def _time_in_nanoseconds(match: re.Match[str]) -> int | None:
 
     `match` is the result of the regular expression for time stamps. The result is None if the date does not exist.
     """
-    year, month, day = (
-        int(match[name] or match[other])
-        for name, other in (("year", "year_last"), ("month", "month_second"), ("day", "day_first"))
-    )
     zone: tzinfo = UTC
-    if match["zone"] and match["zone"] != "Z":
+    year, month, day = 1970, 1, 1
+    if match.re is _STAMP:
+        year, month, day = (
+            int(match[name] or match[other])
+            for name, other in (("year", "year_last"), ("month", "month_second"), ("day", "day_first"))
+        )
+    if match.re is _STAMP and match["zone"] and match["zone"] != "Z":
         digits = match["zone"].replace(":", "")
         offset = timedelta(hours=int(digits[1:3]), minutes=int(digits[3:5]))
         zone = timezone(-offset if digits[0] == "-" else offset)
+    hour = int(match["hour"])
+    if half := match["half"] if match.re is _CLOCK else "":
+        hour = hour % 12 + (12 if half in "Pp" else 0)
     try:
-        moment = datetime(
-            year, month, day, int(match["hour"]), int(match["minute"]), int(match["second"] or 0), tzinfo=zone
-        )
+        moment = datetime(year, month, day, hour, int(match["minute"]), int(match["second"] or 0), tzinfo=zone)
     except ValueError:
         return None
     fraction = (match["point"] or match["comma"] or "").ljust(9, "0")
