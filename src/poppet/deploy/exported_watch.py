@@ -11,8 +11,9 @@ from numpy.typing import NDArray
 
 from poppet.core.errors import ErrorCollector
 from poppet.monitoring.baseline import Baseline
-from poppet.monitoring.filter import PlantFilter, make_estimator
+from poppet.monitoring.filter import PlantFilter
 from poppet.monitoring.plan import WatchPlan
+from poppet.monitoring.plant_estimator import make_estimator
 from poppet.monitoring.sensors import DrivenInput
 from poppet.monitoring.twin_file import ClockColumn
 from poppet.monitoring.verdicts import FaultMonitor

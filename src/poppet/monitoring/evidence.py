@@ -80,6 +80,7 @@ class HypothesisEvidence(NamedTuple):
     before: float = 0.0  # sum of squared innovations before these readings, relative to healthy cycles
     is_noisy: bool = False  # True if the residuals are those of fits, and the readings have noise
     unknown: Hypothesis = ()  # single faults that can explain more, because their fits have not found a minimum
+    is_healthy: bool = True  # True if a single fault leaves residuals as small as those of a healthy plant
 
     @property
     def misfit(self) -> float:
@@ -132,15 +133,16 @@ class HypothesisComparison:
     def evidence(
         self, since: float, steps: Array, *, can_grow: bool = False, is_noisy: bool = False
     ) -> HypothesisEvidence | None:
-        """Compare the hypotheses by fits to the readings since a time; None if the readings are not available."""
+        """Compare the hypotheses by fits to the readings since a time; None if the readings are not available.
+
+        With `can_grow`, a single fault may also have grown since then.
+        """
         f = self.alarms.size
         every = tuple(range(f))
         singles: list[Hypothesis] = [(k,) for k in every]
         growing: list[Hypothesis] = [(k, f + k) for k in every]
         constant: list[Hypothesis] = [(), *singles, every]
-        evidence = None if can_grow else self.refit(since, constant, steps)
-        if evidence is None or not any(self.is_fit(evidence.fits[single], evidence.n_readings) for single in singles):
-            evidence = self.refit(since, [*constant, *growing], steps) or evidence
+        evidence = self.refit(since, [*constant, *growing] if can_grow else constant, steps)
         if evidence is None:
             return None
         best, growths = [evidence.fits[single] for single in singles], np.zeros(f)
@@ -175,8 +177,9 @@ class HypothesisComparison:
         before = evidence.before / self.healthy_nis
         n_readings = evidence.n_readings
         unknown = tuple(k for k, fit in enumerate(best) if not fit.is_known)
+        is_healthy = any(self.is_fit(fit, n_readings) for fit in best)
         result = HypothesisEvidence(
-            z, sizes, joint, rests, pairs, squares, n_readings, growths, before, is_noisy, unknown
+            z, sizes, joint, rests, pairs, squares, n_readings, growths, before, is_noisy, unknown, is_healthy
         )
         single_misfit = result.misfit if result.fits else 0.0
         return result

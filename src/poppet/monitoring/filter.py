@@ -10,15 +10,13 @@ from typing import NamedTuple, Protocol
 import numpy as np
 from numpy.typing import NDArray
 
-from poppet.engine.estimator_call import EstimatorCall
-from poppet.engine.problem import Outcome
-from poppet.engine.state_start import model_from_state
 from poppet.identify.fit.residuals import whiteness
 from poppet.monitoring.fault_statistics import OnsetBank
 from poppet.monitoring.initial_estimate import InitialState, ordered_product
 from poppet.monitoring.input_course import FilledSample, InputCourse
 from poppet.monitoring.onsets import ONSETS, PER_DELAY, slot_to_renew
 from poppet.monitoring.plan import WatchPlan
+from poppet.monitoring.plant_estimator import EstimateReplay, make_estimator, use_last
 from poppet.monitoring.verdicts import Adoption, OpenSteps
 from poppet.monitoring.window_model import Samples
 from poppet.monitoring.windows import FLAT, Arrival, Window, changes_of_rates
@@ -61,7 +59,7 @@ ARRIVALS = 32
 """Number of estimates per window that are kept as arrival priors."""
 MOST_SAMPLES = 65_536
 """Largest number of kept samples."""
-REQUESTED = 16
+REQUESTED = 24
 """Number of estimates that are kept because they were arrival priors lately."""
 WINDOWS = 2
 """Number of windows for which samples and arrival priors are kept."""
@@ -136,6 +134,7 @@ class PlantFilter:
         self.noise = stated if baseline is None else np.asarray(baseline.noise, dtype=np.float64)
         self.initial, self._inputs = InitialState(plan, self.noise, fuses=fuses), InputCourse(plan)
         self._estimator = make_estimator(plan, fuses)
+        self._replay = EstimateReplay(plan, self.noise, self._inputs, fuses=fuses)
         self._estimator.noise[:] = self.noise**2
         self._onsets = np.full(ONSETS, math.nan)  # times of the onsets [s]
         self._spacing = plan.alarm_delay / PER_DELAY
@@ -236,14 +235,16 @@ class PlantFilter:
         return OnsetBank(ages, self._estimator.numerators, self._estimator.gram)
 
     def snapshot(self, time: float) -> Arrival:
-        """Return the latest kept estimate at or before a time [s], or else the earliest one.
+        """Return the estimate after the last sample until a time [s], or else the earliest kept one.
 
         The estimates at the onsets of the bank are kept, others at regular times within two windows, and the last
-        results: a fault is judged again after the bank has dropped its onset.
+        results: a fault is judged again after the bank has dropped its onset. The samples between such a time and the
+        stated one are used again.
         """
         at_onset = (arrival for arrival in self._at_onset if arrival is not None)
         earlier = [arrival for arrival in (*self._arrivals, *at_onset, *self._requested) if arrival.time <= time]
-        latest = max(earlier, key=lambda arrival: arrival.time, default=self._arrivals[0])
+        kept = max(earlier, key=lambda arrival: arrival.time, default=self._arrivals[0])
+        latest = self._replay(kept, self._history, time, self._estimator.walk)
         others = [arrival for arrival in self._requested if arrival is not latest]
         self._requested = [*others, latest][-REQUESTED:]
         return latest
@@ -329,7 +330,7 @@ class PlantFilter:
         if self.plan.inputs and self._usual_step > 0.0:
             longest = min(longest, GAP * self._usual_step)
         self._history.append(sample)
-        is_moved = not is_gap and step <= longest and self._apply(previous, sample)
+        is_moved = not is_gap and step <= longest and use_last(self._estimator, self._inputs, self._history)
         if is_moved and time >= self._next_check:
             self._next_check = time + CHECK * self.plan.window
             is_moved = not self._is_far()
@@ -386,21 +387,6 @@ class PlantFilter:
         if sample.row is previous.row or not sample.time - previous.time > LOST * self._shortest_step:
             return False
         return bool((np.abs(e.innovations) > UNLIKELY * e.deviations).any())
-
-    def _apply(self, previous: FilledSample, sample: FilledSample) -> bool:
-        """Move the estimates to the newest sample and use its readings; return False if this fails."""
-        estimator = self._estimator
-        estimator.readings[:] = sample.readings
-        step = sample.time - previous.time
-        if self._inputs.is_held and sample.row is previous.row:
-            return (estimator.update(step) if step > 0.0 else estimator.correct()) is Outcome.DONE
-        if step > 0.0:
-            for piece in self._inputs.pieces(self._history):
-                estimator.u[0], estimator.u[1] = piece.begin, piece.end
-                if estimator.advance(piece.duration) is not Outcome.DONE:
-                    return False
-        estimator.u[:] = self._inputs.vector(self._history)
-        return estimator.correct() is Outcome.DONE
 
     @cached_property
     def _growing_window(self) -> Window:
@@ -677,26 +663,3 @@ class PlantFilter:
         size = self._estimator.mean.size
         covariance = fit.arrival.covariance[:size, :size]
         return fit.arrival.mean[:size], covariance * max(1.0, squares / max(fit.freedom, 1))
-
-
-def make_estimator(plan: WatchPlan, fuses: bool) -> EstimatorCall:
-    """Return the estimator of a plan, without an estimate."""
-    instance, model = plan.instance, model_from_state(plan.instance.model)
-    names = [name for name, _ in model.outputs]
-    estimator = EstimatorCall(
-        model, [names.index(channel.address) for channel in plan.channels], plan.free.places.tolist(),
-        plan.touched_inputs.tolist(), plan.directions, plan.effects, onsets=ONSETS, faults=len(plan.faults),
-        tolerance=plan.tolerance, fuses=fuses,
-    )  # fmt: skip
-    _, p = instance.start()
-    numbers, u = instance.numbers(), instance.held_inputs({})
-    estimator.p[: numbers.size] = numbers
-    estimator.p[len(model.parameters) :] = p[numbers.size :]
-    estimator.u[:] = u
-    estimator.base[:] = np.append(estimator.p[plan.free.places], u[plan.touched_inputs])
-    estimator.reference[:], estimator.low[:], estimator.high[:] = plan.reference, plan.low, plan.high
-    estimator.noise[:] = [channel.noise**2 for channel in plan.channels]
-    estimator.gates[:] = [channel.gate**2 for channel in plan.channels]
-    n = len(model.states)
-    estimator.walk[n:], estimator.cap[n:] = plan.walk, plan.cap**2
-    return estimator

@@ -7,6 +7,7 @@ import math
 from collections import deque
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
+from functools import partial
 from itertools import combinations
 from typing import NamedTuple
 
@@ -66,6 +67,8 @@ COUNTED, ONSET = 50.0, 4.0
 """Largest evidence that counts for names by fits, a chi-square, until a fault is older than so many alarm delays."""
 MOST_ONSETS = 8
 """Largest number of onsets for which a judgement compares the hypotheses."""
+MOST_REFINEMENTS, FINEST = 8, 1.0 / 32.0
+"""Largest number of further onsets between two of them, and their smallest distance, in alarm delays."""
 LIKELY = 0.5
 """Smallest probability of the faults of an alarm together."""
 
@@ -424,10 +427,12 @@ class FaultMonitor:
         onsets = [self._begun] if is_alarm else self._onsets(statistics)
         best = self._compare(onsets[0], statistics, steps)
         if best.is_by_fits:
-            best = self._best_onset(best, onsets[1:], lambda onset: self._compare(onset, statistics, steps))
-            if best.is_explained:
-                # One of the other faults could explain the readings if it grows.
-                best = self._compare(best.onset, statistics, steps, can_grow=True)
+            compare = partial(self._compare, statistics=statistics, steps=steps)
+            best = self._refined_onset(self._best_onset({best.onset: best}, onsets[1:], compare), compare)
+            # A fault that grows can explain the readings, too, with another onset if no constant one does.
+            compare = partial(compare, can_grow=True)
+            grown = {best.onset: compare(best.onset)}
+            best = grown[best.onset] if best.evidence.is_healthy else self._best_onset(grown, onsets, compare)
         elif len(onsets) > 1 and not best.is_explained:
             best = self._compare(onsets[1], statistics, steps)
         self._begun, age, fits, evidence = best.onset, best.age, best.fits, best.evidence
@@ -529,14 +534,14 @@ class FaultMonitor:
         return OnsetComparison(onset, age, by_fits is not None, evidence.fits, tempered, is_explained, total)
 
     def _best_onset(
-        self, best: OnsetComparison, others: list[float], compare: Callable[[float], OnsetComparison]
+        self, found: dict[float, OnsetComparison], others: list[float], compare: Callable[[float], OnsetComparison]
     ) -> OnsetComparison:
         """Return the comparison of the onset with which all readings are most probable.
 
         The evidence of the bank is linear in the size of a fault. The search begins with its onsets, and continues with
-        their neighbours.
+        their neighbours. It adds all comparisons to those that were already found.
         """
-        found = {best.onset: best, **{onset: compare(onset) for onset in others}}
+        found.update((onset, compare(onset)) for onset in others if onset not in found)
         ages = self._bank.ages[(self._bank.ages >= self.alarm_delay) & (self._bank.ages <= self.window)]
         times = sorted({*(self._time - ages).tolist(), *found})
         while len(found) < MOST_ONSETS:
@@ -546,6 +551,27 @@ class FaultMonitor:
                 break
             found[near[0]] = compare(near[0])
         return min(found.values(), key=lambda comparison: comparison.total)
+
+    def _refined_onset(self, best: OnsetComparison, compare: Callable[[float], OnsetComparison]) -> OnsetComparison:
+        """Return the comparison of an onset between those of the bank, if no fault fits with the best of these.
+
+        The readings show the onset of a large fault more precisely than the bank.
+        """
+        times = sorted({*(self._time - self._bank.ages).tolist(), best.onset})
+        k = times.index(best.onset)
+        low, high = times[max(k - 1, 0)], min(times[min(k + 1, len(times) - 1)], self._time - self.alarm_delay)
+        for _ in range(MOST_REFINEMENTS):
+            before, after = best.onset - low, high - best.onset
+            if best.evidence.is_healthy or max(before, after) < FINEST * self.alarm_delay:
+                break
+            other = compare(best.onset - 0.5 * before if before > after else best.onset + 0.5 * after)
+            nearer, farther = (other, best) if other.total < best.total else (best, other)
+            if farther.onset < nearer.onset:
+                low = farther.onset
+            else:
+                high = farther.onset
+            best = nearer
+        return best
 
     def _statistics_of_steps(self) -> FaultStatistics:
         """Return the statistics of the single faults from the bank alone, without the estimates of the filter."""

@@ -31,9 +31,10 @@ from poppet.engine.job import Job
 from poppet.engine.printers.c import DOUBLE, print_function, print_step, used_prelude
 from poppet.engine.printers.instructions import trace_functions
 from poppet.monitoring import evidence, fault_statistics, verdicts
-from poppet.monitoring.filter import CHECK, FARTHEST, FIRST, FORGET, GAP, LINEAR, PlantFilter, make_estimator
+from poppet.monitoring.filter import CHECK, FARTHEST, FIRST, FORGET, GAP, LINEAR, PlantFilter
 from poppet.monitoring.initial_estimate import STEP
 from poppet.monitoring.onsets import ONSETS, PER_DELAY
+from poppet.monitoring.plant_estimator import make_estimator
 from poppet.monitoring.sensors import Readings
 
 if TYPE_CHECKING:
