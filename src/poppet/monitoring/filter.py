@@ -420,6 +420,7 @@ class PlantFilter:
         self._starts = 0 if self._is_fitted else self._starts
         self._clear_bank()
         self._count = 0  # a late sample must not return to estimates before the fit
+        self._next_arrival = -math.inf  # nor may a snapshot begin before it
 
     @cached_property
     def _window(self) -> Window:
@@ -574,6 +575,7 @@ class PlantFilter:
         self._fits.clear()  # they would take the step back: free numbers are constant in them
         self._clear_bank()
         self._count = 0  # a late sample must not take the step back
+        self._next_arrival = -math.inf
         self._keep()
         return True
 

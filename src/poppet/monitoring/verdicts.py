@@ -5,7 +5,7 @@ from __future__ import annotations
 import enum
 import math
 from collections import deque
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import partial
 from itertools import combinations
@@ -65,8 +65,8 @@ SMALLEST_NIS = 0.25
 """Smallest mean squared innovation of healthy cycles that is used, in variances of the noise."""
 COUNTED, ONSET = 50.0, 4.0
 """Largest evidence that counts for names by fits, a chi-square, until a fault is older than so many alarm delays."""
-MOST_ONSETS = 8
-"""Largest number of onsets for which a judgement compares the hypotheses."""
+MOST_ONSETS = 6
+"""Largest number of neighbouring onsets for which a search compares the hypotheses."""
 MOST_REFINEMENTS, FINEST = 8, 1.0 / 32.0
 """Largest number of further onsets between two of them, and their smallest distance, in alarm delays."""
 LIKELY = 0.5
@@ -122,6 +122,10 @@ class OnsetComparison(NamedTuple):
     evidence: HypothesisEvidence  # tempered
     is_explained: bool  # True if a fault is evident and explains the readings
     total: float  # sum of squares of all readings with the best fault, relative to healthy cycles
+
+
+CompareOnset = Callable[..., OnsetComparison]
+"""Function that compares all hypotheses for an onset [s]; with `can_grow=True`, single faults can also grow."""
 
 
 class StepEvidence(NamedTuple):
@@ -428,11 +432,7 @@ class FaultMonitor:
         best = self._compare(onsets[0], statistics, steps)
         if best.is_by_fits:
             compare = partial(self._compare, statistics=statistics, steps=steps)
-            best = self._refined_onset(self._best_onset({best.onset: best}, onsets[1:], compare), compare)
-            # A fault that grows can explain the readings, too, with another onset if no constant one does.
-            compare = partial(compare, can_grow=True)
-            grown = {best.onset: compare(best.onset)}
-            best = grown[best.onset] if best.evidence.is_healthy else self._best_onset(grown, onsets, compare)
+            best = self._growing_onset(self._constant_onsets(best, onsets[1:], compare), onsets, compare)
         elif len(onsets) > 1 and not best.is_explained:
             best = self._compare(onsets[1], statistics, steps)
         self._begun, age, fits, evidence = best.onset, best.age, best.fits, best.evidence
@@ -533,18 +533,58 @@ class FaultMonitor:
         total = evidence.before + evidence.squares
         return OnsetComparison(onset, age, by_fits is not None, evidence.fits, tempered, is_explained, total)
 
+    def _constant_onsets(
+        self, best: OnsetComparison, others: Iterable[float], compare: CompareOnset
+    ) -> dict[float, OnsetComparison]:
+        """Compare constant faults for several onsets.
+
+        The evidence of the bank is linear in the size of a fault. If no fault fits with the best onset of the bank, the
+        search continues between this onset and its neighbours: the readings show the onset of a large fault more
+        precisely than the bank.
+        """
+        found = {best.onset: best}
+        best, times = self._best_onset(found, others, compare), self._times(found)
+        times = [*times, max(times[-1], self._time - self.alarm_delay)]
+        k = times.index(best.onset)
+        low, high = times[max(k - 1, 0)], times[k + 1]
+        for _ in range(MOST_REFINEMENTS):
+            before, after = best.onset - low, high - best.onset
+            if best.evidence.is_healthy or max(before, after) < FINEST * self.alarm_delay:
+                break
+            other = compare(best.onset - 0.5 * before if before > after else best.onset + 0.5 * after)
+            found[other.onset] = other
+            nearer, farther = (other, best) if other.total < best.total else (best, other)
+            if farther.onset < nearer.onset:
+                low = farther.onset
+            else:
+                high = farther.onset
+            best = nearer
+        return found
+
+    def _growing_onset(
+        self, constant: Mapping[float, OnsetComparison], onsets: Iterable[float], compare: CompareOnset
+    ) -> OnsetComparison:
+        """Return the comparison of the best onset, for faults that can grow if no constant one fits.
+
+        A constant fault with a late onset can explain the last readings of a fault that grows.
+        """
+        found = {onset: comparison for onset, comparison in constant.items() if comparison.evidence.is_healthy}
+        grows = partial(compare, can_grow=True)
+        best = self._best_onset(found, onsets, grows)
+        # One of the other faults could explain the readings if it grows.
+        return grows(best.onset) if best is constant.get(best.onset) and best.is_explained else best
+
     def _best_onset(
-        self, found: dict[float, OnsetComparison], others: list[float], compare: Callable[[float], OnsetComparison]
+        self, found: dict[float, OnsetComparison], others: Iterable[float], compare: CompareOnset
     ) -> OnsetComparison:
         """Return the comparison of the onset with which all readings are most probable.
 
-        The evidence of the bank is linear in the size of a fault. The search begins with its onsets, and continues with
-        their neighbours. It adds all comparisons to those that were already found.
+        The search begins with some onsets, and continues with the neighbours of the best one. It adds its comparisons
+        to those that were already found.
         """
         found.update((onset, compare(onset)) for onset in others if onset not in found)
-        ages = self._bank.ages[(self._bank.ages >= self.alarm_delay) & (self._bank.ages <= self.window)]
-        times = sorted({*(self._time - ages).tolist(), *found})
-        while len(found) < MOST_ONSETS:
+        times, limit = self._times(found), max(len(found), 1) + MOST_ONSETS
+        while len(found) < limit:
             k = times.index(min(found, key=lambda onset: found[onset].total))
             near = [onset for onset in times[max(k - 1, 0) : k + 2] if onset not in found]
             if not near:
@@ -552,26 +592,10 @@ class FaultMonitor:
             found[near[0]] = compare(near[0])
         return min(found.values(), key=lambda comparison: comparison.total)
 
-    def _refined_onset(self, best: OnsetComparison, compare: Callable[[float], OnsetComparison]) -> OnsetComparison:
-        """Return the comparison of an onset between those of the bank, if no fault fits with the best of these.
-
-        The readings show the onset of a large fault more precisely than the bank.
-        """
-        times = sorted({*(self._time - self._bank.ages).tolist(), best.onset})
-        k = times.index(best.onset)
-        low, high = times[max(k - 1, 0)], min(times[min(k + 1, len(times) - 1)], self._time - self.alarm_delay)
-        for _ in range(MOST_REFINEMENTS):
-            before, after = best.onset - low, high - best.onset
-            if best.evidence.is_healthy or max(before, after) < FINEST * self.alarm_delay:
-                break
-            other = compare(best.onset - 0.5 * before if before > after else best.onset + 0.5 * after)
-            nearer, farther = (other, best) if other.total < best.total else (best, other)
-            if farther.onset < nearer.onset:
-                low = farther.onset
-            else:
-                high = farther.onset
-            best = nearer
-        return best
+    def _times(self, found: Iterable[float]) -> list[float]:
+        """Return the onsets that can be compared: those of the bank and those that were found, the earliest first."""
+        ages = self._bank.ages[(self._bank.ages >= self.alarm_delay) & (self._bank.ages <= self.window)]
+        return sorted({*(self._time - ages).tolist(), *found})
 
     def _statistics_of_steps(self) -> FaultStatistics:
         """Return the statistics of the single faults from the bank alone, without the estimates of the filter."""

@@ -419,3 +419,18 @@ def test_snapshots_and_samples(plan, recording):
     assert samples.times[-1] == filter_.time
     np.testing.assert_array_equal(samples.readings[-1], values[-1])
     np.testing.assert_array_equal(samples.inputs[-1], openings[-1])
+
+
+@pytest.mark.parametrize("index", [203, 387])
+def test_a_snapshot_between_kept_estimates_is_the_estimate_at_its_time(plan, recording, index):
+    values, openings = recording
+    before = run(plan, values[: index + 1], openings[: index + 1])
+    filter_ = run(plan, values, openings)
+    assert all(abs(arrival.time - index * DT) > 0.5 * DT for arrival in filter_._arrivals)
+    arrival = filter_.snapshot((index + 0.5) * DT)
+    assert arrival.time == before.time
+    same(SimpleNamespace(mean=arrival.mean, covariance=arrival.covariance), before)
+    assert arrival.squares == pytest.approx(before.snapshot(before.time).squares, rel=1e-6)
+    # The filter itself has not changed, and keeps this estimate.
+    same(filter_, run(plan, values, openings), within=0.0)
+    assert filter_.snapshot((index + 0.5) * DT) is arrival
