@@ -176,11 +176,11 @@ class Session:
     def apply(self, revision: int, operations: list[Any], continues: bool = False) -> State:
         """Perform operations as one change, see `poppet.edit.operations`."""
         with self.lock:
-            before = self._part_names()
+            names = self._part_names()
             self.history.apply(revision, operations, continues=continues)
             # A part with a new name is not new.
-            before += [operation["name"] for operation in operations if operation["op"] == "rename"]
-            return self.state([name for name in self._part_names() if name not in before])
+            names += [operation["name"] for operation in operations if operation["op"] == "rename"]
+            return self.state([name for name in self._part_names() if name not in names])
 
     def replace(self, revision: int, text: str) -> State:
         """Replace the text as one change; line endings and the byte order mark are those of the present text."""
@@ -215,9 +215,9 @@ class Session:
             self.history.check(revision)
             target = (self.name or self._free_name()) if name is None else file_name(name)
             is_new = target != self.name
-            known = None if is_new else self._disk
+            expected = None if is_new else self._disk
             data = self.document.text.encode("utf-8")
-            self._write(target, data, known, is_new=is_new, overwrite=overwrite and not is_new)
+            self._write(target, data, expected, is_new=is_new, overwrite=overwrite and not is_new)
             self.name, self._disk = target, data
             return self.state()
 
@@ -303,12 +303,12 @@ class Session:
         except InputError:
             return UNREADABLE if (self.folder / name).exists() else None
 
-    def _write(self, name: str, data: bytes, known: bytes | None, *, is_new: bool, overwrite: bool) -> None:
+    def _write(self, name: str, data: bytes, expected: bytes | None, *, is_new: bool, overwrite: bool) -> None:
         """Write a file completely or not at all, unless another program has changed it."""
         path = self.folder / name
 
         def check() -> None:
-            if overwrite or self._present(name) in (known, data):
+            if overwrite or self._present(name) in (expected, data):
                 return
             raise InputError("edit.file_exists" if is_new else "edit.changed_on_disk", path=name)
 
@@ -335,11 +335,11 @@ def file_name(name: str) -> str:
 
 def error_list(error: InputError) -> list[dict[str, Any]]:
     """Return errors for the page; the messages of those of another file begin with its name and line."""
-    found = []
+    rows = []
     for problem in error.problems:
         line = "" if problem.line is None else f":{problem.line}"
         location = f"{problem.file}{line}: " if problem.file else ""
-        found.append(
+        rows.append(
             {
                 "code": problem.code,
                 "address": problem.address or "",
@@ -348,7 +348,7 @@ def error_list(error: InputError) -> list[dict[str, Any]]:
                 "hint": problem.hint,
             }
         )
-    return found
+    return rows
 
 
 def with_line_endings(text: str, former: str) -> str:
@@ -368,10 +368,10 @@ def with_line_endings(text: str, former: str) -> str:
         return mark + text
     old, new = former.splitlines(keepends=True), text.splitlines(keepends=True)
     newline = "\r\n" if old[0].endswith("\r\n") else "\n"
-    plain = [line.replace("\r\n", "\n") for line in old]
-    shortest = min(len(plain), len(new))
-    first = next((k for k in range(shortest) if plain[k] != new[k]), shortest)
-    last = next((k for k in range(shortest - first) if plain[-1 - k] != new[-1 - k]), shortest - first)
+    lines = [line.replace("\r\n", "\n") for line in old]
+    shortest = min(len(lines), len(new))
+    first = next((k for k in range(shortest) if lines[k] != new[k]), shortest)
+    last = next((k for k in range(shortest - first) if lines[-1 - k] != new[-1 - k]), shortest - first)
     middle = [line.replace("\n", newline) for line in new[first : len(new) - last]]
     return mark + "".join([*old[:first], *middle, *old[len(old) - last :]])
 
