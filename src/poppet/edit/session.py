@@ -16,6 +16,7 @@ from poppet.circuit.component_files import read_circuit_components
 from poppet.circuit.file import loads
 from poppet.core.errors import InputError, NameSuggestion
 from poppet.core.files import by_suffix, check_characters, check_folder, confined_to, open_input, write_whole
+from poppet.core.toml_file import TomlFile
 from poppet.edit.document import LARGEST, MARK, Document, History
 from poppet.edit.operations import free_name
 from poppet.edit.palette import component_choices
@@ -150,7 +151,7 @@ class Session:
             "models": {},
             "notes": [],
         }
-        state["errors"] = error_list(circuit) if isinstance(circuit, InputError) else []
+        state["errors"] = error_list(circuit) if isinstance(circuit, InputError) else self._modbus_errors(circuit)
         if "error" in view:
             state["errors"][0]["line"] = view["error"]["line"]
             return state
@@ -162,6 +163,21 @@ class Session:
         state["models"] = _models(components)
         state["places"] = self._places(view, _sizes(view, state["symbols"]))
         return state
+
+    def _modbus_errors(self, circuit: BaseCircuit) -> list[dict[str, Any]]:
+        """Return the errors of the table `[modbus]` for the page; they do not concern runs and tasks."""
+        if "modbus" not in circuit.origin.tables:
+            return []
+        from poppet.serve.modbus_map import map_of_circuit
+        from poppet.serve.points import ServedCircuit
+
+        try:
+            map_of_circuit(ServedCircuit.of(circuit, allow_native=True))  # executes nothing
+        except InputError as error:
+            rows = error_list(TomlFile(self.document.text.removeprefix(MARK), "").located(error))
+            # The page receives errors of the equations with the model.
+            return [{**row, "concerns_run": False} for row in rows if row["address"].startswith("modbus")]
+        return []
 
     def _places(self, view: State, sizes: Mapping[str, tuple[float, float]]) -> State:
         """Return the places of the parts, which depend on their wiring, but not on their values."""
