@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import csv
+import re
 import sys
 from pathlib import Path
 
@@ -91,5 +92,5 @@ def expected_rows(source: WatchSource, path: Path) -> list[list[float]]:
 
 def bits_of(names: str, plan: WatchPlan) -> float:
     """An alarm as one bit for each fault."""
-    present = names.split(" or ") if names else []
+    present = re.split(" or | and ", names)
     return float(sum(2**k for k, fault in enumerate(plan.faults) if fault.name in present))

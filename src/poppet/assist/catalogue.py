@@ -8,7 +8,6 @@ from poppet.assist.arguments import Argument
 from poppet.assist.folder import Folder
 from poppet.assist.limits import LIST_ROWS
 from poppet.assist.replies import Json
-from poppet.core.errors import InputError
 
 
 def find_components(
@@ -21,10 +20,7 @@ def find_components(
     from poppet.parts.component_search import search
     from poppet.parts.components import numbers_of
 
-    try:
-        matches = search(conditions, components())
-    except InputError as error:
-        raise error.located(address="conditions") from None
+    matches = list(search(conditions, components()))
     rows = [
         {
             "model": component.names[0],

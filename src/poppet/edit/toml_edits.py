@@ -97,7 +97,7 @@ def remove(text: TomlText, paths: Collection[Path]) -> str:
     # Members of inline tables one by one, because their commas overlap.
     while True:
         text = TomlText(changed)
-        match = next(
+        found = next(
             (
                 (members, k)
                 for outer in text.entries()
@@ -107,9 +107,9 @@ def remove(text: TomlText, paths: Collection[Path]) -> str:
             ),
             None,
         )
-        if match is None:
+        if found is None:
             return changed
-        members, index = match
+        members, index = found
         changed = spliced(changed, [_without_member([(entry.start, entry.value.end) for entry in members], index)])
 
 
@@ -133,11 +133,11 @@ def _dotted(path: Path) -> str:
 
 def _last_dotted(text: TomlText, container: Path) -> TomlEntry | None:
     """Return the last entry whose dotted key contains the names of a table, which has no header."""
-    match = None
+    found = None
     for entry in text.entries():
         if len(entry.owner) < len(container) < len(entry.path) and _is_under(entry.path, container):
-            match = entry
-    return match
+            found = entry
+    return found
 
 
 def _with_line(text: TomlText, table: TomlTable, last: TomlEntry | None, line: str) -> str:

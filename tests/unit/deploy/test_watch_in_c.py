@@ -13,6 +13,7 @@ from itertools import pairwise
 
 import numpy as np
 import pytest
+from independent_watch_tank import ONE_PERCENT, SAMPLE_TIME, random_openings, readings, simulate
 
 from c_compiler import COMPILER, STRICT, compile_c
 from exported_watch_example import (
@@ -27,6 +28,7 @@ from poppet.cli.main import run
 from poppet.deploy.c.watch_project import watch_project
 from poppet.deploy.exported_watch import check_watch
 from refusals import refused
+from watch_example import PLANT, SENSORS
 
 SAME_BITS = ("-std=c99", "-O2", "-ffp-contract=off")
 
@@ -73,6 +75,22 @@ def test_a_recording_gives_the_bits_and_alarms_of_python(tmp_path):
         assert bits_of(cells[-1], source.plan) == row[-1], cells
     times = [float(cells[0]) for cells in exported if "leak" in cells[-1]]
     assert 200.0 < min(times) < 215.0
+
+
+def test_faults_that_are_present_together_are_joined_by_and(tmp_path):
+    """A leak, and a supply whose pressure falls 60 s later."""
+    source, samples = tank_watch(), 2600
+    time, openings = SAMPLE_TIME * np.arange(samples), np.round(random_openings(range(1), samples), 2)
+    leak = np.where(time < 130.0, PLANT.leak, PLANT.leak + 1.5 * ONE_PERCENT)[np.newaxis]
+    supply = np.where(time < 190.0, PLANT.supply_pressure, PLANT.supply_pressure - 0.6e5)[np.newaxis]
+    pressure = readings(PLANT, simulate(PLANT, openings, leak, supply=supply), SENSORS, range(1))[0, :, 0] / 1e5
+    recording = tmp_path / "recording.csv"
+    columns = np.column_stack([time, pressure, openings[0]])
+    np.savetxt(recording, columns, "%.6g", ",", header="t,p,u,w", comments="")
+    said = subprocess.run([host_of(source, tmp_path), recording], capture_output=True, text=True, check=True).stdout
+    alarms = {line.rsplit(",", 1)[1] for line in said.splitlines()}
+    assert "leak and supply_low" in alarms
+    assert "leak or supply_low" not in alarms
 
 
 def test_a_late_sample_is_ignored(tmp_path):

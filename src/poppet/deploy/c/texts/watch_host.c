@@ -107,7 +107,7 @@ static int replay(const char *path) {
     for (k = 0; k < F; k++) {
       if (!w.alarm[k]) continue;
       printf("%s%s", separator, model_free_list[k].name);
-      separator = " or ";
+      separator = w.verdict == MODEL_SEVERAL ? " and " : " or ";
     }
     puts("");
   }
