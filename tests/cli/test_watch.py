@@ -136,6 +136,22 @@ def test_files_need_a_recording(watch, option):
     assert (refusal.code, refusal.codes) == (2, ["twin.needs_recording"])
 
 
+@pytest.mark.parametrize(
+    "options",
+    [
+        ("--commission", "healthy.csv", "--force", "--recording", "day.csv"),
+        ("--commission", "healthy.csv", "--force", "--isolable"),
+        ("--commission", "healthy.csv", "--force", "--report", "day.html"),
+        ("--isolable", "--recording", "day.csv", "-o", "states.csv"),
+    ],
+)
+def test_an_option_of_another_task_is_refused(watch, folder, options):
+    before = (folder / "healthy.toml").read_bytes()
+    refusal = watch(*options)
+    assert (refusal.code, refusal.codes, refusal.out) == (2, ["twin.idle_option"], "")
+    assert (folder / "healthy.toml").read_bytes() == before
+
+
 def test_an_output_does_not_replace_the_twin_file(watch, folder):
     shutil.copy(folder / "day.csv", folder / "twin.csv")
     refusal = watch("--recording", "day.csv", "-o", "day.csv")

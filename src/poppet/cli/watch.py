@@ -23,6 +23,9 @@ if TYPE_CHECKING:
 WINDOWS = 10.0
 """Part of a recording in windows for which the report states what the sensors can distinguish."""
 
+IDLE_OPTIONS = {"commission": ("isolable", "recording", "output", "report"), "isolable": ("output", "report")}
+"""Options of other tasks, by the option of a task."""
+
 
 def execute(options: argparse.Namespace) -> int:
     """Run the command `watch`, and return the exit code."""
@@ -30,6 +33,10 @@ def execute(options: argparse.Namespace) -> int:
     from poppet.monitoring.twin_file import read_twin_file
     from poppet.monitoring.watch import watch_of_twin
 
+    for task, idle in IDLE_OPTIONS.items():
+        for name in idle:
+            if getattr(options, task) and getattr(options, name):
+                raise InputError("twin.idle_option", option=f"--{name}", task=f"--{task}")
     for name in ("output", "report"):
         if getattr(options, name) and not options.recording:
             raise InputError("twin.needs_recording", option=f"--{name}")

@@ -89,7 +89,7 @@ class SampleReader:
         if isinstance(raw, str) and (stamp := nanoseconds_of(raw)) is not None:
             if self._first_stamp is None:
                 self._first_stamp = stamp
-            return (stamp - self._first_stamp) * 1e-9
+            return (stamp - self._first_stamp) / 1e9
         time = _float_of(raw) * self.clock.scale
         if not abs(time) <= LONGEST_TIME:
             raise InputError("stream.no_time", column, value="nothing" if raw is None else _shown(raw))
@@ -117,7 +117,7 @@ class SampleReader:
         if low - slack <= value <= high + slack:
             return min(max(value, low), high)
         limits: dict[str, Any] = {"low": low, "high": high, "si_unit": column.si_unit}
-        number = (value - column.shift) / column.scale
+        number = column.from_si(value)
         problems.append(InputError("stream.too_large", column.column, value=number, unit=column.unit, **limits))
         return _invalid(column)
 

@@ -50,6 +50,10 @@ class Readings:
         """Return a reading in SI, with an absolute pressure for a gauge pressure."""
         return self.scale * reading + self.shift
 
+    def from_si(self, value: float) -> float:
+        """Return the reading in the unit of the column for a value in SI."""
+        return (value - self.shift) / self.scale
+
 
 @dataclass(frozen=True)
 class SensorChannel(Readings):

@@ -70,7 +70,9 @@ class StuckSensors:
             if not self._is_reported[k]:
                 self._is_reported[k] = True
                 self.new.append((k, self._first_times[k]))
-                facts: dict[str, Any] = {"count": self._counts[k] + 1, "value": self._last[k]}
-                unit = self.channels[k].si_unit
-                problems.append(InputError("stream.stuck", self.channels[k].column, unit=unit, **facts))
+                channel = self.channels[k]
+                facts: dict[str, Any] = {"count": self._counts[k] + 1, "unit": channel.unit}
+                problems.append(
+                    InputError("stream.stuck", channel.column, value=channel.from_si(self._last[k]), **facts)
+                )
         return [math.nan if k in stuck else reading for k, reading in enumerate(readings)]

@@ -290,6 +290,7 @@ def test_a_sensor_that_is_stuck_is_missing(baseline):
     frame = pytest.importorskip("pandas", reason="pandas is not installed").DataFrame(rows, columns=["time", *"puw"])
     record = watch.run(frame, problems=problems)
     assert [problem.code for problem in problems] == ["stream.stuck"]
+    assert f"p has had the value {rows[200, 1]:g} bar g" in str(problems[0])
     assert record.used[-1, 0] == 0
     assert set(record.alarms) == {""}
 
