@@ -127,7 +127,9 @@ class CycleJudge:
         samples = Samples(course.time, readings_of(course.channels, self.sensors, seed), course.command[:, None])
         search = HypothesisSearch(self.window, samples, self.arrival)
 
-        def refit(since: float, hypotheses: Sequence[Hypothesis], steps: Array) -> WindowEvidence:
+        def refit(
+            since: float, hypotheses: Sequence[Hypothesis], steps: Array, *, is_quick: bool = False
+        ) -> WindowEvidence:
             return WindowEvidence(search.fit(hypotheses), search.n_readings)
 
         alarms = np.array([item.alarm for item in self.plan.faults])

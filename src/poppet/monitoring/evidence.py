@@ -6,7 +6,7 @@ import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import combinations
-from typing import NamedTuple
+from typing import NamedTuple, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
@@ -59,11 +59,17 @@ class WindowEvidence(NamedTuple):
     before: float = 0.0  # sum of squared innovations of the filter before these readings
 
 
-Refit = Callable[[float, Sequence[Hypothesis], Array], WindowEvidence | None]
-"""Function that fits hypotheses to the readings since a time, or returns None if they are not available.
+class Refit(Protocol):
+    """Function that fits hypotheses to the readings since a time [s]."""
 
-Its arguments are the time, the hypotheses, and the approximate size of each fault as the only one, (f,) [SI].
-"""
+    def __call__(
+        self, since: float, hypotheses: Sequence[Hypothesis], steps: Array, *, is_quick: bool = False
+    ) -> WindowEvidence | None:
+        """Return the fits, or None if the readings are not available.
+
+        `steps` contains the approximate size of each fault as the only one, (f,) [SI]. If `is_quick`, only the best fit
+        must be accurate.
+        """
 
 
 class HypothesisEvidence(NamedTuple):
@@ -80,6 +86,7 @@ class HypothesisEvidence(NamedTuple):
     before: float = 0.0  # sum of squared innovations before these readings, relative to healthy cycles
     is_noisy: bool = False  # True if the residuals are those of fits, and the readings have noise
     unknown: Hypothesis = ()  # single faults that can explain more, because their fits have not found a minimum
+    left: float = LEFT  # largest part of the evidence that a fault leaves
     is_healthy: bool = True  # True if a single fault leaves residuals as small as those of a healthy plant
 
     @property
@@ -96,7 +103,7 @@ class HypothesisEvidence(NamedTuple):
         if self.is_noisy and self.n_readings >= FEW and self.squares < TOO_SMALL * self.n_readings:
             return False
         explained = self.joint - float(np.min(self.rests[self.z > 0.0], initial=math.inf))
-        return self.misfit <= MISFIT or self.squares - self.n_readings <= LEFT * explained
+        return self.misfit <= MISFIT or self.squares - self.n_readings <= self.left * explained
 
     def tempered(self) -> HypothesisEvidence:
         """Return the evidence divided by the misfit."""
@@ -131,18 +138,18 @@ class HypothesisComparison:
     healthy_nis: float
 
     def evidence(
-        self, since: float, steps: Array, *, can_grow: bool = False, is_noisy: bool = False
+        self, since: float, steps: Array, *, can_grow: bool = False, is_noisy: bool = False, is_quick: bool = False
     ) -> HypothesisEvidence | None:
         """Compare the hypotheses by fits to the readings since a time; None if the readings are not available.
 
-        With `can_grow`, a single fault may also have grown since then.
+        With `can_grow`, a single fault may also have grown since then. If `is_quick`, only the best one is accurate.
         """
         f = self.alarms.size
         every = tuple(range(f))
         singles: list[Hypothesis] = [(k,) for k in every]
         growing: list[Hypothesis] = [(k, f + k) for k in every]
         constant: list[Hypothesis] = [(), *singles, every]
-        evidence = self.refit(since, [*constant, *growing] if can_grow else constant, steps)
+        evidence = self.refit(since, [*constant, *growing] if can_grow else constant, steps, is_quick=is_quick)
         if evidence is None:
             return None
         best, growths = [evidence.fits[single] for single in singles], np.zeros(f)
@@ -179,7 +186,18 @@ class HypothesisComparison:
         unknown = tuple(k for k, fit in enumerate(best) if not fit.is_known)
         is_healthy = any(self.is_fit(fit, n_readings) for fit in best)
         result = HypothesisEvidence(
-            z, sizes, joint, rests, pairs, squares, n_readings, growths, before, is_noisy, unknown, is_healthy
+            z,
+            sizes,
+            joint,
+            rests,
+            pairs,
+            squares,
+            n_readings,
+            growths,
+            before,
+            is_noisy,
+            unknown,
+            is_healthy=is_healthy,
         )
         single_misfit = result.misfit if result.fits else 0.0
         return result

@@ -195,8 +195,11 @@ class HypothesisSearch:
         """Number of readings in the window."""
         return int(np.count_nonzero(self._is_measured))
 
-    def fit(self, hypotheses: Iterable[Hypothesis]) -> dict[Hypothesis, HypothesisFit]:
-        """Return the minimum of each hypothesis; it is predicted if it is far above the lowest one."""
+    def fit(self, hypotheses: Iterable[Hypothesis], *, is_quick: bool = False) -> dict[Hypothesis, HypothesisFit]:
+        """Return the minimum of each hypothesis; it is predicted if it is far above the lowest one.
+
+        If `is_quick`, only the lowest minimum is found, and all others are predicted.
+        """
         every = tuple(range(self._alarms.size))
         candidates = {
             h: min((self._candidate(start, h) for start in self._starts), key=lambda c: c.predicted) for h in hypotheses
@@ -209,10 +212,11 @@ class HypothesisSearch:
             best = min(candidates[h].predicted for h in searched)
             # A prediction is no bound: flows are not linear in pressures. It excludes a single fault only after some
             # steps, and any other hypothesis if another one fits.
-            least = {h: LEAST_TRIALS if len(h) == 1 or best >= self.n_readings else 0 for h in searched}
+            far, trials_of_all = (0.0, 0) if is_quick else (FAR, LEAST_TRIALS)
+            least = {h: trials_of_all if len(h) == 1 or best >= self.n_readings else 0 for h in searched}
             unknown = [
                 h for h in searched
-                if not candidates[h].is_final and (candidates[h].predicted <= best + FAR or trials[h] < least[h])
+                if not candidates[h].is_final and (candidates[h].predicted <= best + far or trials[h] < least[h])
             ]  # fmt: skip
             if not unknown:
                 break
@@ -335,10 +339,12 @@ def fit_hypotheses(
     hypotheses: Sequence[Hypothesis],
     steps: Array | None = None,
     spread: float = 0.0,
+    *,
+    is_quick: bool = False,
 ) -> WindowEvidence | None:
     """Return the fits of hypotheses to the samples after an estimate of the filter; see `HypothesisSearch`.
 
     The result is None if the model cannot be simulated.
     """
     search = HypothesisSearch(window, samples, arrival, steps, spread)
-    return None if search.has_failed else WindowEvidence(search.fit(hypotheses), search.n_readings)
+    return None if search.has_failed else WindowEvidence(search.fit(hypotheses, is_quick=is_quick), search.n_readings)

@@ -46,10 +46,12 @@ class WindowRefit:
     def _growing_window(self) -> Window:
         return Window(self.plan, healthy=self.baseline.values, noise=self.baseline.noise, grows=True)
 
-    def __call__(self, since: float, hypotheses: Sequence[Hypothesis], steps: Array) -> WindowEvidence | None:
+    def __call__(
+        self, since: float, hypotheses: Sequence[Hypothesis], steps: Array, *, is_quick: bool = False
+    ) -> WindowEvidence | None:
         """Return the fits of hypotheses to the readings since a time [s]; `steps` are approximate sizes, (f,) [SI].
 
-        In a hypothesis, the index f + k means that fault k grows.
+        In a hypothesis, the index f + k means that fault k grows. If `is_quick`, only the best fit is accurate.
 
         The result is None if there are no readings, or if the model cannot be simulated.
         """
@@ -60,5 +62,5 @@ class WindowRefit:
         spread = since - arrival.time + self.plan.alarm_delay / PER_DELAY
         grows = any(k >= len(self.plan.faults) for h in hypotheses for k in h)
         window = self._growing_window if grows else self._window
-        evidence = fit_hypotheses(window, samples, arrival, hypotheses, steps, spread)
+        evidence = fit_hypotheses(window, samples, arrival, hypotheses, steps, spread, is_quick=is_quick)
         return None if evidence is None else evidence._replace(before=arrival.squares)

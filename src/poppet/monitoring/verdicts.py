@@ -59,6 +59,8 @@ EXPLAINED = 0.98
 
 The onset of a fault is known only approximately, and the effect of a large fault is known to a few per cent.
 """
+EXPLAINED_LINEARLY, LEFT_LINEARLY = 0.95, 0.1
+"""This fraction, and the largest part that a fault leaves, without fits: its effect is then linear in its size."""
 GROWN = 0.75
 """This fraction for a further step of a fault that the filter has adopted before."""
 SMALLEST_NIS = 0.25
@@ -429,16 +431,17 @@ class FaultMonitor:
         steps = np.where(statistics.onsets < self._bank.ages.size, statistics.sizes, 0.0) * self._alarms
         f = len(self.faults)
         onsets = [self._begun] if is_alarm else self._onsets(statistics)
-        best = self._compare(onsets[0], statistics, steps)
+        compare = partial(self._compare, statistics=statistics, steps=steps)
+        best = compare(onsets[0], is_quick=True)
         if best.is_by_fits:
-            compare = partial(self._compare, statistics=statistics, steps=steps)
-            best = self._growing_onset(self._constant_onsets(best, onsets[1:], compare), onsets, compare)
+            found = self._constant_onsets(best, onsets[1:], partial(compare, is_quick=True))
+            best = compare(self._growing_onset(found, onsets, partial(compare, is_quick=True)), can_grow=True)
         elif len(onsets) > 1 and not best.is_explained:
             best = self._compare(onsets[1], statistics, steps)
         self._begun, age, fits, evidence = best.onset, best.age, best.fits, best.evidence
         self._present_at = time
         self._judged = self._probabilities_of(best)
-        unexplained = (1.0 - EXPLAINED) * evidence.joint
+        unexplained = (1.0 - (EXPLAINED if best.is_by_fits else EXPLAINED_LINEARLY)) * evidence.joint
         rest = float(np.min(evidence.rests[evidence.z > 0.0], initial=math.inf))
         members = probable_set(self._judged)
         is_likely = float(np.sum(self._judged[members])) >= LIKELY
@@ -482,11 +485,14 @@ class FaultMonitor:
     def _probabilities_of(self, comparison: OnsetComparison) -> Array:
         """Return the probability of each fault, (f,).
 
-        A wrong onset lets another fault fit better. It matters less as the fault becomes older.
+        A wrong onset lets another fault fit better. It matters less as the fault becomes older. Without fits, the
+        effects of large faults are inaccurate, because they are not linear in the size.
         """
         evidence = comparison.evidence
         novelty = min(ONSET * self.alarm_delay / max(comparison.age, self.alarm_delay), 1.0)
-        caution = 1.0 + novelty * evidence.joint / COUNTED if comparison.is_by_fits else 1.0
+        caution = 1.0 + novelty * evidence.joint / COUNTED
+        if not comparison.is_by_fits:
+            caution = 1.0 + (1.0 - EXPLAINED_LINEARLY) * evidence.joint / chi_square_limit(max(len(self.faults) - 1, 1))
         return fault_probabilities(evidence.z, evidence.joint / caution, evidence.rests / caution)
 
     def _adopt_single(self, k: int, comparison: OnsetComparison, onset: int, *, is_new: bool = True) -> bool:
@@ -514,9 +520,19 @@ class FaultMonitor:
         return tuple(dict.fromkeys((*members, *former.tolist())))
 
     def _compare(
-        self, onset: float, statistics: FaultStatistics, steps: Array, *, can_grow: bool = False
+        self,
+        onset: float,
+        statistics: FaultStatistics,
+        steps: Array,
+        *,
+        can_grow: bool = False,
+        is_quick: bool = False,
     ) -> OnsetComparison:
-        """Compare all hypotheses for a fault that began at a time; with growing ones if no constant one fits."""
+        """Compare all hypotheses for a fault that began at a time.
+
+        With `can_grow`, single faults can also grow. If `is_quick`, the comparison is only valid for the choice of an
+        onset.
+        """
         # Readings of two windows are stored.
         longest = self.window if self._fits is None else 1.9 * self.window
         age = min(self._time - onset, longest)
@@ -524,10 +540,13 @@ class FaultMonitor:
         if self._fits is not None:
             # A plant without noise, such as a simulated one, always has small residuals.
             is_noisy = self._misfit > 3.0 * TOO_SMALL
-            by_fits = self._fits.evidence(self._time - age, steps, can_grow=can_grow, is_noisy=is_noisy)
+            by_fits = self._fits.evidence(
+                self._time - age, steps, can_grow=can_grow, is_noisy=is_noisy, is_quick=is_quick
+            )
         evidence = by_fits or self._compare_estimates(statistics, self._time - age)
         tempered = self._within_bounds(evidence.tempered())
-        limit = chi_square_limit(len(self.faults) - 1) + (1.0 - EXPLAINED) * tempered.joint
+        explained = EXPLAINED if by_fits is not None else EXPLAINED_LINEARLY
+        limit = chi_square_limit(len(self.faults) - 1) + (1.0 - explained) * tempered.joint
         is_explained = evidence.fits and float(tempered.z.max()) > RISE
         is_explained = is_explained and float(np.min(tempered.rests[tempered.z > 0.0])) <= limit
         total = evidence.before + evidence.squares
@@ -563,16 +582,14 @@ class FaultMonitor:
 
     def _growing_onset(
         self, constant: Mapping[float, OnsetComparison], onsets: Iterable[float], compare: CompareOnset
-    ) -> OnsetComparison:
-        """Return the comparison of the best onset, for faults that can grow if no constant one fits.
+    ) -> float:
+        """Return the best onset, for faults that can grow if no constant one fits.
 
         A constant fault with a late onset can explain the last readings of a fault that grows.
         """
+        best = min(constant.values(), key=lambda comparison: comparison.total)
         found = {onset: comparison for onset, comparison in constant.items() if comparison.evidence.is_healthy}
-        grows = partial(compare, can_grow=True)
-        best = self._best_onset(found, onsets, grows)
-        # One of the other faults could explain the readings if it grows.
-        return grows(best.onset) if best is constant.get(best.onset) and best.is_explained else best
+        return self._best_onset(found, [best.onset, *onsets], partial(compare, can_grow=True)).onset
 
     def _best_onset(
         self, found: dict[float, OnsetComparison], others: Iterable[float], compare: CompareOnset
@@ -820,4 +837,6 @@ class FaultMonitor:
         explained = self.temper * float(np.max(np.maximum(s.z, 0.0))) ** 2
         squares = max(self._squares - squares - explained / self.healthy_nis, 0.0)
         growths, count = np.zeros(len(self.faults)), self._n_readings - n_readings
-        return HypothesisEvidence(s.z, s.sizes + already, s.joint, s.rests, pairs, squares, count, growths)
+        return HypothesisEvidence(
+            s.z, s.sizes + already, s.joint, s.rests, pairs, squares, count, growths, left=LEFT_LINEARLY
+        )

@@ -179,7 +179,9 @@ class RecordedFits:
         self.calls: list[tuple[float, int]] = []
         self.costs, self._n_readings, self._unknown, self._last = costs, n_readings, unknown, last
 
-    def __call__(self, since: float, hypotheses: Sequence[Hypothesis], steps: np.ndarray) -> WindowEvidence | None:
+    def __call__(
+        self, since: float, hypotheses: Sequence[Hypothesis], steps: np.ndarray, *, is_quick: bool = False
+    ) -> WindowEvidence | None:
         self.calls.append((since, len(hypotheses)))
         fits = {}
         for h in hypotheses:
@@ -217,7 +219,7 @@ def test_first_comparison_names_all_faults_that_fit_almost_as_well() -> None:
 
 
 def test_name_whose_estimate_returns_is_dropped() -> None:
-    watched = monitor(refit=lambda since, hypotheses, steps: None)
+    watched = monitor(refit=lambda since, hypotheses, steps, *, is_quick=False: None)
     plant = Plant(watched)
     plant.feed(0.0, 5.0, [2.0, -2.0, 0.0])
     assert watched.alarm == ("leak", "worn")
@@ -296,7 +298,9 @@ def test_fits_with_large_residuals_are_a_lack_of_fit() -> None:
 def test_an_unknown_fault_has_no_name_although_each_fault_explains_the_last_readings() -> None:
     now = 0.0
 
-    def refit(since: float, hypotheses: Sequence[Hypothesis], steps: np.ndarray) -> WindowEvidence:
+    def refit(
+        since: float, hypotheses: Sequence[Hypothesis], steps: np.ndarray, *, is_quick: bool = False
+    ) -> WindowEvidence:
         # Two readings, or all of them since the unknown fault.
         is_young = now - since < 1.9
         costs: dict[Hypothesis, float] = {(): 100.0} if is_young else {(): 900.0, (0, 1, 2): 300.0}
@@ -387,7 +391,9 @@ def test_a_fault_that_grows_is_named_although_no_constant_one_fits() -> None:
 def test_a_fault_that_has_hardly_grown_is_sudden(part: float, grows: bool) -> None:
     fits = RecordedFits({(0, 1, 2): 20.0, (0,): 40.0, (0, 3): 20.0, (): 900.0})
 
-    def refit(since: float, hypotheses: Sequence[Hypothesis], steps: np.ndarray) -> WindowEvidence | None:
+    def refit(
+        since: float, hypotheses: Sequence[Hypothesis], steps: np.ndarray, *, is_quick: bool = False
+    ) -> WindowEvidence | None:
         evidence = fits(since, hypotheses, steps)
         assert evidence is not None
         size = 3.0 * ALARMS[0]
@@ -451,7 +457,7 @@ def test_the_only_fault_of_a_watch_can_leave_a_lack_of_fit() -> None:
 
 
 def test_without_stored_readings_the_filter_decides() -> None:
-    watched = monitor(refit=lambda since, hypotheses, steps: None)
+    watched = monitor(refit=lambda since, hypotheses, steps, *, is_quick=False: None)
     plant = Plant(watched)
     plant.feed(0.0, 5.0, [1.0, 0.0, 0.0])
     assert watched.alarm == ("leak",)

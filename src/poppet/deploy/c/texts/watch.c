@@ -459,6 +459,7 @@ static int has_rejected(const model_watch *w) {
 #define KEPT @KEPT@
 #define LARGEST @LARGEST@
 #define EXPLAINED @EXPLAINED@
+#define EXPLAINED_LINEARLY @EXPLAINED_LINEARLY@
 #define GROWN @GROWN@
 #define MISFIT @MISFIT@
 #define LEFT @LEFT@
@@ -472,6 +473,7 @@ static int has_rejected(const model_watch *w) {
 #define SET @SET@
 #define CEILING @CEILING@
 #define LIMIT_ONE @LIMIT_ONE@ /* of the rest of one fault */
+#define LIMIT_CAUTION @LIMIT_CAUTION@ /* the same, also of a single possible fault */
 #define LIMIT_TWO @LIMIT_TWO@ /* of the rest of two faults */
 #define LIMIT_UNKNOWN @LIMIT_UNKNOWN@
 
@@ -639,17 +641,17 @@ static void compute_statistics(model_watch *w, int n_onsets) {
   for (i = 0; i < F; i++) s->rests[i] = s->joint - (s->z[i] > 0.0 ? s->z[i] * s->z[i] : 0.0);
 }
 
-/* Probability of each single fault. */
-static void compute_probabilities(model_monitor *a) {
+/* Probability of each single fault. `caution` divides the evidence: the effect of a fault is not linear in its size. */
+static void compute_probabilities(model_monitor *a, double caution) {
   double logarithms[F], largest, total, least_occam = 0.0;
-  const double healthy = log1p(-FAULT_PRIOR) - 0.5 * a->joint;
+  const double healthy = log1p(-FAULT_PRIOR) - 0.5 * (a->joint / caution);
   double unknown = -HUGE_VAL;
   int i;
   largest = healthy;
   for (i = 0; i < F; i++) {
     const double ratio = SPREAD / (a->z[i] > SPREAD ? a->z[i] : SPREAD), occam = log(ratio < 1.0 ? ratio : 1.0);
     if (occam < least_occam) least_occam = occam;
-    logarithms[i] = a->z[i] >= 0.0 ? log(FAULT_PRIOR / F) + occam - 0.5 * a->rests[i] : -HUGE_VAL;
+    logarithms[i] = a->z[i] >= 0.0 ? log(FAULT_PRIOR / F) + occam - 0.5 * (a->rests[i] / caution) : -HUGE_VAL;
     if (logarithms[i] > largest) largest = logarithms[i];
   }
   if (F > 1) unknown = log(FAULT_PRIOR / F) + least_occam - 0.5 * LIMIT_UNKNOWN;
@@ -715,7 +717,7 @@ static int judge_pairs(model_watch *w, double factor) {
       sizes[1] = second;
     }
   }
-  if (!(least <= LIMIT_TWO + (1.0 - EXPLAINED) * a->joint)) return 0;
+  if (!(least <= LIMIT_TWO + (1.0 - EXPLAINED_LINEARLY) * a->joint)) return 0;
   set_verdict(w, MODEL_SEVERAL);
   w->alarm[pair[0]] = w->alarm[pair[1]] = 1;
   a->is_confirmed = set_adoption(w, a->joint_onset, 2, pair, sizes);
@@ -812,14 +814,14 @@ static void judge(model_watch *w, int is_alarm) {
       if (a->z[i] > largest) largest = a->z[i];
       if (a->z[i] > 0.0 && a->rests[i] < rest) rest = a->rests[i];
     }
-    if (is_fit && largest > RISE && rest <= LIMIT_ONE + (1.0 - EXPLAINED) * a->joint) break;
+    if (is_fit && largest > RISE && rest <= LIMIT_ONE + (1.0 - EXPLAINED_LINEARLY) * a->joint) break;
   }
   a->present_at = a->time;
-  compute_probabilities(a);
+  compute_probabilities(a, 1.0 + (1.0 - EXPLAINED_LINEARLY) * a->joint / LIMIT_CAUTION);
   count = probable_set(a, members, &first, &probability);
   if (is_fit && largest <= RISE) {
     if (!is_alarm) set_verdict(w, MODEL_HEALTHY);
-  } else if (is_fit && rest <= LIMIT_ONE + (1.0 - EXPLAINED) * a->joint) {
+  } else if (is_fit && rest <= LIMIT_ONE + (1.0 - EXPLAINED_LINEARLY) * a->joint) {
     if (probability < LIKELY) {
       /* A single fault explains the readings, but a healthy plant is still possible. */
       age *= 0.25;
