@@ -79,7 +79,7 @@ def start(machine: Machine, monkeypatch: pytest.MonkeyPatch) -> Iterator[Callabl
     monkeypatch.setenv("POPPET_LIVE_TOKEN", TOKEN)
     with ExitStack() as stack:
 
-        def begin(port: int | None = None, twin: Path | None = None) -> PageServer:
+        def begin(port: int | None = None, twin: Path | None = None, machine: Machine = machine) -> PageServer:
             server = PageServer(machine, port or free_port(), twin)
             stack.callback(lambda: server.stop() if server.thread.is_alive() else None)
             return server
@@ -93,8 +93,9 @@ def show(browser: Any) -> Iterator[Callable[..., Any]]:
     problems: list[str] = []
     with ExitStack() as stack:
 
-        def open_page(url: str, width: int = 1200, scheme: str = "light") -> Any:
-            context = browser.new_context(viewport={"width": width, "height": 900}, color_scheme=scheme, locale="en-US")
+        def open_page(url: str, width: int = 1200, scheme: str = "light", height: int = 900) -> Any:
+            size = {"width": width, "height": height}
+            context = browser.new_context(viewport=size, color_scheme=scheme, locale="en-US")
             stack.callback(context.close)
             page = context.new_page()
             page.on("pageerror", lambda error: problems.append(str(error)))
@@ -250,6 +251,88 @@ def test_curves_are_added(start: Any, show: Any, machine: Machine) -> None:
     wait_for(
         page, lambda: page.evaluate(script) == pytest.approx(machine.snapshot()["tank.temperature"] - 273.15, abs=1e-3)
     )
+
+
+TUBE = """
+[parts.supply]
+kind = "reservoir"
+pressure = "7 bar"
+[parts.valve]
+kind = "directional_valve"
+supply = "supply"
+outlet = "inlet"
+exhaust = "ambient"
+sonic_conductance = "1.2 dm^3/(s bar)"
+critical_ratio = 0.3
+[parts.inlet]
+kind = "chamber"
+volume = "10 cm^3"
+[parts.hose]
+kind = "tube"
+from = "inlet"
+to = "tank"
+length = "4 m"
+bore = "4 mm"
+cells = 3
+wall_conductance = "1 W/K"
+[parts.tank]
+kind = "chamber"
+volume = "1 l"
+[signals."valve.command"]
+kind = "constant"
+value = 1
+[run]
+duration = "1 s"
+"""
+
+
+@pytest.fixture
+def tube_machine() -> Machine:
+    machine = poppet.loads(TUBE).serve("20 ms", clock=False)
+    machine.advance("20 ms")
+    return machine
+
+
+def last_edges(page: Any, quantity: str) -> list[Any]:
+    """Labels and last values of the lines of the tube in the panel of a quantity."""
+    script = """quantity => connected.plot.panels.find(({ spec }) => spec.y.label.startsWith(quantity))
+        .spec.lines.filter(({ label }) => /hose/.test(label))
+        .map(({ label, y, high }) => [label, y.at(-1), high.at(-1)])"""
+    edges: list[Any] = page.evaluate(script, quantity)
+    return edges
+
+
+@pytest.mark.parametrize("is_exported", [False, True])
+def test_the_cells_of_a_tube_are_one_band(
+    start: Any, show: Any, tube_machine: Machine, tmp_path: Path, is_exported: bool
+) -> None:
+    server, exported = start(machine=tube_machine), tmp_path / "page.html"
+    exported.write_text(live_page(poppet.loads(TUBE)), encoding="utf-8")
+    url = f"{exported.as_uri()}#connect=ws://127.0.0.1:{server.port}&token={TOKEN}" if is_exported else server.url
+    page = show(url, height=2400)
+    tube_machine.advance(0.2)
+    cells = [tube_machine.snapshot()[f"hose.{k}.pressure"] / 1e5 for k in (1, 2, 3)]
+    assert max(cells) - min(cells) > 0.01
+    expected = ["hose, cells 1 to 3", *(pytest.approx(edge(cells), rel=1e-6) for edge in (min, max))]
+    wait_for(page, lambda: last_edges(page, "pressure") == [expected])
+    # All panels have the same time axis, also that of the bars.
+    ends = page.evaluate("connected.plot.panels.filter(p => !p.box.hidden).map(p => p.u.scales.x.max)")
+    assert len(ends) > 1
+    assert ends == [ends[0]] * len(ends)
+
+
+def test_a_band_is_added(start: Any, show: Any, tube_machine: Machine) -> None:
+    page = show(start(machine=tube_machine).url)
+    choice = page.get_by_label("curve to add")
+    choice.select_option(label="hose.temperature, cells 1 to 3")
+    names = choice.locator("option").all_text_contents()
+    assert not any("cells" in name for name in names if "temperature" in name or ".pressure" in name)
+    assert {"hose.2.pressure", "hose.2.temperature"} <= set(names)
+    tube_machine.advance(0.2)
+    cells = [tube_machine.snapshot()[f"hose.{k}.temperature"] - 273.15 for k in (1, 2, 3)]
+    assert max(cells) - min(cells) > 0.1
+    expected = ["hose.temperature, cells 1 to 3", *(pytest.approx(edge(cells), abs=1e-3) for edge in (min, max))]
+    wait_for(page, lambda: last_edges(page, "temperature") == [expected])
 
 
 @pytest.mark.parametrize("width", [1200, 360])

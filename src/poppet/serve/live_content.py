@@ -11,12 +11,15 @@ import numpy as np
 
 from poppet.core.number_format import USUAL, pretty, printable
 from poppet.deploy.live.live_page import (
+    BAND,
     CURVES,
+    cell_rows,
     empty_figure,
     output_rows,
     page_style,
     panel_rows,
     read_page_file,
+    series_name,
 )
 from poppet.deploy.live.page_drawing import page_drawing
 from poppet.deploy.live.page_inputs import affine, default_range
@@ -64,8 +67,15 @@ def served_page(served: ServedCircuit, faults: Sequence[Fault] = ()) -> str:
         ambient_pressure=circuit.surroundings.pressure,
     )  # fmt: skip
     outputs = output_rows(columns, circuit.surroundings.pressure)
-    panels = (
-        panel_rows(Sheet({"": recording}, None, None, "", inner=False, has_bands=False), index_of) if columns else []
+    sheet = Sheet({"": recording}, None, None, "") if columns else None
+    panels = panel_rows(sheet, index_of) if sheet else []
+    tubes = (
+        []
+        if sheet is None
+        else [
+            {"label": series_name(name, sheet), **cell_rows(cells, index_of), **BAND}
+            for name, cells in sheet.cells.items()
+        ]
     )
     for panel in panels:
         output = outputs[panel["lines"][0]["output"]]
@@ -76,8 +86,8 @@ def served_page(served: ServedCircuit, faults: Sequence[Fault] = ()) -> str:
         # The idle faults of the served circuit do not appear in the drawing.
         idle = {f"{valve}.fault": fault for valve, fault in served.initial_faults.items() if fault == HEALTHY}
         drawing = page_drawing(circuit.with_values(idle), columns)
-    content = {"title": circuit.title, "time": ["s", 1.0], "outputs": outputs, "drawing": drawing, "bands": []}
-    curves = empty_figure(content | {"panels": [*panels, *_watch_panels(faults)]}, 60.0)
+    content = {"title": circuit.title, "time": ["s", 1.0], "outputs": outputs, "tubes": tubes, "drawing": drawing}
+    curves = empty_figure(content | {"panels": [*panels, *_watch_panels(faults)], "bands": []}, 60.0)
     title = circuit.title or "A served circuit"
     data = json.dumps(content, allow_nan=False, separators=(",", ":")).replace("<", "\\u003c")
     sections = [

@@ -55,6 +55,26 @@ duration = "1 s"
 output_step = "20 ms"
 """
 
+TUBE = """
+[parts.supply]
+kind = "reservoir"
+pressure = "7 bar"
+[parts.hose]
+kind = "tube"
+from = "supply"
+to = "tank"
+length = "4 m"
+bore = "4 mm"
+cells = 3
+wall_conductance = "1 W/K"
+[parts.tank]
+kind = "chamber"
+volume = "0.2 l"
+[run]
+duration = "0.5 s"
+output_step = "5 ms"
+"""
+
 
 def header(page: str) -> dict:
     (packed,) = re.findall(r'id="model">([^<]*)</script>', page)
@@ -71,7 +91,7 @@ def sliders(circuit: Circuit, *texts: str) -> dict:
 
 def test_a_page_is_small_and_self_contained():
     page = live_page(load(STAIRCASE))
-    assert len(page.encode()) < 205_000
+    assert len(page.encode()) < 207_000
     needs_nothing_else(page, connects=LOOPBACK)
     content = header(page)
     assert [panel["y"]["label"].partition(" ")[0] for panel in content["panels"]] == [
@@ -101,6 +121,44 @@ def test_sliders_have_the_ranges_and_units_of_the_user():
     assert (pressure.low, pressure.high) == (2e5, 5e5)
     assert (wall.low, wall.high, wall.is_assumed) == (0.5, 2.0, True)
     assert "a guess" in wall.source
+
+
+def test_the_cells_of_a_tube_are_one_band():
+    content = header(live_page(loads(TUBE)))
+    address = [output["address"] for output in content["outputs"]]
+    lines = {line["label"]: line for line in content["panels"][0]["lines"]}
+    assert list(lines) == ["hose, cells 1 to 3", "tank"]
+    cells = ["hose.1.pressure", "hose.2.pressure", "hose.3.pressure"]
+    assert [address[k] for k in lines["hose, cells 1 to 3"]["cells"]] == cells
+    # The flow at the start of the tube has the address of the tube.
+    flows = [
+        line for panel in content["panels"] for line in panel["lines"] if panel["y"]["label"].startswith("mass flow")
+    ]
+    cells = ["hose.mass_flow_rate", *(f"hose.{k}.mass_flow_rate" for k in (1, 2, 3))]
+    assert [[address[k] for k in line["cells"]] for line in flows] == [cells]
+    assert "cells" not in lines["tank"]
+
+
+def test_the_influence_counts_the_cells_of_a_tube():
+    """Without the pressures of the cells, the heat transfer of the tube has little influence."""
+    sliders = header(live_page(loads(TUBE)))["sliders"]
+    assert "hose.wall_conductance" in [slider["address"] for slider in sliders]
+
+
+def test_a_band_without_changes_is_named():
+    still = """
+    [parts.line]
+    kind = "tube"
+    from = "ambient"
+    to = "pot"
+    length = "1 m"
+    bore = "4 mm"
+    cells = 2
+    [parts.pot]
+    kind = "chamber"
+    volume = "1 l"
+    """
+    assert "line.pressure, cells 1 to 2" in header(live_page(loads(TANK + still)))["left_out"]
 
 
 def test_a_body_without_end_stops_is_drawn():
@@ -831,6 +889,66 @@ def test_a_measured_file_can_be_added_and_removed(browser, tmp_path):
     browser.press("Enter")
     browser.settle()
     assert browser(f"{lines}.length") == 0
+
+
+def drawn_lines(browser: Browser) -> dict:
+    """Lines of the pressures: edges, by label."""
+    script = """[...document.querySelector('#curves').plot.panels[0].spec.lines].map(
+        line => [line.label, Array.from(line.y), line.high && Array.from(line.high)])"""
+    return {label: (low, high) for label, low, high in browser(script)}
+
+
+def test_a_band_has_the_extremes_of_the_cells(browser, tmp_path):
+    circuit = loads(TUBE)
+    opened(browser, write_live(circuit, tmp_path / "page.html", parameters=["hose.bore"]))
+    label = "hose, cells 1 to 3"
+    for bore in (4e-3, 2e-3):
+        browser(f"live.change('hose.bore', {bore})")
+        browser.settle()
+        run = circuit.with_values({"hose.bore": bore}).simulate()
+        cells = np.array([run[f"hose.{k}.pressure"] for k in (1, 2, 3)]) / 1e5
+        low, high = drawn_lines(browser)[label]
+        assert np.ptp(cells, axis=0).max() > 0.1
+        np.testing.assert_allclose(low, cells.min(axis=0), rtol=1e-6)
+        np.testing.assert_allclose(high, cells.max(axis=0), rtol=1e-6)
+        if bore == 4e-3:
+            first = low, high
+            browser("document.getElementById('keep').click()")
+            browser.settle()
+    lines = drawn_lines(browser)
+    assert lines[f"{label} (A)"] == first
+    assert lines[label] != first
+
+
+@pytest.mark.parametrize("width", [1200, 360])
+def test_a_band_is_read_and_hidden(browser, tmp_path, width):
+    circuit = loads(TUBE)
+    opened(browser, write_live(circuit, tmp_path / "page.html", parameters=["hose.bore"]), width=width)
+    browser("""{
+        const panel = document.querySelector('#curves').plot.panels[0];
+        panel.u.setCursor({ left: panel.u.valToPos(100, 'x'), top: 20 });
+    }""")
+    key = "[...document.querySelectorAll('.key:not([hidden])')].find(one => /^hose/.test(one.textContent))"
+    run = circuit.simulate()
+    cells = [np.interp(0.1, run.time, run[f"hose.{k}.pressure"]) / 1e5 for k in (1, 2, 3)]
+    shown = re.fullmatch(r"hose, cells 1 to 3(.+) to (.+)", browser(f"{key}.textContent"))
+    assert [float(text) for text in shown.groups()] == pytest.approx([min(cells), max(cells)], abs=0.02)
+    # Number of pixels of the canvas that are not empty.
+    filled = """(() => {
+        const { ctx } = document.querySelector('#curves').plot.panels[0].u, { width, height } = ctx.canvas;
+        return ctx.getImageData(0, 0, width, height).data.filter((v, k) => k % 4 === 3 && v).length;
+    })()"""
+    with_band = browser(filled)
+    browser(f"{key}.click()")
+    browser.settle()
+    assert browser(filled) < with_band - 1000
+
+
+def test_a_measured_cell_is_drawn_beside_the_band(browser, tmp_path):
+    opened(browser, write_live(loads(TUBE), tmp_path / "page.html", parameters=["hose.bore"]))
+    browser("live.measured('bench.csv', 'time [s],hose.2.pressure [bar]\\n0,1\\n0.2,5\\n0.4,6\\n')")
+    browser.settle()
+    assert drawn_lines(browser)["measured: hose.2.pressure"][0] == pytest.approx([1.0, 5.0, 6.0])
 
 
 def test_two_variants_are_compared(browser, tmp_path):

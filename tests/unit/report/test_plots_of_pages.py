@@ -284,6 +284,24 @@ def test_click_on_a_legend_entry_hides_its_line(screen):
     assert screen("document.querySelector('.key').getAttribute('aria-pressed')") == "false"
 
 
+def test_a_band_of_cells_is_read_and_hidden_with_its_edges(browser, tmp_path):
+    cells = {f"hose.{k}.pressure [Pa]": 1e5 * (1.0 + k * TIME / 120.0) for k in (1, 2, 3)}
+    path = tmp_path / "cells.html"
+    path.write_text(page_of(plot_recordings({"": Recording.from_series(TIME, cells)})), encoding="utf-8")
+    browser.open(path)
+    point(browser, 0.5)
+    (text,) = legend_texts(browser)
+    assert [float(value) for value in re.search(r"hose (.+) to (.+)", text).groups()] == pytest.approx(
+        [1.5, 2.5], abs=0.02
+    )
+    coloured = """[...document.querySelector('canvas').getContext('2d').getImageData(0, 0, 800, 200).data].filter(
+        (v, k, all) => k % 4 === 2 && v > all[k - 2] + 40 && all[k + 1]).length"""
+    assert browser(coloured) > 5000
+    browser("document.querySelector('.key').click()")
+    browser.settle()
+    assert browser(coloured) == 0
+
+
 def test_enlarged_thinned_line_shows_a_note(browser, tmp_path):
     time = np.linspace(0.0, 10.0, 20_001)
     run = Recording.from_series(time, {"a.pressure [Pa]": 1e5 * (2.0 + np.sin(300.0 * time))})

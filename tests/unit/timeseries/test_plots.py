@@ -224,6 +224,17 @@ def test_timeline_colours_are_explained_and_reversed_flow_is_hatched():
     assert legend_texts(contacts) == ["supply open", "lower stop"]
 
 
+def test_a_band_contains_the_output_with_its_name():
+    """The mass flow rate at the start of a tube has the address of the tube, those of the cells have numbers."""
+    names = ("hose.mass_flow_rate", "hose.1.mass_flow_rate", "hose.2.mass_flow_rate")
+    flows = {f"{name} [g/s]": (k + 1.0) * TIME for k, name in enumerate(names)}
+    axes = panel(plot_recordings({"": recording(flows)}), "mass flow rate")
+    (area,) = axes.collections
+    heights = area.get_paths()[0].vertices[:, 1]
+    assert heights.max() == pytest.approx(3.0 * TIME.max(), rel=1e-9)
+    assert [text.get_text() for text in axes.get_legend().get_texts()] == ["hose"]
+
+
 @pytest.mark.parametrize("tolerance", [1e-4, 1e-3])
 def test_timeline_ignores_small_flows(tolerance):
     """Near equal pressures, solver noise changes the flow direction at every step, and with it the regime."""

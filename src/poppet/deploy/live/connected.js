@@ -134,6 +134,7 @@ class ConnectedPage {
   /* A line whose values follow; they are assigned when the columns of the machine are known. */
   prepare(line) {
     Object.assign(line, { x: [], y: [], isOrdered: true });
+    if (line.cells) line.high = [];
   }
 
   makeControls() {
@@ -163,7 +164,7 @@ class ConnectedPage {
     windows.value = this.window.duration;
     windows.onchange = () => { this.window.duration = +windows.value; this.later(); };
     this.more = pageElement("select", pageElement("label", place, {}, "Add "), { "aria-label": "curve to add" });
-    this.more.onchange = () => { this.addCurve(+this.more.value); };
+    this.more.onchange = () => { this.addCurve(this.offers[this.more.value]); };
     this.listCurves();
   }
 
@@ -173,15 +174,17 @@ class ConnectedPage {
   }
 
   listCurves() {
-    const shown = new Set(this.plot.panels.flatMap(panel => panel.spec.lines.map(line => line.output)));
-    this.more.replaceChildren(new Option("a curve", ""));
-    this.outputs.forEach(({ address, unit }, k) => { if (!shown.has(k) && this.panelOf(unit)) this.more.add(new Option(address, k)); });
-    this.more.parentElement.hidden = this.more.options.length < 2;
+    const key = ({ output, cells }) => String(cells ?? output);
+    const shown = new Set(this.plot.panels.flatMap(panel => panel.spec.lines.map(key)));
+    const lines = [...this.content.tubes ?? [], ...this.outputs.map(({ address }, output) => ({ label: address, output, width: 1.4 }))];
+    this.offers = lines.filter(line => !shown.has(key(line)) && this.panelOf(this.outputs[line.output].unit));
+    this.more.replaceChildren(new Option("a curve", ""), ...this.offers.map(({ label }, k) => new Option(label, k)));
+    this.more.parentElement.hidden = !this.offers.length;
   }
 
-  addCurve(output) {
-    const panel = this.panelOf(this.outputs[output].unit), colours = ["#1f77b4", "#d62728", "#2ca02c", "#9467bd", "#8c564b", "#17becf"];
-    const line = { label: this.outputs[output].address, output, colour: colours[panel.spec.lines.length % colours.length], width: 1.4 };
+  addCurve(offer) {
+    const panel = this.panelOf(this.outputs[offer.output].unit), colours = ["#1f77b4", "#d62728", "#2ca02c", "#9467bd", "#8c564b", "#17becf"];
+    const line = { ...offer, colour: colours[panel.spec.lines.length % colours.length] };
     this.prepare(line);
     panel.spec.lines.push(line);
     panel.addKey(line);
@@ -253,9 +256,9 @@ class ConnectedPage {
     const used = new Set([...this.content.drawing.values, ...this.content.drawing.movers].map(item => item.output));
     for (const panel of this.plot.panels) for (const line of panel.spec.lines) {
       if (!("output" in line) || panel.spec.rows) continue;
-      used.add(line.output);
-      const column = this.columns[line.output];
-      if (column >= 0) Object.assign(line, { raw: this.window.curve(column), isStale: true });
+      const shown = line.cells ?? [line.output], columns = shown.map(k => this.columns[k]).filter(column => column >= 0);
+      for (const k of shown) used.add(k);
+      if (columns.length) line.raw = columns.map(column => this.window.curve(column));
     }
     this.send({ series: [...used].map(k => this.columns[k]).filter(column => column >= 0) });
   }
@@ -420,7 +423,7 @@ class ConnectedPage {
     const time = this.window.time.map(t => t / size);
     for (const panel of this.plot.panels) {
       panel.spec.x.range = [end - duration, end];
-      if (!this.away.has(panel) && !panel.spec.rows) this.scale(panel, time);
+      if (!this.away.has(panel)) this.scale(panel, time);
     }
   }
 
@@ -429,8 +432,8 @@ class ConnectedPage {
     for (const line of panel.spec.lines) {
       if (!line.raw) continue;
       const { factor, shift } = this.outputs[line.output];
-      line.x = time;
-      line.y = line.raw.map(v => v === null ? null : v * factor + shift);
+      const [y, high] = (line.cells ? edgesOf(line.raw) : line.raw).map(curve => curve.map(v => v === null ? null : v * factor + shift));
+      Object.assign(line, { x: time, y }, high && { high });
     }
     const range = panel.heights(panel.spec.x.range), { rules = [] } = panel.spec;
     if (range) panel.spec.y.range = [Math.min(range[0], ...rules.map(({ at }) => at - .2)), Math.max(range[1], ...rules.map(({ at }) => at + .2))];

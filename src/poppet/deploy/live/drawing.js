@@ -1,3 +1,15 @@
+/* Smallest and largest value of curves at each time. */
+function edgesOf([first, ...others]) {
+  const low = Array.from(first), high = [...low];
+  for (const curve of others) for (let k = 0; k < low.length; k++) {
+    const v = curve[k];
+    if (v === null) continue;
+    if (low[k] === null || v < low[k]) low[k] = v;
+    if (high[k] === null || v > high[k]) high[k] = v;
+  }
+  return [low, high];
+}
+
 /* Drawing of a page: the schematic, with values and moving bodies of its parts. */
 class PageDrawing {
   /* `place` is the element of the drawing, and `drawing` and `outputs` are data of the page. */

@@ -57,11 +57,13 @@
 
   /* --- Curves and bars --- */
 
-  const lineOf = (panel, output, isKept) => panel.spec.lines?.find(line => line.output === output && !!line.isKept === isKept);
+  const lineOf = (panel, output) => panel.spec.lines?.find(line => (line.cells ?? [line.output]).includes(output));
 
   function draw(table, isKept) {
-    for (const panel of plot.panels) for (const line of panel.spec.lines ?? [])
-      if ("output" in line && !!line.isKept === isKept) line.y = table ? shown(table, line.output) : [];
+    for (const panel of plot.panels) for (const line of panel.spec.lines ?? []) if ("output" in line && !!line.isKept === isKept) {
+      if (line.cells) [line.y, line.high] = table ? edgesOf(line.cells.map(k => shown(table, k))) : [[], []];
+      else line.y = table ? shown(table, line.output) : [];
+    }
   }
 
   function bars() {
@@ -555,7 +557,7 @@
     const { si, factor, shift } = outputs[item.output], scale = scaleOf(si, item.unit);
     const y = item.values.map(v => Number.isFinite(v) ? (v * scale[1] + scale[2]) * factor + shift : null);
     item.y = y;
-    const panel = plot.panels.find(one => lineOf(one, item.output, false));
+    const panel = plot.panels.find(one => lineOf(one, item.output));
     if (!panel) return;
     item.line = { label: `measured: ${item.name}`, colour: "#111111", alpha: .75, width: .8, dash: [2, 2], x: item.at, y, isOrdered: true };
     panel.spec.lines.push(item.line);

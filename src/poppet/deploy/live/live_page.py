@@ -20,6 +20,7 @@ from poppet.report.plots.interactive import data_element, minify
 from poppet.timeseries.plotting.figures import style
 from poppet.timeseries.plotting.panels import STILL
 from poppet.timeseries.plotting.plots import Sheet, axis_unit
+from poppet.timeseries.plotting.tube_bands import cell_range
 
 if TYPE_CHECKING:
     from poppet.circuit.circuit import BaseCircuit
@@ -28,6 +29,8 @@ if TYPE_CHECKING:
 _LEAD = "The model itself runs in this page. Change a parameter, and curves, bars and the drawing follow; * is assumed."
 CURVES = "<!-- curves -->"
 """Place of the figure of a page."""
+BAND = {"high": 1, "width": 0.8, "area": 0.28}
+"""Look of the band of a tube: column of its upper edge, width of its edges and opacity of its area."""
 LOOPBACK = "ws://127.0.0.1:* ws://localhost:*"
 """Servers to which an exported page can connect: served circuits on the same computer."""
 MAX_ROWS = 2001
@@ -97,8 +100,9 @@ def live_page(circuit: BaseCircuit, *, parameters: Sequence[str] = (), bar: str 
         circuit = circuit.with_values({"run.output_step": float(grid[-1]) / (MAX_ROWS - 1)})
     export_model = build_export_model(circuit)
     recording = circuit.simulate(throw=False)
-    sheet = Sheet({"": recording}, None, None, "", inner=False, has_bands=False)
-    displayed = [series.name for panel in sheet.panels for series in panel.series]
+    sheet = Sheet({"": recording}, None, None, "")
+    names = [series.name for panel in sheet.panels for series in panel.series]
+    displayed = [cell for name in names for cell in sheet.cells.get(name, [name])]
     sliders, mapping = select_sliders(export_model, circuit, parameters, displayed)
     header, blobs = run_data(replace(export_model.problem, most_attempts=MAX_ATTEMPTS), mapping)
     with style("A live page"):
@@ -127,7 +131,7 @@ def page_content(
     bar of a flow regime also has the index of the flow.
     """
     ambient = circuit.surroundings.pressure
-    sheet = Sheet({"": recording}, None, None, "", inner=False, has_bands=False)
+    sheet = Sheet({"": recording}, None, None, "")
     index_of = {output.address: k for k, output in enumerate(export_model.outputs)}
     slider_data = []
     for slider in sliders:
@@ -149,7 +153,7 @@ def page_content(
         "outputs": output_rows(((output.address, output.unit) for output in export_model.outputs), ambient),
         "panels": panel_rows(sheet, index_of),
         "bands": bars,
-        "left_out": [series.name for series in sheet.left_out],
+        "left_out": [series_name(series.name, sheet) for series in sheet.left_out],
         "drawing": page_drawing(circuit, [(output.address, output.unit) for output in export_model.outputs]),
         "units": {si: [[name, *affine(name, si, ambient)] for name in names] for si, names in _INPUT_UNITS.items()},
         "n_inputs": max(1, len(export_model.inputs)),
@@ -169,15 +173,36 @@ def output_rows(outputs: Iterable[tuple[str, str]], ambient: float) -> list[dict
     return rows
 
 
+def series_name(name: str, sheet: Sheet) -> str:
+    """Return the name of a series. For the band of a tube, it contains the numbers of the cells."""
+    return f"{name}, {cell_range(sheet.cells[name])}" if name in sheet.cells else name
+
+
+def cell_rows(cells: Sequence[str], index_of: Mapping[str, int]) -> dict[str, Any]:
+    """Return the outputs of the band of a tube.
+
+    `output` is that of the first cell; the others have the same unit. `index_of` contains the index of each output.
+    """
+    return {"output": index_of[cells[0]], "cells": [index_of[cell] for cell in cells]}
+
+
 def panel_rows(sheet: Sheet, index_of: Mapping[str, int]) -> list[dict[str, Any]]:
-    """Return the panels of a page without curves. `index_of` contains the index of each output."""
+    """Return the panels of a page without curves. `index_of` contains the index of each output.
+
+    The cells of a tube are one line with two edges.
+    """
     panels = []
     for panel, colours in zip(sheet.panels, sheet.colours, strict=True):
-        lines = [
-            {"output": index_of[series.name], "label": panel.labels[series.name], "colour": colours[series.name],
-             "step": series.is_staircase}
-            for series in panel.series
-        ]  # fmt: skip
+        lines: list[dict[str, Any]] = []
+        for series in panel.series:
+            name, label = series.name, panel.labels[series.name]
+            line = {"label": label, "colour": colours[name], "step": series.is_staircase}
+            if name in sheet.cells:
+                cells = sheet.cells[name]
+                line |= {"label": f"{label}, {cell_range(cells)}", **cell_rows(cells, index_of), **BAND}
+            else:
+                line["output"] = index_of[name]
+            lines.append(line)
         y: dict[str, Any] = {"label": " ".join((panel.quantity, axis_unit(panel))).strip()}
         if sheet._has_second_axis(panel):
             y["second"] = {"label": "l/min ANR", "factor": float(convert(1.0, panel.unit, "l/min ANR"))}
@@ -199,7 +224,10 @@ def empty_figure(content: dict[str, Any], duration: float) -> str:
         lines = [{"x": 0, "y": 1, "width": 1.4, **line} for line in panel["lines"]]
         # The lines of variant A have the same colours.
         variant = {"width": 1.1, "dash": [5, 3], "isKept": True}
-        lines += [{**line, **variant, "label": f"{line['label']} (A)"} for line in lines]
+        lines += [
+            {**line, **variant, "label": f"{line['label']} (A)", **({"area": 0.12} if "area" in line else {})}
+            for line in lines
+        ]
         y = {"range": [0.0, 1.0], **panel["y"]}
         panels.append({**panel, **common, "x": x, "y": y, "lines": lines, "box": [1.0, 2.0 * k, 7.0, 1.6]})
     if content["bands"]:

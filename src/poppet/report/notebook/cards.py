@@ -29,7 +29,7 @@ from poppet.report.tables import ReportTable, code, numeric
 from poppet.timeseries.columns import Columns
 from poppet.timeseries.plotting.panels import Panel, Series, code_styles, panels_of, shown_series, thinned
 from poppet.timeseries.plotting.plots import axis_unit, home_colours, panel_colours, time_unit
-from poppet.timeseries.plotting.tube_bands import cells_of, with_bands
+from poppet.timeseries.plotting.tube_bands import band_outputs, with_bands
 from poppet.timeseries.recording import Recording
 
 if TYPE_CHECKING:
@@ -279,7 +279,7 @@ def svg_plot(recording: Columns) -> str:
     names = [name for name, unit in pairs if code_styles(name, unit, recording[name]) is None]  # no codes
     # Internal outputs are omitted if there are other outputs.
     names = [name for name in names if name not in recording.inner] or names
-    tubes = cells_of(names)
+    tubes = band_outputs(names)
     cells = {cell for group in tubes.values() for cell in group}
     series = _thinned_series(recording, [name for name in names if name not in cells])
     series += [_thinned_band(recording, group) for group in tubes.values()]

@@ -61,15 +61,16 @@
     }
 
     addKey(one) {
-      const key = make("button", "key", this.head), swatch = make("i", one.axis || one.y && !one.marker ? "line" : "", key);
+      const key = make("button", "key", this.head), swatch = make("i", one.axis || one.y && !one.marker && !one.high ? "line" : "", key);
+      const area = one.area ?? one.alpha;
       key.type = "button";
-      swatch.style.background = faded(one.colour, one.alpha && Math.min(2 * one.alpha, 1));
+      swatch.style.background = faded(one.colour, area && Math.min(2 * area, 1));
       if (one.dash) swatch.style.background =
         `repeating-linear-gradient(90deg, ${one.colour} 0 ${one.dash[0]}px, transparent 0 ${one.dash[0] + one.dash[1]}px)`;
       if (one.hatch) swatch.style.background =
         `repeating-linear-gradient(135deg, ${one.colour} 0 3px, #fff 0 5px)`;
       make("span", "", key, one.label);
-      const value = one.y ? make("b", "", key) : null;
+      const value = one.y || one.low ? make("b", "", key) : null;
       key.setAttribute("aria-pressed", "true");
       key.onclick = () => {
         const off = !this.hidden.delete(one.label);
@@ -77,7 +78,8 @@
         key.setAttribute("aria-pressed", String(!off));
         this.u.redraw();
       };
-      this.keys.set(one.label, value);
+      // A band is read as a line with two edges.
+      this.keys.set(one.label, { value, line: one.low ? { ...one, y: one.low, isOrdered: true } : one });
       this.buttons.set(one.label, key);
     }
 
@@ -113,9 +115,11 @@
       const take = v => { if (isKnown(v) && isFinite(v)) { low = Math.min(low, v); high = Math.max(high, v); } };
       for (const line of this.spec.lines ?? []) {
         if (!this.isShown(line)) continue;
-        const { x, y } = line;
-        for (let k = 0; k < x.length; k++) if (x[k] >= from && x[k] <= to) take(y[k]);
-        if (line.isOrdered && !line.marker) for (const end of [from, to]) take(this.along(line, end));
+        const { x } = line;
+        for (const y of line.high ? [line.y, line.high] : [line.y]) {
+          for (let k = 0; k < x.length; k++) if (x[k] >= from && x[k] <= to) take(y[k]);
+          if (line.isOrdered && !line.marker) for (const end of [from, to]) take(this.along(line, end, y));
+        }
       }
       if (low > high) return null;
       if (this.spec.y.log) return [low / 1.1, high * 1.1];
@@ -124,8 +128,8 @@
     }
 
     /* The value of a line at a place. */
-    along(line, at) {
-      const { x, y } = line;
+    along(line, at, y = line.y) {
+      const { x } = line;
       let a = 0, b = x.length - 1;
       if (b < 0 || !(at >= x[0] && at <= x[b])) return null;
       while (b - a > 1) { const m = (a + b) >> 1; if (x[m] <= at) a = m; else b = m; }
@@ -285,13 +289,15 @@
       const { left, top } = this.u.cursor, isOff = !(left >= 0), span = v => Math.abs(v[1] - v[0]);
       const at = isOff ? null : this.u.posToVal(left, "x");
       this.at.textContent = isOff ? "" : `${this.figure.nameOf(this)} ${shown(at, span(this.view.x))}`;
-      for (const value of this.keys.values()) if (value) value.textContent = "";
+      for (const { value } of this.keys.values()) if (value) value.textContent = "";
       if (isOff) return;
       if (this.spec.rows) { this.at.textContent += `: ${this.states(at)}`; return; }
-      for (const line of this.spec.lines ?? []) {
-        const value = this.keys.get(line.label);
-        if (!value || value.textContent || !this.isShown(line)) continue;
-        if (line.isOrdered && !line.marker) value.textContent = shown(this.along(line, at), span(this.view.y));
+      for (const { value, line } of this.keys.values()) {
+        if (!value || !this.isShown(line)) continue;
+        if (line.isOrdered && !line.marker) {
+          const values = [line.y, line.high].filter(Boolean).map(y => shown(this.along(line, at, y), span(this.view.y)));
+          value.textContent = [...new Set(values)].join(" to ");
+        }
         else {
           const k = this.nearest(line, left, top);
           if (k >= 0) value.textContent = `${shown(line.y[k], span(this.view.y))} at ${shown(line.x[k], span(this.view.x))}`;
@@ -424,12 +430,25 @@
       }
     }
 
+    /* The area between both edges of a line, such as that of the cells of a tube. */
+    paintArea(ctx, line, X, Y) {
+      const edge = [], put = (x, y) => edge.push([x, y]);
+      ctx.fillStyle = faded(line.colour, line.area);
+      ctx.beginPath();
+      this.lead(ctx, line, X, Y);
+      this.lead({ moveTo: put, lineTo: put }, { ...line, y: line.high }, X, Y);
+      for (const [x, y] of edge.reverse()) ctx.lineTo(x, y);
+      ctx.fill();
+    }
+
     paintLine(ctx, line, X, Y, dpr) {
-      const { x, y } = line;
+      const { x, y, high } = line;
+      if (high) this.paintArea(ctx, line, X, Y);
       this.pen(ctx, line, dpr);
       if (line.width) {
         ctx.beginPath();
         this.lead(ctx, line, X, Y);
+        if (high) this.lead(ctx, { ...line, y: high }, X, Y);
         ctx.stroke();
       }
       if (!line.marker) return;

@@ -40,7 +40,7 @@ from poppet.timeseries.plotting.panels import (
     shown_series,
     thinned,
 )
-from poppet.timeseries.plotting.tube_bands import cells_of, with_bands
+from poppet.timeseries.plotting.tube_bands import band_outputs, with_bands
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -108,14 +108,12 @@ class Sheet:
     """Figure of one or several recordings: its content and its layout.
 
     `select` contains names or patterns of the series to draw. `units` maps names or patterns to units, or is a list
-    of units, each for all series of its quantity. If `inner` is True, internal outputs are drawn as well. If
-    `has_bands` is False, the cells of a tube are separate series.
+    of units, each for all series of its quantity. If `inner` is True, internal outputs are drawn as well.
     """
 
     def __init__(
         self, recordings: Mapping[str, Columns], select: str | Iterable[str] | None,
         units: Mapping[str, str] | Sequence[str] | str | None, title: str, inner: bool = False,
-        *, has_bands: bool = True,
     ) -> None:  # fmt: skip
         self.keys, items = list(recordings), list(recordings.values())
         self.title = title or (items[0].title if len(items) == 1 else "")
@@ -134,8 +132,8 @@ class Sheet:
         self.inner = sorted(hidden)
         series = [item for item in series if item.name not in hidden]
         # The cells of a tube are one band, unless the user wants all series.
-        cells = {} if is_complete or not has_bands else cells_of(item.name for item in series)
-        self.tubes = [*dict.fromkeys(name.rpartition(".")[0] for name in cells)]
+        self.cells = {} if is_complete else band_outputs(item.name for item in series)
+        self.tubes = [*dict.fromkeys(name.rpartition(".")[0] for name in self.cells)]
         series = with_bands(series) if self.tubes else series
         self.panels, self.left_out = panels_of(series, keep_still=names is not None, bodies=bodies)
         homes = home_colours(self.panels)
@@ -300,8 +298,10 @@ class Sheet:
         rows = np.unique(np.concatenate([indices for _, indices in edges]))
         area = time[rows], series.values[rows], series.high[rows]
         axes.fill_between(*area, color=colour, alpha=0.28, linewidth=0.0, label=label)
+        # The edges have the label of the area, so that a page hides both.
+        options = {"color": colour, "label": label, "linewidth": 0.8, "linestyle": LINE_STYLES[series.source]}
         for values, indices in edges:
-            draw_thinned(axes, time, values, indices, color=colour, linewidth=0.8, linestyle=LINE_STYLES[series.source])
+            draw_thinned(axes, time, values, indices, **options)
 
     # Timeline -----------------------------------------------------------------------------------------------
 
