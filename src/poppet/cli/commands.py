@@ -611,11 +611,14 @@ _COMMANDS = {
 
 def target_command(target: Target) -> Command:
     """Return the declaration of the command `export TARGET` for one export target."""
-    output = (
-        Option("-o, --output FILE", "output file", target.suffixes, keywords={"required": not target.is_printable})
-        if target.suffixes
-        else Option("-o, --output FOLDER", "output folder; a folder of an earlier export is written again")
-    )
+    if not target.suffixes:
+        output = Option("-o, --output FOLDER", "output folder; a folder of an earlier export is written again")
+    elif target.mark:
+        meaning = f"output file (default: name of the circuit file with {target.suffixes[0]}, in the current folder)"
+        output = Option("-o, --output FILE", meaning, target.suffixes)
+    else:
+        keywords = {"required": not target.is_printable}
+        output = Option("-o, --output FILE", "output file", target.suffixes, keywords=keywords)
     return Command(
         target.summary,
         "export:write_target",

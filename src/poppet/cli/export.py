@@ -11,9 +11,11 @@ from pathlib import Path
 
 from poppet.cli.assignments import load_circuit, read_assignments, split_list
 from poppet.cli.main import FAILED, WRONG_INPUT
+from poppet.cli.parser import output_path
 from poppet.cli.progress import Spinner
 from poppet.cli.summary import print_notes, print_written
 from poppet.core.errors import InputError, NameSuggestion, raise_errors
+from poppet.core.files import open_input
 from poppet.core.toml_file import TomlFile
 from poppet.deploy.targets import TARGETS, CircuitSource, Export, Target
 
@@ -35,12 +37,14 @@ def list_targets(options: argparse.Namespace) -> int:
 def write_target(options: argparse.Namespace) -> None:
     """Run the command `export TARGET`: export a circuit to a target such as `c` or `fmu`."""
     target = TARGETS[options.command.rpartition(" ")[2]]
-    if options.output is None and not target.is_printable:
+    if options.output is None and not (target.is_printable or target.mark):
         raise InputError("deploy.no_folder_named")
     path = Path(options.file)
     if is_twin_file(path):
         write_watch(options)
         return
+    if options.output is None and target.mark:
+        options.output = default_output(path, target)
     circuit, notes = load_circuit(options)
     source = CircuitSource(
         path.read_text(encoding="utf-8"), path.stem, read_assignments(options.values), options.result
@@ -56,6 +60,19 @@ def write_target(options: argparse.Namespace) -> None:
         print("".join(map(str, export.files.values())), end="")
         return
     print_export(target, export, options.output)
+
+
+def default_output(file: Path, target: Target) -> Path:
+    """Return the output file that has the name of a circuit file, in the current folder.
+
+    An existing file is an error, except an export of the same target.
+    """
+    output = output_path(f"{file.stem}{target.suffixes[0]}", target.suffixes)
+    if output.exists():
+        with open_input(output) as stream:
+            if target.mark not in stream.read():
+                raise InputError("deploy.file_taken", path=str(output), command=f"poppet {target.command}")
+    return output
 
 
 def is_twin_file(path: Path) -> bool:

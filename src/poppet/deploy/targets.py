@@ -36,6 +36,10 @@ class CircuitSource(NamedTuple):
     result: str | None = None  # file of identified parameters, which was applied before the changes
 
 
+MODEL_ELEMENT = '<script type="application/octet-stream" id="model">'
+"""Start of the element with the model of a live page."""
+
+
 class Export(NamedTuple):
     """Files of one export, before they are written."""
 
@@ -59,6 +63,9 @@ class Target(NamedTuple):
     # Returns the checks of `poppet export check`.
     checks: Callable[[], Sequence[ParityCheck]] | str = tuple
     is_printable: bool = False  # True if the export is printed when no output file is specified
+    # Bytes that each exported file contains. Without an output file, the export has the name of the circuit file, and
+    # replaces only a file with this mark. If the mark is empty, there is no default name.
+    mark: bytes = b""
     # `export_watch(watch, **settings)` returns the `Export` of a twin file; empty if the target has none.
     export_watch: Callable[..., Export] | str = ""
     watch_options: Sequence[str] = ("name",)  # names of the options that a twin file permits
@@ -265,9 +272,9 @@ BUILT_IN = (
             ),
         ),
         (
-            "poppet live valve-fill.toml -o valve-fill.html",
+            "poppet live valve-fill.toml",
             'poppet live valve-fill.toml --parameter "tank.volume=0.05 m^3..0.4 m^3" --parameter supply.pressure '
-            "-o valve-fill.html",
+            "-o large_tanks.html",
         ),
         (".html", ".htm"),
         limitations=(
@@ -275,6 +282,7 @@ BUILT_IN = (
             "A parameter on which other parameters depend has no slider.",
         ),
         checks="poppet.deploy.parity.host_runs:live_checks",
+        mark=MODEL_ELEMENT.encode(),
     ),
     Target(
         "st",

@@ -14,7 +14,7 @@ from poppet.deploy.export_model import ExportModel, build_export_model
 from poppet.deploy.live.page_drawing import page_drawing
 from poppet.deploy.live.page_inputs import Slider, affine, select_sliders
 from poppet.deploy.live.page_kernel import kernel_script, pack_base64, run_data
-from poppet.deploy.targets import CircuitSource, Export
+from poppet.deploy.targets import MODEL_ELEMENT, CircuitSource, Export
 from poppet.report.html_page import document, findings, head
 from poppet.report.plots.interactive import data_element, minify
 from poppet.timeseries.plotting.figures import style
@@ -114,7 +114,7 @@ def live_page(circuit: BaseCircuit, *, parameters: Sequence[str] = (), bar: str 
     sections = [
         ("", bar + head(title, _LEAD) + read_page_file("body.html").replace(CURVES, curves)),
         ("Notes of the run as in the file", findings([*recording.remarks, *notes])),
-        ("", f'<script type="application/octet-stream" id="model">{data}</script>\n'),
+        ("", f"{MODEL_ELEMENT}{data}</script>\n"),
     ]
     program = minify(
         kernel_script() + read_page_file("drawing.js") + read_page_file("connected.js") + read_page_file("live.js")
