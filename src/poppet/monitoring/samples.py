@@ -11,7 +11,7 @@ import numpy as np
 
 from poppet.core.errors import InputError
 from poppet.core.number_format import printable
-from poppet.core.units import convert, sizes_of
+from poppet.core.units import convert, exact_scale, sizes_of
 from poppet.monitoring.plan import WatchPlan
 from poppet.monitoring.sensors import DrivenInput, Readings, SensorChannel
 from poppet.monitoring.stream import EXCERPT
@@ -57,6 +57,9 @@ class SampleReader:
         self._limits = [_limits_of(column) for column in self.columns]
         self._guards = {k: _UnitGuard(channel) for k, channel in enumerate(plan.channels) if channel.si_unit == "Pa"}
         self._first_stamp: int | None = None
+        # Recordings convert times with the same two roundings.
+        seconds = exact_scale(clock.unit)[0].scale
+        self._seconds = float(seconds.numerator), float(seconds.denominator)
         self._absent = {column.column: 0 for column in self.columns}
 
     @property
@@ -90,7 +93,7 @@ class SampleReader:
             if self._first_stamp is None:
                 self._first_stamp = stamp
             return (stamp - self._first_stamp) / 1e9
-        time = _float_of(raw) * self.clock.scale
+        time = _float_of(raw) * self._seconds[0] / self._seconds[1]
         if not abs(time) <= LONGEST_TIME:
             raise InputError("stream.no_time", column, value="nothing" if raw is None else _shown(raw))
         return time

@@ -41,6 +41,8 @@ PROGRESS_ROWS = 500
 """Number of samples between two calls of the progress function."""
 MANY_MISSING, MANY_OUTLIERS = 0.2, 0.03
 """Fractions of missing readings and of outliers of a sensor above which a note reports them."""
+USUAL = 0.2
+"""Quantile of the distances between the readings of a sensor, in rows, that is its usual distance."""
 MOST_MESSAGES = 100
 """Maximum number of messages on used samples that a watch keeps."""
 SHORTEST_GAP = 60.0
@@ -402,13 +404,13 @@ class Watch:
         return baseline
 
     def _samples(self, rows: RecordedRows, name: str) -> Samples:
-        """Return the samples of a recording, whose times must increase."""
+        """Return the samples of a recording, whose times must increase; inputs hold their last value."""
         n_channels = len(self.plan.channels)
         is_later = np.append(True, np.diff(rows.time) > 0.0)
         if not (np.isfinite(rows.time).all() and is_later.all()):
             k = int(np.argmin(is_later & np.isfinite(rows.time)))
             raise InputError("stream.clock_of_recording", name, time=float(rows.time[k]), last=float(rows.time[k - 1]))
-        return Samples(rows.time, rows.values[:, :n_channels], rows.values[:, n_channels:])
+        return Samples(rows.time, rows.values[:, :n_channels], held_values(rows.values[:, n_channels:]))
 
     def isolable(self, recording: Any = None, *, longest: float = math.inf) -> Isolability:
         """Predict which faults the sensors can distinguish, before any fault has occurred.
@@ -435,7 +437,7 @@ class Watch:
         rows = read_rows(recording, self.reader, [])
         samples = self._samples(rows, "recording")
         n = int(np.searchsorted(samples.times, samples.times[0] + longest, side="right"))
-        return isolable(self.plan, time=samples.times[:n], inputs=held_values(samples.inputs[:n]))
+        return isolable(self.plan, time=samples.times[:n], inputs=samples.inputs[:n])
 
 
 class _RecordWriter:
@@ -485,9 +487,9 @@ class _RecordWriter:
         for k, channel in enumerate(self.watch.plan.channels):
             if not readings.size:
                 break
-            missing = float(np.mean(np.isnan(readings[:, k])))
             outliers = float(np.mean(is_used[:, k] == -1))
             is_present = np.isfinite(readings[:, k])
+            missing = _missing_fraction(is_present)
             since = float(time[is_present][-1]) if is_present.any() else float(time[0])
             if time[-1] - since > window:
                 yield Note("stream.failed", channel.address, since=since)
@@ -495,6 +497,13 @@ class _RecordWriter:
                 yield Note("stream.missing", channel.address, fraction=missing)
             if outliers > MANY_OUTLIERS:
                 yield Note("stream.outliers", channel.address, fraction=outliers)
+
+
+def _missing_fraction(is_present: NDArray[np.bool_]) -> float:
+    """Return the fraction of the readings of a sensor that are missing; a slow sensor has regular rows without one."""
+    rows = np.flatnonzero(is_present)
+    usual = float(np.quantile(np.diff(rows), USUAL, method="lower")) if rows.size > 1 else 1.0
+    return max(1.0 - rows.size * usual / is_present.size, 0.0)
 
 
 def watch(

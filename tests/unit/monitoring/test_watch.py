@@ -101,6 +101,36 @@ def test_without_a_baseline_only_commissioning_is_possible(tmp_path):
     assert watch.update(sample(ROWS[0]))["alarm"] == ""
 
 
+def test_an_empty_input_of_a_healthy_recording_holds_its_value(tmp_path):
+    """The baseline of a recording with inputs that are written only when they change is that of all inputs."""
+    lines = (EXAMPLE / "healthy.csv").read_text().splitlines()
+    sparse, last = lines[:1], ["", ""]
+    for line in lines[1:]:
+        *readings, u, w = line.split(",")
+        inputs = ["" if new == old else new for new, old in zip((u, w), last, strict=True)]
+        sparse.append(",".join([*readings, *inputs]))
+        last = [u, w]
+    (tmp_path / "sparse.csv").write_text("\n".join(sparse))
+    baselines = [
+        poppet.watch(EXAMPLE / "twin.toml").commission(path)
+        for path in (EXAMPLE / "healthy.csv", tmp_path / "sparse.csv")
+    ]
+    assert np.array_equal(baselines[0].values, baselines[1].values)
+
+
+def test_lines_and_recordings_have_the_same_times(tmp_path):
+    times = ROWS[:100, 0] * 1000.0
+    for name in ("tank.toml", "healthy.toml"):
+        shutil.copy(EXAMPLE / name, tmp_path)
+    twin = (EXAMPLE / "twin.toml").read_text().replace('column = "t", unit = "s"', 'column = "t", unit = "ms"')
+    (tmp_path / "twin.toml").write_text(twin)
+    rows = np.column_stack([np.round(times), ROWS[:100, 1:]])
+    np.savetxt(tmp_path / "rows.csv", rows, ("%.0f", "%.3f", "%.2f", "%.2f"), ",", header="t,p,u,w", comments="")
+    record = poppet.watch(tmp_path / "twin.toml").run(tmp_path / "rows.csv")
+    watch = poppet.watch(tmp_path / "twin.toml")
+    assert [watch.update(sample(row))["time [s]"] for row in rows] == record.time.tolist()
+
+
 def test_the_times_of_a_healthy_recording_increase(watch, tmp_path):
     rows = ROWS[:1000].copy()
     rows[500, 0] = 10.0
@@ -320,10 +350,17 @@ def test_without_readings_there_is_no_verdict(watch):
 
 def test_many_missing_readings_are_noted(watch, tmp_path):
     rows = ROWS[:600].copy()
-    rows[::2, 1] = math.nan
+    rows[np.random.default_rng(1).permutation(600)[:360], 1] = math.nan
     np.savetxt(tmp_path / "rows.csv", rows, "%.3f", ",", header="t,p,u,w", comments="")
     (note,) = watch.run(tmp_path / "rows.csv").notes
-    assert (note.code, note.address, note.facts) == ("stream.missing", "tank.pressure", {"fraction": 0.5})
+    assert (note.code, note.address, note.facts) == ("stream.missing", "tank.pressure", {"fraction": 0.6})
+
+
+def test_a_slow_sensor_has_no_missing_readings(watch, tmp_path):
+    rows = ROWS[:600].copy()
+    rows[np.arange(600) % 7 != 3, 1] = math.nan
+    np.savetxt(tmp_path / "rows.csv", rows, "%.3f", ",", header="t,p,u,w", comments="")
+    assert watch.run(tmp_path / "rows.csv").notes == ()
 
 
 def test_a_sensor_that_fails_is_noted(watch, tmp_path):
