@@ -9,6 +9,7 @@ import pytest
 
 from circuits_of_exports import EXAMPLES
 from poppet.circuit.file import loads
+from poppet.timeseries.plotting.tube_bands import band_outputs, cell_range
 
 VENT = """\
 title = "Vented tank"
@@ -475,6 +476,71 @@ def test_two_variants(vent):
     vent.wait()
     assert vent.text() == VENT
     vent.page.locator("#curves .key.is-kept").wait_for(state="detached")
+
+
+TUBE = """
+[parts.supply]
+kind = "reservoir"
+pressure = "7 bar"
+
+[parts.hose]
+kind = "tube"
+from = "supply"
+to = "tank"
+length = "4 m"
+bore = "4 mm"
+cells = 3
+
+[parts.tank]
+kind = "chamber"
+volume = "0.2 l"
+
+[run]
+duration = "0.5 s"
+output_step = "5 ms"
+"""
+
+
+def legend(editor):
+    return evaluate(editor, "return [...document.querySelectorAll('#curves .key')].map(key => key.childNodes[1].data);")
+
+
+@pytest.mark.parametrize(("width", "scheme"), [(1280, "light"), (360, "dark")])
+def test_the_cells_of_a_tube_are_one_band(start_editor, width, scheme):
+    editor = start_editor(TUBE, width=width, scheme=scheme)
+    band = "hose.pressure, cells 1 to 3"
+    editor.page.locator("#curves .key.is-band").first.wait_for(state="attached")
+    assert legend(editor) == [band, "tank.pressure"]
+    shown, cells = evaluate(
+        editor,
+        """store.setCursor(0.1);
+        await new Promise(resolve => requestAnimationFrame(() => requestAnimationFrame(resolve)));
+        const row = store.run.time.findIndex(time => time > 0.0999);
+        const cells = [1, 2, 3].map(k => store.run.series.get(`hose.${k}.pressure`)[row] / 1e5);
+        return [document.querySelector("#curves .is-band output").textContent, cells];""",
+    )
+    assert [float(text) for text in shown.split(" to ")] == pytest.approx([min(cells), max(cells)], abs=0.01)
+    editor.page.locator("#announce", has_text="Simulated. tank.pressure ends at").wait_for(state="attached")
+
+
+def test_a_band_is_kept_and_its_cells_are_selected(start_editor):
+    editor = start_editor(TUBE)
+    band = "hose.pressure, cells 1 to 3"
+    editor.page.get_by_role("button", name="Keep as A").click()
+    apply(editor, setting("hose.bore", "2 mm"))
+    editor.page.locator("#curves .key.is-kept", has_text=f"A: {band}").wait_for()
+    editor.page.locator(".choice summary").click()
+    boxes = editor.page.locator(".choice fieldset", has_text="hose")
+    names = {f"hose.{label}" for label in boxes.locator("label", has_text=", cells").all_text_contents()}
+    bands = band_outputs(loads(TUBE).simulate().names)
+    assert names == {f"{name}, {cell_range(outputs)}" for name, outputs in bands.items()}
+    assert boxes.get_by_label("pressure, cells 1 to 3", exact=True).is_checked()
+    boxes.get_by_label("2.pressure", exact=True).check()
+    editor.page.locator("#curves .key", has_text="hose.2.pressure").first.wait_for()
+    assert legend(editor)[:2] == [band, f"A: {band}"]
+    boxes.get_by_label("pressure, cells 1 to 3", exact=True).uncheck()
+    editor.page.locator("#curves .key.is-band").first.wait_for(state="detached")
+    assert "hose.2.pressure" in legend(editor)
 
 
 def test_measured_values_beside_the_curves(start_editor):

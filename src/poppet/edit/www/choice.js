@@ -5,12 +5,12 @@ import { text } from "./strings.js";
 
 const LINES = 8;  // of a plot
 const PLOTS = 4;
+const CELL = /^(.+)\.(\d+)\.([^.]+)$/;  // an output of a cell of a tube
 const USEFUL = 3;  // largest rank of the columns that a selected part shows by itself, if it has one
 
 /* Rank of a column among the usual ones; columns of a low rank are shown first. */
-function rankOf({ name, unit }) {
-  const last = name.slice(name.lastIndexOf(".") + 1);
-  if (/\.\d+\./.test(name)) return USEFUL;  // one of many cells of a tube
+function rankOf({ name, unit, cells }) {
+  const first = cells?.[0].name ?? name, last = first.slice(first.lastIndexOf(".") + 1);
   if (unit === "Pa" && /pressure$/.test(last)) return 0;
   if ((unit === "m" || unit === "rad") && /position$|^angle$/.test(last) || /contraction$/.test(last)) return 1;
   if (unit === "kg/s") return 2;
@@ -44,10 +44,11 @@ export class Choice extends EventTarget {
 
   /* Columns of a model. */
   setColumns(columns) {
-    this.columns = columns;
     const key = columns.map(({ name }) => name).join();
     if (key === this.key) return;
     this.key = key;
+    this.columns = withBands(columns);
+    this.members = new Set(this.columns.flatMap(({ cells }) => cells ?? []).map(({ name }) => name));
     this.fill();
   }
 
@@ -61,7 +62,7 @@ export class Choice extends EventTarget {
       if (!groups.has(column.unit)) groups.set(column.unit, []);
       const group = groups.get(column.unit);
       if (this.names || group.length < LINES) {
-        group.push({ ...column, isSelected: isSelected(column), isStep: isStaircase(run.series.get(column.name) ?? []) });
+        group.push({ ...column, isSelected: isSelected(column), isStep: !column.cells && isStaircase(run.series.get(column.name) ?? []) });
       }
     }
     return [...groups].slice(0, this.names ? undefined : PLOTS);
@@ -69,7 +70,8 @@ export class Choice extends EventTarget {
 
   /* Columns that vary: those of the selected parts, then pressures and positions, or what there is. */
   usual(run, isSelected) {
-    const columns = this.columns.filter(({ name, unit }) => varies(run.series.get(name) ?? [], unit)).sort((a, b) => rankOf(a) - rankOf(b));
+    const isMoving = column => (column.cells ?? [column]).some(({ name, unit }) => varies(run.series.get(name) ?? [], unit));
+    const columns = this.columns.filter(column => !this.members.has(column.name) && isMoving(column)).sort((a, b) => rankOf(a) - rankOf(b));
     const best = (list, rank) => {
       const useful = list.filter(column => rankOf(column) <= rank);
       return useful.length ? useful : list.filter(column => rankOf(column) === rankOf(list[0]));
@@ -117,12 +119,32 @@ export class Choice extends EventTarget {
   }
 }
 
+/* Columns, with a band for each output of all cells of a tube. An output with the name of a band, such as the mass flow
+   rate at the start of a tube, belongs to the band. */
+function withBands(columns) {
+  const groups = new Map(columns.map(column => [column.name, []]));
+  for (const column of columns) {
+    const [, tube, , output] = CELL.exec(column.name) ?? [], name = `${tube}.${output}`;
+    if (output) groups.set(name, [...groups.get(name) ?? [], column]);
+  }
+  const bands = new Map();
+  for (const [name, cells] of groups) {
+    if (cells.length < 2) continue;
+    const numbers = cells.map(cell => Number(CELL.exec(cell.name)[2]));
+    const members = columns.filter(column => column.name === name || cells.includes(column));
+    const label = text("curves.cells", { name, first: Math.min(...numbers), last: Math.max(...numbers) });
+    bands.set(members[0], { ...members[0], name: label, cells: members });
+  }
+  return columns.flatMap(column => [...bands.has(column) ? [bands.get(column)] : [], column]);
+}
+
 /* Columns without those that equal a former one, such as the position of a mass on a piston rod. */
 function withoutTwins(columns, run) {
   const isTwin = (a, b) => a.length === b.length && a.every((value, k) => Math.abs(value - b[k]) <= 1e-9 * Math.abs(value));
   return columns.filter((column, k) => {
+    if (column.cells) return true;
     const values = run.series.get(column.name);
-    return !columns.slice(0, k).some(({ name, unit }) => unit === column.unit && isTwin(values, run.series.get(name)));
+    return !columns.slice(0, k).some(({ name, unit, cells }) => !cells && unit === column.unit && isTwin(values, run.series.get(name)));
   });
 }
 

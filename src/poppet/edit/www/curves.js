@@ -87,10 +87,12 @@ export class Curves {
     this.setPlots(lines, key);
     if (this.isResized) this.resize();
     lines.forEach(([, own], k) => {
-      const pairs = own.map(line => line.data ?? [run.time, run.series.get(line.name) ?? []]);
+      const pairs = own.map(line => line.data ?? [run.time, curveOf(run, line)]);
       this.plots[k].setData(pairs, run.duration);
     });
-    this.values.show(this.groups.flatMap(([, columns]) => columns));
+    // Only the first values are announced, so the cells of bands come last.
+    const shown = this.groups.flatMap(([, columns]) => columns);
+    this.values.show([...shown.filter(({ cells }) => !cells), ...shown.flatMap(({ cells }) => cells ?? [])]);
     this.measured.showDeviations(run, kept);
   }
 
@@ -98,11 +100,16 @@ export class Curves {
   linesOf(columns, kept) {
     return columns.flatMap((column, colour) => {
       const base = { name: column.name, isStep: column.isStep, isSelected: column.isSelected, colour };
-      const lines = [{ ...base, label: column.name, role: "now" }];
-      if (hasColumn(kept, column)) {
-        lines.push({ ...base, label: `A: ${column.name}`, role: "kept", isSelected: false, data: [kept.time, kept.series.get(column.name)] });
+      // A band has a line for each edge.
+      const columns = column.cells ?? [column], edges = column.cells ? ["low", "high"] : [""];
+      const cells = columns.map(({ name }) => name);
+      const lines = edges.map(edge => ({ ...base, cells, edge, label: column.name, role: "now" }));
+      if (columns.every(own => hasColumn(kept, own))) {
+        lines.push(...lines.map(line => ({
+          ...line, label: `A: ${column.name}`, role: "kept", isSelected: false, data: [kept.time, curveOf(kept, line)],
+        })));
       }
-      for (const { label, time, values } of this.measured.linesOf(column)) {
+      for (const { label, time, values } of columns.flatMap(own => this.measured.linesOf(own))) {
         lines.push({ ...base, label, role: "measured", isSelected: false, isStep: false, data: [time, values] });
       }
       return lines;
@@ -160,6 +167,14 @@ export class Curves {
     if (isShown && [...this.notesList.children].every((item, k) => item.textContent === notes[k])) return;
     this.notesList.replaceChildren(...notes.map(note => Object.assign(document.createElement("li"), { textContent: note })));
   }
+}
+
+/* Values of a line: those of a column, or the smallest or largest of the cells of a tube. */
+function curveOf(run, { cells, edge }) {
+  const [first = [], ...others] = cells.map(name => run.series.get(name) ?? []);
+  if (!edge) return first;
+  const best = edge === "low" ? Math.min : Math.max;
+  return Array.from(first, (value, k) => others.reduce((extreme, curve) => best(extreme, curve[k]), value));
 }
 
 function statusOf({ status, time, seconds, duration, isShort, until }, conditions) {

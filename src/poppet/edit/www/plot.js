@@ -4,6 +4,7 @@ import { digits, displayOf, noiseOf, prettyUnit, quantityName, valueAt } from ".
 import { text } from "./strings.js";
 
 const COLOURS = 8;
+const AREAS = { now: "40", kept: "18" };  // opacity of a band, hexadecimal
 const LOWEST = 90;  // px
 const DASH_KEPT = [6, 4];
 const DASH_MEASURED = [2, 3];
@@ -41,7 +42,8 @@ export class Plot {
     this.clock.className = "clock-line";
   }
 
-  /* Select the lines: {name, label, role: "now" | "kept" | "measured", isStep, isSelected, colour}. */
+  /* Select the lines: {name, label, role: "now" | "kept" | "measured", isStep, isSelected, colour, edge}. The edges of a
+     band follow each other: "low", "high". */
   setLines(lines, size) {
     this.lines = lines;
     this.zoom = null;
@@ -69,12 +71,31 @@ export class Plot {
         },
       ],
       series: [{}, ...lines.map(line => ({
-        stroke: () => colours().curves[line.colour % COLOURS], width: line.isSelected ? 2.4 : 1.4, spanGaps: true, points: { show: false },
+        stroke: () => colours().curves[line.colour % COLOURS], width: (line.isSelected ? 2.4 : 1.4) * (line.edge ? .7 : 1), spanGaps: true, points: { show: false },
         dash: { now: [], kept: DASH_KEPT, measured: DASH_MEASURED }[line.role],
         paths: line.isStep ? uPlot.paths.stepped({ align: 1 }) : linePath,
       }))],
-      hooks: { setSelect: [u => this.setZoom(u)], setScale: [(u, key) => { if (key === "x") this.showClock(); }] },
+      hooks: { drawAxes: [u => this.paintBands(u)], setSelect: [u => this.setZoom(u)], setScale: [(u, key) => { if (key === "x") this.showClock(); }] },
     };
+  }
+
+  paintBands(u) {
+    const { ctx, bbox, data } = u, [time] = data;
+    ctx.save();
+    ctx.beginPath();
+    ctx.rect(bbox.left, bbox.top, bbox.width, bbox.height);
+    ctx.clip();
+    this.lines.forEach(({ edge, role, colour }, k) => {
+      if (edge !== "low") return;
+      const [low, high] = [data[k + 1], data[k + 2]], rows = [...time.keys()].filter(row => Number.isFinite(low[row]));
+      const place = (row, values) => [u.valToPos(time[row], "x", true), u.valToPos(values[row], "y", true)];
+      ctx.beginPath();
+      for (const row of rows) ctx.lineTo(...place(row, low));
+      for (const row of rows.reverse()) ctx.lineTo(...place(row, high));
+      ctx.fillStyle = `${colours().curves[colour % COLOURS]}${AREAS[role]}`;
+      ctx.fill();
+    });
+    ctx.restore();
   }
 
   rangeX(low, high) {
@@ -117,19 +138,25 @@ export class Plot {
   redraw() { this.u?.redraw(false); }
 
   describe() {
-    const names = this.lines.map(({ label }, k) => {
-      const last = this.values[k][1].at(-1);
-      return `${label} ${digits(last ?? NaN)} ${this.display.unit}`.trim();
+    const names = this.lines.flatMap(({ label, edge }, k) => {
+      const value = this.shownValue(k, (time, values) => values.at(-1) ?? NaN, digits);
+      return edge === "high" ? [] : [`${label} ${value} ${this.display.unit}`.trim()];
     });
     return text("curves.plot", { quantity: this.title.textContent, names: names.join(", ") });
+  }
+
+  /* Text of a value of a line; for a band, those of both edges. */
+  shownValue(k, valueOf, shown) {
+    const [low, high] = this.values.slice(k, k + 2).map(pair => shown(valueOf(...pair)));
+    return this.lines[k].edge && low !== high ? text("curves.range", { low, high }) : low;
   }
 
   /* --- Legend and time cursor --- */
 
   showLegend() {
-    this.legend.replaceChildren(...this.lines.map(line => {
+    this.legend.replaceChildren(...this.lines.filter(({ edge }) => edge !== "high").map(line => {
       const item = document.createElement("span");
-      item.className = `key is-${line.role}`;
+      item.className = `key is-${line.role}${line.edge ? " is-band" : ""}`;
       const swatch = item.appendChild(document.createElement("i"));
       swatch.style.color = `var(--curve-${line.colour % COLOURS + 1})`;
       item.append(line.label);
@@ -146,9 +173,9 @@ export class Plot {
     this.clock.hidden = !(left >= 0 && left <= this.u.bbox.width / devicePixelRatio + 1);
     this.clock.style.transform = `translateX(${left}px)`;
     this.lines.forEach((line, k) => {
-      const [time, values] = this.values[k];
-      const value = valueAt(time, values, cursor, line.isStep);
-      const shown = digits(Math.abs(value) < this.noise ? 0 : value, spanOf(this.u));
+      if (line.edge === "high") return;
+      const shown = this.shownValue(k, (time, values) => valueAt(time, values, cursor, line.isStep),
+        value => digits(Math.abs(value) < this.noise ? 0 : value, spanOf(this.u)));
       if (line.value.textContent !== shown) line.value.textContent = shown;
     });
   }

@@ -17,6 +17,7 @@ export const CATALOGUE = {
   },
 
   curves: {
+    cells: "{name}, cells {first} to {last}",
     choice: "Choose curves",
     choice_auto: "Automatic: selected parts first",
     clock: "time shown in the drawing",
@@ -30,6 +31,7 @@ export const CATALOGUE = {
     pause: "Pause",
     play: "Play",
     plot: "{quantity} versus time: {names}",
+    range: "{low} to {high}",
     short: "Only the first {until} s while you drag; the whole run follows.",
     speed: "Speed",
     speed_real: "real time",
