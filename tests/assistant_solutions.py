@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Awaitable, Callable
+from collections.abc import Awaitable, Callable, Sequence
 from typing import Any
 
 from assistant_client import Call, ToolError
@@ -269,6 +269,24 @@ async def size_valve(call: Call) -> float:
 async def size_tank(call: Call) -> float:
     result = await call("size", text=fill_requirement(filled_tank("1 l"), "5 s"), free="tank.volume", largest=True)
     return 1e3 * result["value"]
+
+
+def component_file(conductances: Sequence[float]) -> str:
+    """Return a component file with orifices named X1, X2, ..."""
+    lines = ['manufacturer = "Acme"', "[documents.sheet]", 'title = "Data sheet"']
+    for k, conductance in enumerate(conductances, 1):
+        fields = f'{{ sonic_conductance = "{conductance} dm^3/(s bar)", critical_ratio = 0.3 }}'
+        lines += [f"[components.X{k}]", 'kinds = ["orifice"]', 'document = "sheet"', f"fields = {fields}"]
+    return "\n".join([*lines, ""])
+
+
+@solution
+async def size_catalogue(call: Call) -> float:
+    await call("write_file", name="acme.toml", text=component_file((0.2, 0.3, 0.5)))
+    text = 'components = ["acme.toml"]\n' + fill_requirement(filled_tank(), "5 s")
+    result = await call("size", text=text, catalogue="valve", find="Acme")
+    assert result["selected"]["component"] == "Acme X2"
+    return result["selected"]["metrics"]["fill"]
 
 
 async def yield_(call: Call) -> float:

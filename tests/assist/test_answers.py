@@ -79,6 +79,7 @@ ANSWERS = {
     "load_pressure": 1e-5 * 40.0 * G / (pi / 4.0 * 0.032**2),
     "size_valve": 0.1 * filled(10.0, 0.1) / 5.0,
     "size_tank": 10.0 * 5.0 / filled(10.0, 0.1),
+    "size_catalogue": min(t for t in (filled(10.0, c) for c in (0.2, 0.3)) if t < 5.0),
     "yield": (13.162352 / filled(1.0, 0.1) - 9.0) / (11.0 - 9.0),
     "identify_flow": 2.0,
     "identify_tank": 0.3,

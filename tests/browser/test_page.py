@@ -61,6 +61,23 @@ def vent(start_editor):
 # --- Runs ---
 
 
+def test_errors_of_the_table_modbus_do_not_stop_the_run(start_editor):
+    text = VENT + '\n[modbus.registers]\n"tank.presure" = { input = 0 }\n'
+    editor = start_editor(text)
+    button = editor.page.locator('#problems [data-address="modbus.registers.tank.presure"]')
+    assert "tank.pressure" in button.inner_text()
+    assert editor.page.locator("#problems h2").inner_text().startswith("Errors of the table modbus")
+    apply(editor, setting("tank.volume", "20 l"))
+    assert editor.recording()["tank.pressure"][-1] == pytest.approx(pressure_of(VENT.replace("10 l", "20 l"))[-1])
+    assert not editor.page.locator('[data-task="report"]').is_disabled()
+    assert button.is_visible()
+    button.click()
+    line = text.splitlines().index('"tank.presure" = { input = 0 }') + 1
+    assert editor.page.locator(".editor b.mark").inner_text() == str(line)
+    apply(editor, setting("run.duration", "x"))
+    assert editor.page.locator("#problems h2").inner_text() == "One error keeps the circuit from running"
+
+
 def test_the_run_is_that_of_the_library(vent):
     recording = vent.recording()
     assert recording["time"] == pytest.approx(list(loads(VENT).simulate().time))

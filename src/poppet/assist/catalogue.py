@@ -8,6 +8,7 @@ from poppet.assist.arguments import Argument
 from poppet.assist.folder import Folder
 from poppet.assist.limits import LIST_ROWS
 from poppet.assist.replies import Json
+from poppet.core.errors import InputError
 
 
 def find_components(
@@ -20,7 +21,10 @@ def find_components(
     from poppet.parts.component_search import search
     from poppet.parts.components import numbers_of
 
-    matches = list(search(conditions, components()))
+    try:
+        matches = search(conditions, components())
+    except InputError as error:
+        raise error.located(address="conditions") from None
     rows = [
         {
             "model": component.names[0],

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import tempfile
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import asdict
 from pathlib import Path
-from typing import Annotated, Any
+from typing import TYPE_CHECKING, Annotated, Any
 
 from poppet.assist.arguments import Argument
 from poppet.assist.circuits import NONE, File, Result, Text, Values, load_circuit
@@ -14,7 +14,11 @@ from poppet.assist.folder import Folder
 from poppet.assist.limits import RUNS, TIME_LIMIT
 from poppet.assist.replies import Json, note_rows, number, plain, quantity
 from poppet.assist.simulation import Replace, TimeLimit, check_size
-from poppet.core.errors import InputError, OutOfRangeError
+from poppet.core.errors import InputError, OutOfRangeError, raise_errors
+
+if TYPE_CHECKING:
+    from poppet.ensemble import CatalogueSizing
+    from poppet.ensemble.catalogue_sizing import CatalogueTrial
 
 METHODS = ("fit", "tank", "flow", "characteristic", "muscle", "friction", "design")
 """Methods of `identify`; those of plugins are not offered."""
@@ -25,7 +29,16 @@ RESULTS = (".toml", ".json")
 def size(
     folder: Folder,
     *,
-    free: Annotated[str, Argument('address of the parameter: "fill.sonic_conductance"', longest=200)],
+    free: Annotated[
+        str, Argument('address of the parameter: "fill.sonic_conductance"; or use `catalogue`', longest=200)
+    ] = "",
+    catalogue: Annotated[
+        str,
+        Argument('part whose component is selected from the library and from component files: "valve"', longest=200),
+    ] = "",
+    find: Annotated[
+        str, Argument('conditions on the components, with `catalogue`: "5/2, C > 3 dm^3/(s bar)"', longest=200)
+    ] = "",
     file: File = "",
     text: Text = "",
     set: Values = NONE,
@@ -39,16 +52,24 @@ def size(
     replace: Replace = False,
     time_limit: TimeLimit = TIME_LIMIT,
 ) -> Json:
-    """Find the smallest or largest value of a parameter that meets the requirements of a circuit."""
+    """Find the parameter value or catalogue component with which a circuit meets its requirements."""
     from poppet.core.units import quantity as read_quantity
     from poppet.ensemble import size as find_size
+    from poppet.ensemble import size_from_catalogue
 
+    _check_subject(free, catalogue, find, {"between": between, "share": share, "sizes": sizes})
     target = folder.target(output, "output", replace, RESULTS) if output else None
     change = load_circuit(folder, file, text, set, with_result)
     check_size(change.circuit)
     if between and len(between) != 2:
         raise InputError("assist.pair", "between", count=len(between))
     try:
+        if catalogue:
+            selection = size_from_catalogue(change.circuit, catalogue, find=find, meet=meet, largest=largest)
+            if target is not None:
+                selection.save(target)
+            notes = note_rows([*change.notes, *selection.remarks])
+            return _selection_rows(selection) | {"notes": notes} | ({"output": output} if output else {})
         sizing = find_size(
             change.circuit, free, meet=meet, between=(between[0], between[1]) if between else None, largest=largest,
             share=read_quantity(share, "1", name="share").value if share else None, sizes=sizes,
@@ -72,6 +93,47 @@ def size(
         "share_interval": plain(sizing.interval),
         "notes": note_rows([*change.notes, *sizing.remarks]),
     } | ({"output": output} if output else {})
+
+
+def _check_subject(free: str, catalogue: str, find: str, of_parameter: Mapping[str, Any]) -> None:
+    """Raise errors unless either a parameter or a part is to be sized, with arguments for it only."""
+    if bool(free) == bool(catalogue):
+        raise InputError("assist.one_subject", "free")
+    misplaced, excluding = (of_parameter, "catalogue") if catalogue else ({"find": find}, "free")
+    raise_errors([InputError("assist.excluded", name, other=excluding) for name, value in misplaced.items() if value])
+
+
+def _selection_rows(sizing: CatalogueSizing) -> Json:
+    """Return the selected component, its neighbour, and all trials in ascending order of size."""
+    selected, neighbour = sizing.selected, sizing.neighbour
+    result: Json = {
+        "is_met": sizing.is_met,
+        "part": sizing.part,
+        "extreme": "largest" if sizing.is_largest else "smallest",
+        "measure": sizing.measure,
+        "selected": _trial_row(selected, sizing.unit) if selected else None,
+        "next": _trial_row(neighbour, sizing.unit) if neighbour else None,
+        "requirements": dict(sizing.requirements),
+        "units": dict(sizing.units),
+        **plain({"trials": [_trial_row(trial, sizing.unit) for trial in sizing.trials]}),
+    }
+    if selected is not None:
+        result["selected"] |= {
+            "document": selected.component.place,
+            "doubts": list(map(str, selected.component.doubts)),
+        }
+    return result
+
+
+def _trial_row(trial: CatalogueTrial, unit: str) -> Json:
+    return {
+        "component": trial.component.name,
+        **quantity(trial.size, unit),
+        "is_met": trial.is_met,
+        "outcome": trial.outcome,
+        "margins": plain(trial.margins),
+        "metrics": plain(trial.metrics),
+    }
 
 
 def ensemble(

@@ -59,8 +59,8 @@ def write_template(options: argparse.Namespace) -> None:
             print(f"{template:<{width}}  {tomllib.loads(path.read_text(encoding='utf-8'))['title']}")
         return
     if name not in TEMPLATES:
-        near = NameSuggestion(name, TEMPLATES)
-        raise InputError("fields.not_an_option", "template", value=name, meaning="template", suggestion=near)
+        suggestion = NameSuggestion(name, TEMPLATES)
+        raise InputError("fields.not_an_option", "template", value=name, meaning="template", suggestion=suggestion)
     # The parser has checked an `--output`; the default name is checked here.
     target: Path = options.output or output_path(f"{name}.toml", (".toml",))
     if target.exists() and not options.force:
@@ -75,9 +75,9 @@ def write_template(options: argparse.Namespace) -> None:
 def show_parameters(options: argparse.Namespace) -> None:
     """Run the command `show`: print all parameters of a circuit, grouped by the kind of their source."""
     if options.kind is not None and options.kind not in KINDS:
-        near = NameSuggestion(options.kind, KINDS)
+        suggestion = NameSuggestion(options.kind, KINDS)
         raise InputError(
-            "fields.not_an_option", "--kind", value=options.kind, meaning="kind of source", suggestion=near
+            "fields.not_an_option", "--kind", value=options.kind, meaning="kind of source", suggestion=suggestion
         )
 
     circuit, _ = load_circuit(options)

@@ -450,8 +450,10 @@ def _prepare(
     amplitudes: Sequence[Any], progress: ProgressCallback | None,
 ) -> tuple[Plant, list[OperatingPoint]]:  # fmt: skip
     if form not in FORMS:
-        near = NameSuggestion(form, FORMS)
-        raise InputError("fields.not_an_option", "form", value=form, meaning="form of controller", suggestion=near)
+        suggestion = NameSuggestion(form, FORMS)
+        raise InputError(
+            "fields.not_an_option", "form", value=form, meaning="form of controller", suggestion=suggestion
+        )
     limits = NumberRange(unit="1", low=MIN_BOUND, high=MAX_BOUND)
     limits.check_range("sensitivity", bound, f"{bound:g}", "bound of Ms and Mt")
     measured = make_measured_loop(circuit, controller, amplitudes, progress) if amplitudes else None

@@ -16,6 +16,7 @@ from poppet.circuit.component_files import read_circuit_components
 from poppet.circuit.file import loads
 from poppet.core.errors import InputError, NameSuggestion
 from poppet.core.files import by_suffix, check_characters, check_folder, confined_to, open_input, write_whole
+from poppet.core.toml_file import TomlFile
 from poppet.edit.document import LARGEST, MARK, Document, History
 from poppet.edit.operations import free_name
 from poppet.edit.palette import component_choices
@@ -150,7 +151,7 @@ class Session:
             "models": {},
             "notes": [],
         }
-        state["errors"] = error_list(circuit) if isinstance(circuit, InputError) else []
+        state["errors"] = error_list(circuit) if isinstance(circuit, InputError) else self._modbus_errors(circuit)
         if "error" in view:
             state["errors"][0]["line"] = view["error"]["line"]
             return state
@@ -162,6 +163,21 @@ class Session:
         state["models"] = _models(components)
         state["places"] = self._places(view, _sizes(view, state["symbols"]))
         return state
+
+    def _modbus_errors(self, circuit: BaseCircuit) -> list[dict[str, Any]]:
+        """Return the errors of the table `[modbus]` for the page; they do not concern runs and tasks."""
+        if "modbus" not in circuit.origin.tables:
+            return []
+        from poppet.serve.modbus_map import map_of_circuit
+        from poppet.serve.points import ServedCircuit
+
+        try:
+            map_of_circuit(ServedCircuit.of(circuit, allow_native=True))  # executes nothing
+        except InputError as error:
+            rows = error_list(TomlFile(self.document.text.removeprefix(MARK), "").located(error))
+            # The page receives errors of the equations with the model.
+            return [{**row, "concerns_run": False} for row in rows if row["address"].startswith("modbus")]
+        return []
 
     def _places(self, view: State, sizes: Mapping[str, tuple[float, float]]) -> State:
         """Return the places of the parts, which depend on their wiring, but not on their values."""
@@ -176,11 +192,11 @@ class Session:
     def apply(self, revision: int, operations: list[Any], continues: bool = False) -> State:
         """Perform operations as one change, see `poppet.edit.operations`."""
         with self.lock:
-            before = self._part_names()
+            names = self._part_names()
             self.history.apply(revision, operations, continues=continues)
             # A part with a new name is not new.
-            before += [operation["name"] for operation in operations if operation["op"] == "rename"]
-            return self.state([name for name in self._part_names() if name not in before])
+            names += [operation["name"] for operation in operations if operation["op"] == "rename"]
+            return self.state([name for name in self._part_names() if name not in names])
 
     def replace(self, revision: int, text: str) -> State:
         """Replace the text as one change; line endings and the byte order mark are those of the present text."""
@@ -215,9 +231,9 @@ class Session:
             self.history.check(revision)
             target = (self.name or self._free_name()) if name is None else file_name(name)
             is_new = target != self.name
-            known = None if is_new else self._disk
+            expected = None if is_new else self._disk
             data = self.document.text.encode("utf-8")
-            self._write(target, data, known, is_new=is_new, overwrite=overwrite and not is_new)
+            self._write(target, data, expected, is_new=is_new, overwrite=overwrite and not is_new)
             self.name, self._disk = target, data
             return self.state()
 
@@ -303,12 +319,12 @@ class Session:
         except InputError:
             return UNREADABLE if (self.folder / name).exists() else None
 
-    def _write(self, name: str, data: bytes, known: bytes | None, *, is_new: bool, overwrite: bool) -> None:
+    def _write(self, name: str, data: bytes, expected: bytes | None, *, is_new: bool, overwrite: bool) -> None:
         """Write a file completely or not at all, unless another program has changed it."""
         path = self.folder / name
 
         def check() -> None:
-            if overwrite or self._present(name) in (known, data):
+            if overwrite or self._present(name) in (expected, data):
                 return
             raise InputError("edit.file_exists" if is_new else "edit.changed_on_disk", path=name)
 
@@ -335,11 +351,11 @@ def file_name(name: str) -> str:
 
 def error_list(error: InputError) -> list[dict[str, Any]]:
     """Return errors for the page; the messages of those of another file begin with its name and line."""
-    found = []
+    rows = []
     for problem in error.problems:
         line = "" if problem.line is None else f":{problem.line}"
         location = f"{problem.file}{line}: " if problem.file else ""
-        found.append(
+        rows.append(
             {
                 "code": problem.code,
                 "address": problem.address or "",
@@ -348,7 +364,7 @@ def error_list(error: InputError) -> list[dict[str, Any]]:
                 "hint": problem.hint,
             }
         )
-    return found
+    return rows
 
 
 def with_line_endings(text: str, former: str) -> str:
@@ -368,10 +384,10 @@ def with_line_endings(text: str, former: str) -> str:
         return mark + text
     old, new = former.splitlines(keepends=True), text.splitlines(keepends=True)
     newline = "\r\n" if old[0].endswith("\r\n") else "\n"
-    plain = [line.replace("\r\n", "\n") for line in old]
-    shortest = min(len(plain), len(new))
-    first = next((k for k in range(shortest) if plain[k] != new[k]), shortest)
-    last = next((k for k in range(shortest - first) if plain[-1 - k] != new[-1 - k]), shortest - first)
+    lines = [line.replace("\r\n", "\n") for line in old]
+    shortest = min(len(lines), len(new))
+    first = next((k for k in range(shortest) if lines[k] != new[k]), shortest)
+    last = next((k for k in range(shortest - first) if lines[-1 - k] != new[-1 - k]), shortest - first)
     middle = [line.replace("\n", newline) for line in new[first : len(new) - last]]
     return mark + "".join([*old[:first], *middle, *old[len(old) - last :]])
 

@@ -97,7 +97,7 @@ def remove(text: TomlText, paths: Collection[Path]) -> str:
     # Members of inline tables one by one, because their commas overlap.
     while True:
         text = TomlText(changed)
-        found = next(
+        match = next(
             (
                 (members, k)
                 for outer in text.entries()
@@ -107,9 +107,9 @@ def remove(text: TomlText, paths: Collection[Path]) -> str:
             ),
             None,
         )
-        if found is None:
+        if match is None:
             return changed
-        members, index = found
+        members, index = match
         changed = spliced(changed, [_without_member([(entry.start, entry.value.end) for entry in members], index)])
 
 
@@ -133,11 +133,11 @@ def _dotted(path: Path) -> str:
 
 def _last_dotted(text: TomlText, container: Path) -> TomlEntry | None:
     """Return the last entry whose dotted key contains the names of a table, which has no header."""
-    found = None
+    match = None
     for entry in text.entries():
         if len(entry.owner) < len(container) < len(entry.path) and _is_under(entry.path, container):
-            found = entry
-    return found
+            match = entry
+    return match
 
 
 def _with_line(text: TomlText, table: TomlTable, last: TomlEntry | None, line: str) -> str:

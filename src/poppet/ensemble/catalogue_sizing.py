@@ -249,7 +249,10 @@ def _candidates(circuit: BaseCircuit, part: str, find: str) -> tuple[str, dict[C
     suitable = [component for component in everything if present.kind in component.kinds]
     if not suitable or MODEL not in specs(type(present)):
         raise InputError("size.no_component", part, kind=present.kind)
-    conditions = search(find, suitable) if find else suitable
+    try:
+        conditions = search(find, suitable) if find else suitable
+    except InputError as error:
+        raise error.located(address="find") from None
     measure = next((name for name in MEASURES if any(value_of(c, name) is not None for c in conditions)), "")
     circuits = {}
     for component in conditions if measure else ():

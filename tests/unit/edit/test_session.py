@@ -16,9 +16,13 @@ from typing import Any
 
 import pytest
 
+from poppet import load
 from poppet.cli.circuit_files import TEMPLATES
+from poppet.core.errors import InputError
+from poppet.core.toml_file import TomlFile
 from poppet.edit.document import LARGEST
 from poppet.edit.session import EMPTY, Session, with_line_endings
+from poppet.serve.file_check import check_file
 from refusals import refused
 
 ROOT = Path(__file__).parents[3]
@@ -89,6 +93,52 @@ def test_an_invalid_text_has_one_error_with_its_line(plant):
     assert (error["code"], error["line"]) == ("toml.invalid", PLANT.count("\n") + 1)
     assert error["line"] == state["view"]["error"]["line"]
     assert session.undo(session.history.revision)["text"] == PLANT
+
+
+MODBUS = """
+[modbus]
+word_order = "middle"
+[modbus.registers]
+"tank.presure" = { input = 0 }
+"tank.pressure" = { holding = 1 }
+"supply.pressure" = { input = 2, type = "int16", raw = [0, 100], range = ["0 bar", "10 l"] }
+
+[modbus.registers."hole.opening"]
+holding = 4
+unit = "bar"
+"""
+
+
+def test_the_table_modbus_has_the_messages_and_lines_of_poppet_check(plant):
+    """Errors of this table do not keep the circuit from running; those of the circuit come before them."""
+    text = PLANT.replace("\n[run]", f"{MODBUS}\n[run]")
+    session = Session(plant)
+    errors = session.replace(session.history.revision, text)["errors"]
+    plant.write_text(text, encoding="utf-8")
+    with pytest.raises(InputError) as caught:
+        check_file(load(plant))
+    checked = TomlFile.read(plant).located(caught.value).problems
+    assert len(checked) == 5
+    assert [(e["code"], e["address"], e["line"]) for e in errors] == [(e.code, e.address, e.line) for e in checked]
+    assert [f"{e['message']} {e['hint']}" for e in errors] == [f"{e.given} {e.reason} {e.hint}" for e in checked]
+    lines = [text.splitlines()[error["line"] - 1] for error in errors]
+    names = ["word_order", '"tank.presure"', '"tank.pressure"', '"supply.pressure"', "unit"]
+    assert all(line.startswith(name) for line, name in zip(lines, names, strict=True))
+    assert all(error["concerns_run"] is False for error in errors)
+    assert session.circuit().simulate()["tank.pressure"][-1] > 1.1e5
+    wrong = session.replace(session.history.revision, text.replace('"10 l"', '"10 bar"', 1))["errors"]
+    assert {error["address"] for error in wrong} == {"parts.tank.volume"}
+    assert session.replace(session.history.revision, PLANT)["errors"] == []
+
+
+def test_lines_of_the_table_modbus_follow_the_drawing(plant):
+    plant.write_text(f"{PLANT}\n[drawing]\n{MODBUS}", encoding="utf-8")
+    session = Session(plant)
+    before = session.state()["errors"]
+    state = edit(session)
+    line = state["text"].splitlines().index('"tank.presure" = { input = 0 }') + 1
+    assert line in [error["line"] for error in state["errors"]]
+    assert [error["address"] for error in state["errors"]] == [error["address"] for error in before]
 
 
 def test_symbols_of_parts_with_options(plant):

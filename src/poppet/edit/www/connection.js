@@ -31,6 +31,9 @@ export async function attempt(path, body) {
   }
 }
 
+/* True if an error keeps the circuit from running; those of the table `modbus` do not. */
+export const concernsRun = error => error.concerns_run !== false;
+
 /* Return the errors of a reply that is not a success. */
 export function errorsOf({ status, body }) {
   if (Array.isArray(body?.errors) && body.errors.length) return body.errors;

@@ -187,7 +187,7 @@ export class FieldRow extends InputRow {
     const preset = defaultOf(field);
     const si = store.header?.numbers?.[address]?.value;
     // The numbers of the last run are not those of a circuit with errors.
-    if (preset || si === undefined || store.errors.length || field.type !== "number") {
+    if (preset || si === undefined || store.runErrors.length || field.type !== "number") {
       // Fields that a model can set are required only as long as the circuit says so.
       const isMissing = this.isRequired || store.errors.some(({ address: place }) => this.concerns(bare(place)));
       return preset || text(isMissing ? "form.required" : "form.optional");

@@ -1,4 +1,4 @@
-/* List of the errors that keep the circuit from running. */
+/* List of the errors of the circuit, and of its table `modbus`. */
 
 import { text } from "./strings.js";
 
@@ -18,7 +18,8 @@ export class Problems {
     // An empty circuit is incomplete, but that is no news.
     const isEmpty = state.error === null && !Object.keys(state.view.parts).length;
     this.element.hidden = !errors.length || isEmpty;
-    const title = text(errors.length === 1 ? "problems.title_one" : "problems.title", { count: errors.length });
+    const count = this.store.runErrors.length;
+    const title = text(count === 1 ? "problems.title_one" : count ? "problems.title" : "problems.title_modbus", { count });
     if (this.title.textContent !== title) this.title.textContent = title;
     // A list that is not replaced keeps the focus.
     const key = JSON.stringify([errors, Object.keys(state.view.parts)]);

@@ -1,6 +1,6 @@
 /* State of the page. All changes of the circuit go through this class, one after another, to the server. */
 
-import { ConnectionLost, errorsOf, request } from "./connection.js";
+import { concernsRun, ConnectionLost, errorsOf, request } from "./connection.js";
 import { RunNotes } from "./run_notes.js";
 import { Simulation } from "./simulation.js";
 import { text } from "./strings.js";
@@ -281,7 +281,10 @@ export class Store extends EventTarget {
     return this.state;
   }
 
-  get #isRunnable() { return !this.errors.length && !this.state.error && Object.keys(this.state.view.parts).length > 0; }
+  /* Errors that keep the circuit from running. */
+  get runErrors() { return this.errors.filter(concernsRun); }
+
+  get #isRunnable() { return !this.runErrors.length && !this.state.error && Object.keys(this.state.view.parts).length > 0; }
 
   #clear() {
     Object.assign(this, { run: null, header: null, selection: new Set(), wire: null, cursor: 0 });
@@ -328,7 +331,7 @@ export class Store extends EventTarget {
   }
 
   #setErrors(errors) {
-    this.errors = errors;
+    this.errors = [...errors, ...this.errors.filter(error => !concernsRun(error))];
     this.#setStale(true);
     this.#emit("state");
   }

@@ -264,6 +264,7 @@ export const CATALOGUE = {
     retry: "Try again",
     saved: "{name} is saved.",
     title: "{count} errors keep the circuit from running",
+    title_modbus: "Errors of the table modbus, which a run does not use",
     title_one: "One error keeps the circuit from running",
   },
 

@@ -1,6 +1,6 @@
 /* Tasks of the server: reports, studies, audits and exports, with their progress and results. */
 
-import { attempt, errorsOf } from "./connection.js";
+import { attempt, concernsRun, errorsOf } from "./connection.js";
 import { make, show } from "./elements.js";
 import { download, pictureOf, pngOf } from "./picture.js";
 import { FORMS } from "./task_forms.js";
@@ -110,7 +110,7 @@ export class Tasks {
   /* A circuit with errors has no tasks, except the text and the picture of its drawing. */
   #update() {
     const { state } = this.store;
-    const isEmpty = !Object.keys(state?.view.parts ?? {}).length, isWrong = state?.errors?.length > 0 || Boolean(state?.error);
+    const isEmpty = !Object.keys(state?.view.parts ?? {}).length, isWrong = state?.errors?.some(concernsRun) || Boolean(state?.error);
     show(this.need, isWrong || isEmpty ? text("tasks.need") : "");
     for (const button of this.element.querySelectorAll("[data-task]")) {
       const isOfPage = button.dataset.task in PAGE_EXPORTS;
