@@ -3,14 +3,18 @@
 from __future__ import annotations
 
 import json
+import re
 import shlex
 import shutil
 import tomllib
 import zipfile
 from pathlib import Path
 
+import numpy as np
 import pytest
 
+from first_hours.test_control_engineer import T, plant_by_hand
+from pages import lines, plots
 from poppet import load
 from poppet.control import Gains, margins, plant_of, schedule, tune
 from poppet.core.units import quantity
@@ -59,6 +63,65 @@ def test_gains_that_tune_computes_have_a_table_and_a_note(poppet, files, factor,
             assert [float(cell) for cell in cells[:3]] == pytest.approx(expected, rel=1e-3)
         else:
             assert {*cells} == {"-"}
+
+
+COLUMNS = {
+    "pressure": [1.5e5, 3.5e5, 6e5],
+    "gain": [4e-5, 9e-5, 6e-5],
+    "integral_time": [0.15, 0.06, 0.09],
+    "vent_factor": [3.0, 2.0, 1.2],
+}
+"""Schedule of the file, in SI."""
+ROW = re.compile(r"^(\d) bar, (fill|vent)((?: +[\d.]+){6})$", re.MULTILINE)
+
+
+@pytest.mark.parametrize("options", [("--schedule",), ()])
+@pytest.mark.parametrize("is_scheduled", [True, False])
+def test_margins_with_the_gains_of_the_file_at_each_operating_point(poppet, options, is_scheduled):
+    """They are those of python-control for a plant by hand, with a schedule in the file or with constant gains."""
+    control = pytest.importorskip("control", reason="python-control is not installed")
+    assert poppet("new", "pressure-control").code == 0
+    text = Path("pressure-control.toml").read_text(encoding="utf-8")
+    columns = (
+        COLUMNS
+        if is_scheduled
+        else {"pressure": [2e5], "gain": [9.21e-5], "integral_time": [71e-3], "vent_factor": [2.0]}
+    )
+    if is_scheduled:
+        text, count = re.subn(r"^(gain|integral_time|vent_factor) = .*\n", "", text, flags=re.MULTILINE)
+        assert count == 3
+        table = "".join(f"{name} = {values}\n" for name, values in COLUMNS.items())
+        text = text.replace("[connections]", f"[parts.regulator.schedule]\n{table}\n[connections]")
+    Path("plant.toml").write_text(text, encoding="utf-8")
+    code, out, err = poppet("control", "tune", "plant.toml", *options, "--report", "tuning.html")
+    assert (code, err) == (0, "")
+    rows = ROW.findall(out.split("With the gains of plant.toml:\n")[1])
+    assert len(rows) == 8
+    page = Path("tuning.html").read_text(encoding="utf-8")
+    assert "With the gains of plant.toml:" in page
+    magnitudes = lines(plots(page)[0]).items()
+    curves = {name.split(": ")[1]: curve for name, curve in magnitudes if name.startswith("magnitude")}
+    omega = 2.0 * np.pi * np.geomspace(0.1, 249.9, 6000)
+    for pressure, side, cells in rows:
+        names = "gain", "integral_time", "vent_factor"
+        gain, integral_time, vent_factor = (
+            np.interp(1e5 * float(pressure), columns["pressure"], columns[name]) for name in names
+        )
+        plant, delay = plant_by_hand(control, 1e5 * float(pressure), side)
+        law = control.tf([gain, gain * (T / integral_time - 1.0)], [1.0, -1.0], T)
+        sign = 1.0 if side == "fill" else -vent_factor
+        loop = control.frequency_response(sign * plant * control.ss(delay) * control.ss(law), omega).complex.ravel()
+        gain_margin, phase_margin, *_, crossover, _ = control.stability_margins(control.frd(loop, omega))
+        sensitivity, complementary = (float(np.max(np.abs(v))) for v in (1.0 / (1.0 + loop), loop / (1.0 + loop)))
+        expected = [sensitivity, complementary, gain_margin, phase_margin, crossover / (2.0 * np.pi)]
+        found = [float(cell) for cell in cells.split()]
+        assert [*found[:4], found[5]] == pytest.approx(expected, rel=5e-3), (pressure, side)
+        assert all(cell in page for cell in cells.split())
+        # The dashed line in the Bode plot of the report.
+        frequency, level = curves[f"{pressure} bar, {side}, present gains"]
+        decibels = np.interp(np.log(frequency), np.log(omega / (2.0 * np.pi)), 20.0 * np.log10(np.abs(loop)))
+        is_inside = (frequency > 0.2) & (frequency < 200.0)
+        assert np.max(np.abs(level - decibels)[is_inside]) < 0.05
 
 
 def test_tune_reports_the_bounded_plant_with_a_leak(poppet, files):
@@ -119,12 +182,14 @@ def test_a_loop_is_tuned_for_responses_to_sines(poppet, tmp_path):
     code, out, err = poppet("control", "tune", "position_control.toml", *sines)
     assert code == 0
     assert err.startswith("note: position (100 mm, sines of 0.1): the step response does not settle")
-    (step,) = [line for line in out.splitlines() if line.startswith("100 mm, sines of 0.1")][1:]
+    present, step = [line for line in out.splitlines() if line.startswith("100 mm, sines of 0.1")][1:]
+    assert "With the gains of position_control.toml:" in out.split(present)[0]
     assert "never" in step
     gains = tomllib.loads((tmp_path / "gains.toml").read_text())["parts"]["position"]
     assert float(step.split()[5]) == pytest.approx(100.0 / quantity(gains["gain"], "1/m").value, rel=2e-3)
     page = (tmp_path / "page.html").read_text(encoding="utf-8")
     assert "step there and back" in page
+    assert all(cell.strip() in page for cell in present.split("  "))
 
 
 def test_a_position_loop_is_tuned_and_compared_in_millimetres(poppet, tmp_path):

@@ -111,6 +111,8 @@ def test_report_has_bode_and_step_plots_of_the_true_loop(folder):
     response = control.frequency_response(loop_by_hand(control, folder, 3e5, "fill"), omega).complex.ravel()
     assert np.max(np.abs(magnitude[1][is_inside] - 20.0 * np.log10(np.abs(response)))) < 0.05
     assert np.max(np.abs(phase[1][is_inside] - (np.degrees(np.unwrap(np.angle(response)))))) < 0.5
+    assert f"With the gains of {FILE}:" in page
+    assert all(cell in page for row in margin_rows(folder)[1] for cell in row[2:])
     time, measured = curve(steps, 0, "3 bar, fill")
     gain, _, _, weight = gains_of(folder)
     # With a setpoint weight, the proportional part sees only this fraction of the setpoint.

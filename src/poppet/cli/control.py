@@ -54,9 +54,11 @@ def _tune(options: argparse.Namespace) -> int:
         settings |= {"amplitudes": options.amplitude, "progress": progress}
         tuning = (schedule if options.schedule else tune)(circuit, options.controller, **settings)
     file_margins = file_margin_table(tuning, circuit)
-    computed = [f"{tuning.controller}.{name}" for name in tuning.fields()]
-    ignored = [Note("tuning.not_used", address) for address in assigned if address in computed and file_margins]
-    print_notes((*ignored, *tuning.notes))
+    fields = {f"{tuning.controller}.{name}" for name in tuning.fields()}
+    own = [address for address in assigned if ".".join(address.split(".")[:2]) in fields]
+    # Sines are measured with the gains of the circuit.
+    ignored = [Note("tuning.not_used", address) for address in own if file_margins and not tuning.is_verified]
+    print_notes((*ignored, *tuning.notes, *tuning.margin_notes(circuit)))
     without = f"{Path(options.files[0]).name} without {tuning.controller}."
     if tuning.is_verified:
         verification = [
@@ -70,7 +72,8 @@ def _tune(options: argparse.Namespace) -> int:
             f"Bounded: {tuning.bound_text}, {tuning.command_text}, small steps of {without}",
             f"Overshoot of a small step {overshoot:.2g} %. Limits and dead zones of the valves are not in it.",
         ]
-    origin = f"{Path(options.files[0]).name}{' and --set' if ignored else ''}"
+    names = [Path(options.files[0]).name, *(["--with"] if options.result else []), *(["--set"] if own else [])]
+    origin = " and ".join(names)
     present = ["", f"With the gains of {origin}:", file_margins.text()] if file_margins else []
     print("\n".join([tuning.text(), margin_table(tuning).text(), *present, "", *verification]))
     if output is not None:
@@ -78,7 +81,7 @@ def _tune(options: argparse.Namespace) -> int:
     if options.plot is not None:
         tuning.plot(options.plot)
     if options.report is not None:
-        write_tuning(tuning, circuit, options.report)
+        write_tuning(tuning, circuit, options.report, origin=origin)
     print_written(output, options.plot, options.report)
     return 0
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple, Protocol
 
@@ -100,15 +100,19 @@ def tuning_figure(tuning: TuningResult, path: str | Path | None = None) -> Figur
         return save_figure(figure, path)
 
 
-def bode_figure(tuning: TuningResult, path: str | Path | None = None) -> Figure:
+def bode_figure(
+    tuning: TuningResult, path: str | Path | None = None, *, present: Mapping[str, Gains] | None = None
+) -> Figure:
     """Draw the open loops of a tuning: magnitude and phase with margins, and the sensitivity with its bound.
 
     Circles mark the crossovers, squares the frequencies that determine the gain margins. Vertical lines show the
-    smallest margins of all loops. The loops are those of the sampled controller with its delay.
+    smallest margins of all loops. The loops are those of the sampled controller with its delay. Thin dashed lines show
+    the loops with other gains, `present`, by the label of a loop.
     """
     with style("A Bode plot", path):
         loops = [*_loops(tuning)]
         figure, (panels,) = _stacked(loops, (3,))
+        _draw_present(panels, loops, present or {})
         _draw_bode(panels, loops, tuning.sensitivity)
         return save_figure(figure, path)
 
@@ -155,6 +159,22 @@ def _draw_bode(panels: Sequence[Any], loops: list[TunedLoop], bound: float) -> N
     upper.set_ylabel("magnitude |L|\n[dB]")
     middle.set_ylabel("phase of L\n[deg]")
     lower.set(xlabel="frequency [Hz]", ylabel="sensitivity\n|S| [1]")
+
+
+def _draw_present(panels: Sequence[Any], loops: list[TunedLoop], present: Mapping[str, Gains]) -> None:
+    """Draw thin dashed lines of the loops with other gains; an unstable loop has no sensitivity."""
+    upper, middle, lower = panels
+    for loop in loops:
+        if loop.name not in present:
+            continue
+        frequencies = _frequencies(loops, loop.plant)
+        response = _open_loop(loop._replace(gains=present[loop.name]), frequencies)
+        line: dict[str, Any] = {"color": loop.colour, "linewidth": 0.7, "linestyle": "--"}
+        line["label"] = f"{loop.name}, present gains"
+        upper.plot(frequencies, 20.0 * np.log10(np.abs(response)), **line)
+        middle.plot(frequencies, phase_of(response), **line)
+        if loop.plant.is_stable_with(present[loop.name]):
+            lower.plot(frequencies, np.abs(1.0 / (1.0 + response)), **line)
 
 
 def _draw_steps(axes: Sequence[Any], loops: list[TunedLoop], tuning: TuningResult) -> None:

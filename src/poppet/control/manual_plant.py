@@ -25,6 +25,8 @@ from poppet.core.codes import Note
 from poppet.core.errors import InputError, SimulationError
 from poppet.engine.call import Call
 from poppet.engine.problem import Problem, constant_coefficients
+from poppet.parts.part import Scope
+from poppet.parts.pid import PID
 from poppet.parts.quantities import COMMANDS, QUANTITIES, command_of
 
 Array = NDArray[np.float64]
@@ -61,11 +63,19 @@ class ManualPlant(Plant):
             raise InputError("plant.direct", self.measurement, inputs=tuple(self.targets))
         size = model.sizes
         if branch == "vent":  # the model includes the present factor
-            factor /= self.part.parameters(self.instance.surroundings).get("vent_factor", 1.0)
+            factor /= self._vent_factor(point.value)
         a, b, c = model.A * size[None, :] / size[:, None], factor * model.B[:, column] / size, model.C[row] * size
         # Without states that the command cannot reach or the measurement does not depend on.
         relevant = _reachable_states(a != 0.0, b != 0.0) & _reachable_states(a.T != 0.0, c != 0.0)
         return SampledPlant(a[np.ix_(relevant, relevant)], b[relevant], c[relevant], model.sample_time)
+
+    def _vent_factor(self, value: float) -> float:
+        """Return the vent factor of the controller at a value of the measurement, SI."""
+        surroundings = self.instance.surroundings
+        numbers = self.part.parameters(surroundings)
+        if isinstance(self.part, PID):
+            numbers = self.part.gains_at(Scope(numbers, {}, {}, surroundings), value, value)
+        return float(numbers.get("vent_factor", 1.0))
 
     @property
     def _sensor_output(self) -> str:
@@ -74,7 +84,9 @@ class ManualPlant(Plant):
     def operating_point(self, value: Any) -> OperatingPoint:
         target = self.read(value)
         instance = self.instance.with_values({self.begins: target}) if self.begins else self.instance
-        manual = {f"{self.controller}.automatic": 0.0}
+        manual, setpoint = {f"{self.controller}.automatic": 0.0}, f"{self.controller}.setpoint"
+        if setpoint in instance.input_names:  # determines the vent factor of a schedule by setpoint
+            manual[setpoint] = target
         point = SampledPoint(instance, instance.held_inputs(manual))
         time = self.part.parameters(instance.surroundings)["sample_time"]
         if abs(point.clock.sample_time - time) > 1e-9 * time:

@@ -9,7 +9,7 @@ sampled loop with its hold and delay, and by search.
 from __future__ import annotations
 
 import itertools
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -30,6 +30,7 @@ from poppet.core.notebook import HtmlMixin
 from poppet.core.provenance import Number, Source
 from poppet.core.tables import NumberRange
 from poppet.core.units import convert
+from poppet.parts.part import Scope
 from poppet.parts.pid import PID
 from poppet.parts.quantities import COMMANDS, OPENING, QUANTITIES, command_of, gain_unit
 from poppet.parts.rows import GainSchedule, as_numbers
@@ -54,6 +55,8 @@ _FILTER = 0.125
 _OVERSHOOT = 0.05
 _WEIGHTS = (1.0, 0.8, 0.6, 0.4, 0.2, 0.0)
 _SAMPLES = 20_000
+_SAME = 1e-9
+"""Relative difference of vent factors that counts as zero."""
 
 
 @dataclass(frozen=True)
@@ -82,6 +85,8 @@ class TunedPoint:
         Simulated setpoint steps that verify a tuning by sines; empty for other tunings.
     vents : frozenset of str
         Labels of the plants of a vent valve.
+    plant_values : dict
+        Values of the measurement by the labels of the plants, SI.
     """
 
     gains: Gains
@@ -94,6 +99,7 @@ class TunedPoint:
     plants: Mapping[str, LoopPlant] = field(default_factory=dict, repr=False, compare=False)
     verified: tuple[Verification, ...] = ()
     vents: frozenset[str] = frozenset()
+    plant_values: Mapping[str, float] = field(default_factory=dict, repr=False, compare=False)
 
     @property
     def sides(self) -> tuple[str, ...]:
@@ -183,22 +189,80 @@ class Tuning(HtmlMixin):
         Returns
         -------
         dict
-            Margins by the label of an operating point and a side. It is empty if the controller has a gain schedule, or
-            if the plant was measured with sines.
+            Margins by the label of an operating point and a side. Loops that `gains_of` omits have no margins.
         """
-        parameters, address = circuit.parameters, self.controller
-        if self.is_verified or f"{address}.gain" not in parameters:
-            return {}
-        names = "gain", "integral_time", "derivative_time", "derivative_filter"
-        gains = Gains(*(float(parameters.get(f"{address}.{name}", 0.0)) for name in names))
-        vent_factor = float(parameters.get(f"{address}.vent_factor", 1.0))
-        result = {}
+        gains = self.gains_of(circuit)
+        return {
+            label: margins(plant, gains[label])
+            for point in self.points
+            for label, plant in point.plants.items()
+            if label in gains
+        }
+
+    def gains_of(self, circuit: BaseCircuit) -> dict[str, Gains]:
+        """Return the gains of a circuit for the plants of the tuned loops.
+
+        Parameters
+        ----------
+        circuit : Circuit
+            Circuit with the same plant, whose controller has the gains.
+
+        Returns
+        -------
+        dict
+            Gains by the label of an operating point and a side: those of a schedule at the operating point. For a plant
+            of a vent valve, the gain is multiplied by the ratio of the vent factors of the circuit and of the tuning. A
+            plant that was measured with sines is omitted if these vent factors differ.
+        """
+        return {label: gains for label, gains, vent_factor in self._gains_at_points(circuit) if vent_factor is None}
+
+    def margin_notes(self, circuit: BaseCircuit) -> tuple[Note, ...]:
+        """Return notes on the margins with the gains of a circuit, for plants that were measured with sines.
+
+        Parameters
+        ----------
+        circuit : Circuit
+            Circuit with the same plant, whose controller has the gains.
+
+        Returns
+        -------
+        tuple of Note
+            Notes on loops that `gains_of` omits, and on loops that act outside the measured frequencies.
+        """
+        notes, loops = [], self.margins_of(circuit)
+        plants = {label: plant for point in self.points for label, plant in point.plants.items()}
+        factors = {label: point.vent_factor for point in self.points for label in point.plants}
+        for label, gains, vent_factor in self._gains_at_points(circuit):
+            plant = plants[label]
+            if vent_factor is not None:
+                facts = {"measured": factors[label], "present": vent_factor}
+                notes.append(Note("tuning.other_vent_factor", self.controller, at=label, **facts))
+            elif isinstance(plant, MeasuredPlant) and loops[label].is_stable:
+                peak = max(loops[label].sensitivity, loops[label].complementary)
+                if not plant.keeps_bound_outside(gains, max(peak, self.sensitivity)):
+                    lowest, highest = plant.known_frequencies[[0, -1]].tolist()
+                    notes.append(Note("tuning.extrapolated", self.controller, at=label, lowest=lowest, highest=highest))
+        return tuple(notes)
+
+    def _gains_at_points(self, circuit: BaseCircuit) -> Iterator[tuple[str, Gains, float | None]]:
+        """Yield label, gains and vent factor of each plant with the gains of a circuit.
+
+        The vent factor is None unless the plant was measured with sines and another vent factor.
+        """
+        part: PID = circuit.parts[self.controller]  # type: ignore[assignment]
+        numbers = part.parameters(circuit.surroundings)
+        scope = Scope(numbers, {}, {}, circuit.surroundings)
         for point in self.points:
-            # The plants of the vent valve contain the tuned vent factor.
-            vent = replace(gains, gain=gains.gain * vent_factor / point.vent_factor)
-            for label, plant in point.plants.items():
-                result[label] = margins(plant, vent if label in point.vents else gains)
-        return result
+            for label, value in point.plant_values.items():
+                values = {name: float(number) for name, number in part.gains_at(scope, value, value).items()}
+                vent_factor = values.get("vent_factor", 1.0)
+                ratio = vent_factor / point.vent_factor
+                gains = Gains(
+                    values["gain"] * (ratio if label in point.vents else 1.0), values["integral_time"],
+                    values["derivative_time"], numbers["derivative_filter"],
+                )  # fmt: skip
+                is_other = isinstance(point.plants[label], MeasuredPlant) and abs(ratio - 1.0) > _SAME
+                yield label, gains, vent_factor if is_other else None
 
     def plot(self, path: str | Path | None = None) -> Figure:
         """Draw the Bode plots and the step responses in one figure.
@@ -490,11 +554,12 @@ def _tune_points(
         for branch in point.models
     }
     vents = frozenset(point_label(plant, point.value, "vent") for point in points if "vent" in point.models)
+    plant_values = {point_label(plant, point.value, branch): point.value for point in points for branch in point.models}
     loops = _GainSearch(list(plants.values()), bound)
     gains, loop_margins = loops.reduce_gain(loops.best(form, filter_time))
     by_name = dict(zip(plants, loop_margins, strict=True))
     values, commands = zip(*((point.value, point.command) for point in points), strict=True)
-    result = TunedPoint(gains, factor, 1.0, 0.0, by_name, values, commands, plants, vents=vents)
+    result = TunedPoint(gains, factor, 1.0, 0.0, by_name, values, commands, plants, (), vents, plant_values)
     # The largest setpoint weight with an acceptable overshoot; a measured loop is tested in verification runs.
     for weight in _weights(gains):
         if isinstance(plant, MeasuredLoop):

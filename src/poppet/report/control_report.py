@@ -57,7 +57,7 @@ def margin_table(tuning: Tuning) -> ReportTable:
 def file_margin_table(tuning: Tuning, circuit: BaseCircuit) -> ReportTable | None:
     """Return a table of the margins of the same loops with the gains of the circuit.
 
-    It is None if these gains have no such margins, for example those of a schedule. An unstable loop has no margins.
+    It is None if there are none. An unstable loop has no margins.
     """
     loops = tuning.margins_of(circuit)
     stable = _loop_table([loop for loop in loops.items() if loop[1].is_stable])
@@ -115,15 +115,19 @@ def step_table(tuning: Tuning) -> ReportTable:
     return ReportTable(("at", *numeric(*headings, digits=".2g")), rows)
 
 
-def write_tuning(tuning: Tuning, circuit: BaseCircuit, path: str | Path) -> Path:
-    """Write the report of a controller tuning as a self-contained HTML page."""
-    return write_page(path, lambda: tuning_page(tuning, circuit))
+def write_tuning(tuning: Tuning, circuit: BaseCircuit, path: str | Path, *, origin: str = "the circuit") -> Path:
+    """Write the report of a controller tuning as a self-contained HTML page.
+
+    The arguments are those of `tuning_page`.
+    """
+    return write_page(path, lambda: tuning_page(tuning, circuit, origin=origin))
 
 
-def tuning_page(tuning: Tuning, circuit: BaseCircuit) -> str:
+def tuning_page(tuning: Tuning, circuit: BaseCircuit, *, origin: str = "the circuit") -> str:
     """Return the report of a controller tuning as HTML.
 
-    It contains gains, Bode plots, margins and step responses.
+    It contains gains, Bode plots, margins and step responses, and the margins with the present gains of the circuit.
+    `origin` is the origin of these gains, such as the name of a file.
     """
     title = f"{circuit.title or 'A circuit'}: gains of {tuning.controller}"
     bode = (
@@ -136,12 +140,21 @@ def tuning_page(tuning: Tuning, circuit: BaseCircuit) -> str:
         else "Small steps of the linear loops, without limits and dead zones of the valves. Above: setpoint; below: "
         "disturbance that is added to the command."
     )
+    present, file_margins = tuning.gains_of(circuit), file_margin_table(tuning, circuit)
+    bode += f" Thin dashed lines: present gains, those of {origin}." if present else ""
     lead = f"Form {tuning.form}. Bounded: {tuning.bound_text}, {tuning.command_text}."
     with style("A report of a tuning"):
         sections = [
-            Section("", head(title, lead) + findings(tuning.notes)),
+            Section("", head(title, lead) + findings((*tuning.notes, *tuning.margin_notes(circuit)))),
             Section("Gains", f"<pre>{html.escape(tuning.text())}</pre>\n"),
-            Section("Margins", (picture(bode_figure(tuning), "bode", bode), margin_table(tuning))),
+            Section(
+                "Margins",
+                (
+                    picture(bode_figure(tuning, present=present), "bode", bode),
+                    margin_table(tuning),
+                    *((paragraph(f"With the gains of {origin}:"), file_margins) if file_margins else ()),
+                ),
+            ),
             Section(
                 "Steps",
                 (

@@ -76,6 +76,20 @@ def test_position_gains_keep_the_bound_on_the_closed_form():
     assert last == pytest.approx(0.13, abs=2e-4)
 
 
+@pytest.mark.parametrize("by", ["measurement", "setpoint"])
+def test_tuned_gains_do_not_depend_on_the_vent_factors_of_a_schedule(by):
+    """The response of the vent valve is that without the vent factor of the circuit, also of a schedule."""
+    table = {"position": [0.05, 0.15], "gain": [2.0, 3.0], "integral_time": [1.0, 1.0], "vent_factor": [1.0, 3.0]}
+    scheduled = drive(gain=None, schedule=table, schedule_by=by)
+    (found,), (expected,) = (tune(circuit, at=["120 mm"]).points for circuit in (scheduled, drive()))
+    assert found.vent_factor == pytest.approx(expected.vent_factor, rel=1e-4)
+    assert found.gains.gain == pytest.approx(expected.gains.gain, rel=1e-4)
+    # At 120 mm, the schedule has 2.7 1/m and a vent factor of 2.4.
+    gains = tune(drive(), at=["120 mm"]).gains_of(scheduled)
+    assert gains["120 mm, fill"].gain == pytest.approx(2.7)
+    assert gains["120 mm, vent"].gain == pytest.approx(2.7 * 2.4 / expected.vent_factor)
+
+
 def test_position_schedule_contains_positions():
     tuning = schedule(drive(), at=["60 mm", "140 mm"])
     assert tuning.fields()["schedule"].numbers()["position_2"].value == pytest.approx(0.14)

@@ -101,6 +101,45 @@ def test_linear_plant_has_the_gains_of_its_linear_model():
     assert np.max(np.abs(plant.responses / exact - 1.0)) < 0.03
 
 
+def test_margins_with_the_gains_of_the_circuit_are_those_of_the_linear_model():
+    """The plant is linear, so python-control gives the margins from the matrices of its linear model."""
+    control = pytest.importorskip("control", reason="python-control is not installed")
+    (linear,) = tune(balanced_cylinder(), at=["100 mm"]).points
+    matrices = linear.plants["100 mm, fill"]
+    plant = control.ss(matrices.A, matrices.B[:, None], matrices.C[None, :], 0.0, TIME)
+    delay = control.ss(control.tf([1.0], [1.0] + [0.0] * matrices.delay, TIME))
+    schedule = {"position": [0.05, 0.15], "gain": [1.0, 5.0], "integral_time": [0.3, 0.9]}
+    for fields, gain, integral_time in (
+        ({}, 2.0, 0.5),
+        ({"gain": "4 1/m", "integral_time": 0.8}, 4.0, 0.8),
+        ({"gain": None, "integral_time": None, "schedule": schedule}, 3.0, 0.6),
+    ):
+        circuit = balanced_cylinder(**fields)
+        (found,) = by_sines().margins_of(circuit).values()
+        assert by_sines().margin_notes(circuit) == ()
+        law = control.tf([gain, gain * (TIME / integral_time - 1.0)], [1.0, -1.0], TIME)
+        omega = 2.0 * np.pi * np.geomspace(0.02, 249.0, 8000)
+        loop = control.frequency_response(plant * delay * control.ss(law), omega).complex.ravel()
+        gain_margin, phase_margin, *_, crossover, _ = control.stability_margins(control.frd(loop, omega))
+        assert found.is_stable
+        assert found.gain_margin == pytest.approx(gain_margin, rel=0.05)
+        assert found.phase_margin == pytest.approx(phase_margin, rel=0.03)
+        assert found.crossover == pytest.approx(crossover / (2.0 * np.pi), rel=0.03)
+        assert found.sensitivity == pytest.approx(np.max(np.abs(1.0 / (1.0 + loop))), rel=0.03)
+
+
+def test_loops_without_measured_responses_have_notes():
+    """Sines do not give the response with another vent factor, and none below their lowest frequency."""
+    other, slow = balanced_cylinder(vent_factor=2.0), balanced_cylinder(gain="0.05 1/m", integral_time=None)
+    assert by_sines().margins_of(other) == {}
+    (note,) = by_sines().margin_notes(other)
+    assert (note.code, note.facts["measured"], note.facts["present"]) == ("tuning.other_vent_factor", 1.0, 2.0)
+    (plant,) = by_sines().points[0].plants.values()
+    (found,) = by_sines().margins_of(slow).values()
+    assert found.crossover < plant.known_frequencies[0]
+    assert [note.code for note in by_sines().margin_notes(slow)] == ["tuning.extrapolated"]
+
+
 def test_measured_plant_is_independent_of_the_controller():
     first, second = (by_sines(gain).points[0] for gain in ("2 1/m", "0.7 1/m"))
     assert second.gains.gain == pytest.approx(first.gains.gain, rel=0.02)

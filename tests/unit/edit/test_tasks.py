@@ -28,6 +28,7 @@ from poppet.edit.tasks.manager import Tasks, check_file_name
 from poppet.edit.tasks.order import TaskOrder, written_value
 from poppet.identify.recorded_columns import UserStatement
 from poppet.identify.tank.tank_recording import interpret_tank
+from poppet.report.control_report import file_margin_table, margin_table
 from poppet.timeseries.tables.table import Table
 from refusals import refused
 from tank_discharge import excel_export
@@ -332,6 +333,10 @@ def test_tuned_gains_are_applied_as_in_python(job, is_scheduled):
     for address, number in changed.numbers().items():
         assert float(number.value) == pytest.approx(float(numbers[address].value), rel=1e-5), address
     assert changed.numbers().keys() == numbers.keys()
+    tuning = (schedule if is_scheduled else tune)(load(file), form="pi")
+    tables = result.text.partition("With the present gains:\n")
+    assert tables[0].rstrip().endswith(margin_table(tuning).text())
+    assert tables[2] == file_margin_table(tuning, load(file)).text()
 
 
 @pytest.mark.parametrize(

@@ -113,6 +113,24 @@ def test_tuning_page_has_plot_gains_and_margins(tuning, circuit, tmp_path):
     assert write_tuning(tuning, circuit, tmp_path / "tuning.html").read_text(encoding="utf-8") == text
 
 
+def test_bode_plot_of_the_page_has_dashed_lines_of_the_present_gains(tuning, circuit):
+    """A factor of 0.5 on the gain is -6.02 dB; an unstable loop has no sensitivity and no margins."""
+    tuned = tuning.applied(circuit)
+    gain = tuned.parameters["regulator.gain"]
+    for factor, is_stable in ((0.5, True), (20.0, False)):
+        present = tuned.with_values({"regulator.gain": factor * gain})
+        page = tuning_page(tuning, present, origin="a < b")
+        curves = lines(plots(page)[0])
+        for name in tuning.points[0].margins:
+            (_, present_level), (_, level) = (
+                curves[f"magnitude |L| [dB]: {name}{end}"] for end in (", present gains", "")
+            )
+            assert np.allclose(present_level - level, 20.0 * np.log10(factor), atol=0.02)
+            assert (f"sensitivity |S| [1]: {name}, present gains" in curves) == is_stable
+        assert "With the gains of a &lt; b:" in page
+        assert ("3 bar, fill: unstable" in page) != is_stable
+
+
 def test_comparison_page_has_responses_and_metrics(comparison, tmp_path):
     text = comparison_page(comparison, "two")
     needs_nothing_else(text)

@@ -32,7 +32,7 @@ _ENDINGS = {"p": "pressure", "t": "temperature", "x": "position", "v": "velocity
 def tune_controller(order: TaskOrder) -> TaskResult:
     """Tune the gains of a controller."""
     from poppet.control import schedule, tune
-    from poppet.report.control_report import margin_table, write_tuning
+    from poppet.report.control_report import file_margin_table, margin_table, write_tuning
 
     style("A report of a tuning")
     circuit, options = order.circuit, dict(order.options)
@@ -50,7 +50,10 @@ def tune_controller(order: TaskOrder) -> TaskResult:
         if value is not None or name in stated
     )
     changed_circuit(order, operations)  # the circuit must be valid with the tuned fields
-    return TaskResult(f"{tuning.text()}\n{margin_table(tuning).text()}", sentences(tuning.notes), operations)
+    text = f"{tuning.text()}\n{margin_table(tuning).text()}"
+    if (margins := file_margin_table(tuning, circuit)) is not None:
+        text += f"\n\nWith the present gains:\n{margins.text()}"
+    return TaskResult(text, sentences((*tuning.notes, *tuning.margin_notes(circuit))), operations)
 
 
 def _field_values(
