@@ -38,6 +38,10 @@ def test_tune_writes_gains_for_the_circuit(poppet, files, tmp_path):
     gains = tomllib.loads((tmp_path / "gains.toml").read_text(encoding="utf-8"))["parts"]["regulator"]
     changes = [f"--set=regulator.{name}={value}" for name, value in gains.items()]
     assert poppet("simulate", "pid.toml", *changes, "--quiet").code == 0
+    out = poppet("control", "tune", "pid.toml", "--at", "3 bar", "--sensitivity", "1.6", "--with", "gains.toml").out
+    tables = re.split(r"With the gains of pid.toml and --with:\n", out)
+    rows = [[line for line in table.splitlines() if line.startswith("3 bar, ")] for table in tables]
+    assert rows[0] == rows[1]
 
 
 @pytest.mark.parametrize(("factor", "is_stable"), [(1.0, True), (40.0, False)])

@@ -85,7 +85,8 @@ class ManualPlant(Plant):
         target = self.read(value)
         instance = self.instance.with_values({self.begins: target}) if self.begins else self.instance
         manual, setpoint = {f"{self.controller}.automatic": 0.0}, f"{self.controller}.setpoint"
-        if setpoint in instance.input_names:  # determines the vent factor of a schedule by setpoint
+        is_by_setpoint = isinstance(self.part, PID) and self.part.schedule_by == "setpoint"
+        if is_by_setpoint and setpoint in instance.input_names:  # determines the vent factor of the schedule
             manual[setpoint] = target
         point = SampledPoint(instance, instance.held_inputs(manual))
         time = self.part.parameters(instance.surroundings)["sample_time"]
