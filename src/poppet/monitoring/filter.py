@@ -243,8 +243,8 @@ class PlantFilter:
         """
         at_onset = (arrival for arrival in self._at_onset if arrival is not None)
         earlier = [arrival for arrival in (*self._arrivals, *at_onset, *self._requested) if arrival.time <= time]
-        kept = max(earlier, key=lambda arrival: arrival.time, default=self._arrivals[0])
-        latest = self._replay(kept, self._history, time, self._estimator.walk)
+        start = max(earlier, key=lambda arrival: arrival.time, default=self._arrivals[0])
+        latest = self._replay(start, self._history, time, self._estimator.walk)
         others = [arrival for arrival in self._requested if arrival is not latest]
         self._requested = [*others, latest][-REQUESTED:]
         return latest

@@ -212,11 +212,11 @@ class HypothesisSearch:
             best = min(candidates[h].predicted for h in searched)
             # A prediction is no bound: flows are not linear in pressures. It excludes a single fault only after some
             # steps, and any other hypothesis if another one fits.
-            far, trials_of_all = (0.0, 0) if is_quick else (FAR, LEAST_TRIALS)
+            margin, trials_of_all = (0.0, 0) if is_quick else (FAR, LEAST_TRIALS)
             least = {h: trials_of_all if len(h) == 1 or best >= self.n_readings else 0 for h in searched}
             unknown = [
                 h for h in searched
-                if not candidates[h].is_final and (candidates[h].predicted <= best + far or trials[h] < least[h])
+                if not candidates[h].is_final and (candidates[h].predicted <= best + margin or trials[h] < least[h])
             ]  # fmt: skip
             if not unknown:
                 break

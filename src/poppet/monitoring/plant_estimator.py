@@ -88,20 +88,20 @@ class EstimateReplay:
         `walk` contains the variances of the random walks in one second, (n + m,). If the estimator fails, the result is
         the start.
         """
-        before = [sample for sample in history if sample.time <= start.time]
-        later = [sample for sample in history if start.time < sample.time <= time]
-        if not later or not before:
+        samples = [sample for sample in history if sample.time <= start.time]
+        repeated = [sample for sample in history if start.time < sample.time <= time]
+        if not repeated or not samples:
             return start
         estimator, n_memory = self._estimator, start.memory.size
         memory = estimator.p[estimator.p.size - n_memory :]
         estimator.mean[:], estimator.covariance[:], memory[:] = start.mean, start.covariance, start.memory
         estimator.walk[:], estimator.time[0], estimator.rejected[:] = walk, start.time, 0.0
         estimator.restart()
-        estimator.u[:] = self._inputs.vector(before)
+        estimator.u[:] = self._inputs.vector(samples)
         squares = start.squares
-        for sample in later:
-            before.append(sample)
-            if not use_last(estimator, self._inputs, before):
+        for sample in repeated:
+            samples.append(sample)
+            if not use_last(estimator, self._inputs, samples):
                 return start
             squares += estimator.nis
-        return Arrival(later[-1].time, estimator.mean.copy(), estimator.covariance.copy(), memory.copy(), squares)
+        return Arrival(repeated[-1].time, estimator.mean.copy(), estimator.covariance.copy(), memory.copy(), squares)

@@ -434,8 +434,9 @@ class FaultMonitor:
         compare = partial(self._compare, statistics=statistics, steps=steps)
         best = compare(onsets[0], is_quick=True)
         if best.is_by_fits:
-            found = self._constant_onsets(best, onsets[1:], partial(compare, is_quick=True))
-            best = compare(self._growing_onset(found, onsets, partial(compare, is_quick=True)), can_grow=True)
+            quick = partial(compare, is_quick=True)
+            onset = self._growing_onset(self._constant_onsets(best, onsets[1:], quick), onsets, quick)
+            best = compare(onset, can_grow=True)
         elif len(onsets) > 1 and not best.is_explained:
             best = self._compare(onsets[1], statistics, steps)
         self._begun, age, fits, evidence = best.onset, best.age, best.fits, best.evidence
@@ -561,24 +562,23 @@ class FaultMonitor:
         search continues between this onset and its neighbours: the readings show the onset of a large fault more
         precisely than the bank.
         """
-        found = {best.onset: best}
-        best, times = self._best_onset(found, others, compare), self._times(found)
+        comparisons = {best.onset: best}
+        best, times = self._best_onset(comparisons, others, compare), self._times(comparisons)
         times = [*times, max(times[-1], self._time - self.alarm_delay)]
         k = times.index(best.onset)
         low, high = times[max(k - 1, 0)], times[k + 1]
         for _ in range(MOST_REFINEMENTS):
-            before, after = best.onset - low, high - best.onset
-            if best.evidence.is_healthy or max(before, after) < FINEST * self.alarm_delay:
+            gap_below, gap_above = best.onset - low, high - best.onset
+            if best.evidence.is_healthy or max(gap_below, gap_above) < FINEST * self.alarm_delay:
                 break
-            other = compare(best.onset - 0.5 * before if before > after else best.onset + 0.5 * after)
-            found[other.onset] = other
-            nearer, farther = (other, best) if other.total < best.total else (best, other)
-            if farther.onset < nearer.onset:
-                low = farther.onset
+            onset = best.onset - 0.5 * gap_below if gap_below > gap_above else best.onset + 0.5 * gap_above
+            comparison = comparisons[onset] = compare(onset)
+            best, worse = (comparison, best) if comparison.total < best.total else (best, comparison)
+            if worse.onset < best.onset:
+                low = worse.onset
             else:
-                high = farther.onset
-            best = nearer
-        return found
+                high = worse.onset
+        return comparisons
 
     def _growing_onset(
         self, constant: Mapping[float, OnsetComparison], onsets: Iterable[float], compare: CompareOnset
@@ -588,31 +588,31 @@ class FaultMonitor:
         A constant fault with a late onset can explain the last readings of a fault that grows.
         """
         best = min(constant.values(), key=lambda comparison: comparison.total)
-        found = {onset: comparison for onset, comparison in constant.items() if comparison.evidence.is_healthy}
-        return self._best_onset(found, [best.onset, *onsets], partial(compare, can_grow=True)).onset
+        comparisons = {onset: comparison for onset, comparison in constant.items() if comparison.evidence.is_healthy}
+        return self._best_onset(comparisons, [best.onset, *onsets], partial(compare, can_grow=True)).onset
 
     def _best_onset(
-        self, found: dict[float, OnsetComparison], others: Iterable[float], compare: CompareOnset
+        self, comparisons: dict[float, OnsetComparison], others: Iterable[float], compare: CompareOnset
     ) -> OnsetComparison:
         """Return the comparison of the onset with which all readings are most probable.
 
         The search begins with some onsets, and continues with the neighbours of the best one. It adds its comparisons
-        to those that were already found.
+        to the given ones.
         """
-        found.update((onset, compare(onset)) for onset in others if onset not in found)
-        times, limit = self._times(found), max(len(found), 1) + MOST_ONSETS
-        while len(found) < limit:
-            k = times.index(min(found, key=lambda onset: found[onset].total))
-            near = [onset for onset in times[max(k - 1, 0) : k + 2] if onset not in found]
+        comparisons.update((onset, compare(onset)) for onset in others if onset not in comparisons)
+        times, limit = self._times(comparisons), max(len(comparisons), 1) + MOST_ONSETS
+        while len(comparisons) < limit:
+            k = times.index(min(comparisons, key=lambda onset: comparisons[onset].total))
+            near = [onset for onset in times[max(k - 1, 0) : k + 2] if onset not in comparisons]
             if not near:
                 break
-            found[near[0]] = compare(near[0])
-        return min(found.values(), key=lambda comparison: comparison.total)
+            comparisons[near[0]] = compare(near[0])
+        return min(comparisons.values(), key=lambda comparison: comparison.total)
 
-    def _times(self, found: Iterable[float]) -> list[float]:
-        """Return the onsets that can be compared: those of the bank and those that were found, the earliest first."""
+    def _times(self, comparisons: Iterable[float]) -> list[float]:
+        """Return the onsets that can be compared: those of the bank and of the comparisons, the earliest first."""
         ages = self._bank.ages[(self._bank.ages >= self.alarm_delay) & (self._bank.ages <= self.window)]
-        return sorted({*(self._time - ages).tolist(), *found})
+        return sorted({*(self._time - ages).tolist(), *comparisons})
 
     def _statistics_of_steps(self) -> FaultStatistics:
         """Return the statistics of the single faults from the bank alone, without the estimates of the filter."""
