@@ -5,6 +5,7 @@ from __future__ import annotations
 import io
 import json
 import signal
+import socket
 import subprocess
 import sys
 from pathlib import Path
@@ -87,14 +88,14 @@ def test_json_lines(file):
     assert "2 lines, 0 with errors" in err
 
 
-@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
+@pytest.mark.parametrize("name", ["SIGINT", "SIGTERM", "SIGHUP"])
 @pytest.mark.skipif(sys.platform == "win32", reason="signals of Windows reach the whole console")
-def test_an_interrupt_ends_the_run_with_a_complete_recording(file, tmp_path, number):
+def test_an_interrupt_ends_the_run_with_a_complete_recording(file, tmp_path, name):
     recording = tmp_path / "run.csv"
     process = process_of(file, "--record", str(recording), "--lines", "0.01")
     for _ in range(10):
         last = json.loads(process.stdout.readline())
-    process.send_signal(number)
+    process.send_signal(getattr(signal, name))
     out, err = process.communicate(timeout=60)
     assert process.returncode == 0, err
     assert f"{recording}: " in err
@@ -105,6 +106,16 @@ def test_an_interrupt_ends_the_run_with_a_complete_recording(file, tmp_path, num
     assert times[-1] >= last["time"]
     assert np.allclose(np.diff(times), 0.01)
     assert [path.name for path in tmp_path.iterdir() if path.suffix != ".toml"] == ["run.csv"]
+
+
+def test_a_port_in_use_keeps_an_earlier_recording(serve):
+    Path("run.csv").write_text("earlier rows", encoding="utf-8")
+    with socket.create_server(("127.0.0.1", 0)) as other:
+        answer = serve("--modbus", str(other.getsockname()[1]), "--record", "run.csv")
+    assert answer.code == 2
+    assert "error: The Modbus server cannot listen on 127.0.0.1" in answer.err
+    assert Path("run.csv").read_text(encoding="utf-8") == "earlier rows"
+    assert [path.name for path in Path().iterdir() if path.name.startswith(".run.csv")] == []
 
 
 def test_a_failed_machine_ends_with_its_reason(serve, file):

@@ -9,8 +9,11 @@ from collections.abc import Callable, Iterator, Sequence
 from typing import Any
 
 from poppet.core.codes import Note
+from poppet.core.errors import InputError
 from poppet.serve.adapters import Adapter
 from poppet.serve.machine import Machine
+from poppet.serve.machine_process import ENDING_SIGNALS
+from poppet.serve.recorder import Recorder
 from poppet.serve.snapshot import MachineState
 
 INTERVAL = 0.05
@@ -18,10 +21,10 @@ INTERVAL = 0.05
 
 
 def run_program(machine: Machine, adapters: Sequence[Adapter], report: Callable[[Note], None]) -> None:
-    """Serve a machine until it stops, or until Ctrl-C or the signal TERM.
+    """Serve a machine until it stops, or until Ctrl-C or the signals TERM and HUP.
 
     A machine that fails is served further. After the end, the last rows are recorded. An error of an adapter ends the
-    program and is raised.
+    program and is raised. If it is an error of its settings, such as a port in use, nothing is recorded.
 
     Parameters
     ----------
@@ -50,6 +53,11 @@ async def _serve(machine: Machine, adapters: Sequence[Adapter], report: Callable
                 done, pending = await asyncio.wait(pending, return_when=asyncio.FIRST_COMPLETED)
                 for task in done:
                     task.result()  # raises the error of an adapter
+        except InputError:
+            for adapter in adapters:
+                if isinstance(adapter, Recorder):
+                    adapter.discard()
+            raise
         finally:
             # First the machine, so that a recorder gets all rows.
             machine.stop()
@@ -77,14 +85,16 @@ async def _watch(machine: Machine, report: Callable[[Note], None]) -> None:
 
 @contextlib.contextmanager
 def _signals_to(loop: asyncio.AbstractEventLoop, end: asyncio.Event) -> Iterator[None]:
-    """Set an event at Ctrl-C and at the signal TERM; a second Ctrl-C interrupts as usual."""
+    """Set an event at Ctrl-C and at the signals TERM and HUP; a second Ctrl-C interrupts as usual."""
 
     def handle(number: int, _frame: Any) -> None:
         signal.signal(number, previous[number])
         loop.call_soon_threadsafe(end.set)
 
     previous: dict[int, Any] = {}
-    for number in map(int, (signal.SIGINT, signal.SIGTERM)):
+    for number in (int(getattr(signal, name)) for name in ENDING_SIGNALS):
+        if signal.getsignal(number) is signal.SIG_IGN:  # HUP of a command that `nohup` started
+            continue
         # Another thread than the main one cannot receive signals.
         with contextlib.suppress(ValueError):
             previous[number] = signal.signal(number, handle)

@@ -34,6 +34,11 @@ class Recorder:
         self.path = path
         self.n_rows, self.n_lost = 0, 0
         self._has_ended = threading.Event()
+        self._is_discarded = False
+
+    def discard(self) -> None:
+        """Write no file at the end: a file of the same name from an earlier run stays."""
+        self._is_discarded = True
 
     async def run(self, machine: Machine, report: Callable[[Note], None]) -> None:
         work = asyncio.create_task(
@@ -58,6 +63,8 @@ class Recorder:
             self.n_rows += len(rows)
             index = first + len(rows)
             stream.write("".join([line % tuple(row) for row in rows.tolist()]).encode())
+            if is_last and self._is_discarded:
+                raise asyncio.CancelledError  # the temporary file is deleted
             if is_last:
                 return
             is_ahead = machine.exchange.fields[RECORDED] >= 0
