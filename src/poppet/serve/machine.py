@@ -13,8 +13,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from poppet.core.codes import Note
-from poppet.core.errors import ErrorCollector, InputError, NameSuggestion
-from poppet.core.units import quantity
+from poppet.core.errors import ErrorCollector, InputError, NameSuggestion, OutOfRangeError
+from poppet.core.units import quantity, sizes_of
 from poppet.parts.faults import FAULTS, HEALTHY
 from poppet.serve.coupled_plant import make_plant, steps_per_period
 from poppet.serve.exchange import RECORDED, STATE, STOP, Exchange, ExchangeLayout
@@ -210,6 +210,8 @@ class Machine:
         if not point.low <= value <= point.high:
             facts: dict[str, Any] = {"given": argument, "low": point.low, "high": point.high, "unit": point.unit}
             raise InputError("inputs.outside", point.address, **facts)
+        if abs(value) > (most := sizes_of(point.unit)[1]):
+            raise OutOfRangeError("quantity.too_large", point.address, shown=str(argument), most=most, unit=point.unit)
         return value
 
     def _not_writable(self, point: Point) -> InputError:

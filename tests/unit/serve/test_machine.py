@@ -95,6 +95,13 @@ def test_invalid_writes_change_nothing(machine):
     assert machine.snapshot()["valve.command"] == 0.0
 
 
+def test_an_implausible_number_is_rejected(machine):
+    # 6 bar as a float32 with exchanged words
+    with pytest.raises(InputError) as caught:
+        machine.write({"supply.pressure": 2.66e36})
+    assert (caught.value.code, caught.value.facts["most"]) == ("quantity.too_large", 1e12)
+
+
 def test_driven_inputs_cannot_be_written(circuit):
     driven = circuit.with_signals({"valve.command": Steps([0.0], [1.0])})
     with driven.serve(clock=False) as machine, pytest.raises(InputError) as caught:
