@@ -98,6 +98,12 @@ def test_a_file_is_replaced_on_request_only(folder):
     assert (folder / "tank.toml").read_text() == "x = 1\n"
 
 
+def test_a_missing_folder_is_named(folder):
+    with pytest.raises(InputError) as caught:
+        write_file(Folder.of(folder), "absent/below/tank.toml", "x")
+    assert (caught.value.code, caught.value.facts["folder"]) == ("files.no_folder", "absent/below")
+
+
 def test_large_and_binary_files_are_not_read(folder):
     (folder / "large.csv").write_bytes(b"1" * (TEXT + 1))
     (folder / "binary.csv").write_bytes(b"\xff\xfe\x00")

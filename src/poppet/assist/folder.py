@@ -130,7 +130,9 @@ class Folder:
     def _shown(self, error: InputError, name: str, address: str) -> InputError:
         """Return an error with the name of the file as the user wrote it."""
         facts: dict[str, Any] = {**error.facts, "path": name}
-        facts |= {"folder": "."} if "folder" in facts else {}
+        if "folder" in facts:
+            folder = Path(str(facts["folder"]))
+            facts["folder"] = self.shown(str(folder)) if folder.is_relative_to(self.path) else "."
         return InputError(error.code, error.address or address, **facts)
 
 
