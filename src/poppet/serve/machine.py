@@ -198,13 +198,14 @@ class Machine:
     def _read(self, point: Point, argument: Any) -> float:
         """Return the value of an input in SI units, if it is in the range of the input."""
         value = math.nan
-        if isinstance(argument, int | float):
+        # A truth value is a command, such as that of a valve, but no pressure.
+        if isinstance(argument, int | float) and (point.high == 1.0 or not isinstance(argument, bool)):
             with contextlib.suppress(OverflowError):  # an integer with hundreds of digits
                 value = float(argument)
         if not math.isfinite(value):
             item = self.served.circuit.inputs.get(point.address)
             kind: Any = "plain" if item is None else item.kind
-            text = str(argument) if isinstance(argument, int) else argument
+            text = str(argument) if type(argument) is int else argument
             read = quantity(text, point.unit, kind=kind, name=point.address)
             value = read.value + (self.ambient_pressure if read.reference == "gauge" else 0.0)
         if not point.low <= value <= point.high:

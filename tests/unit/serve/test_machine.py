@@ -102,6 +102,14 @@ def test_an_implausible_number_is_rejected(machine):
     assert (caught.value.code, caught.value.facts["most"]) == ("quantity.too_large", 1e12)
 
 
+def test_a_truth_value_is_a_command_but_no_pressure(machine):
+    machine.write({"valve.command": True})
+    with pytest.raises(InputError) as caught:
+        machine.write({"supply.pressure": True})
+    assert caught.value.code == "quantity.not_a_number"
+    assert machine.advance("20 ms")["valve.command"] == 1.0
+
+
 def test_driven_inputs_cannot_be_written(circuit):
     driven = circuit.with_signals({"valve.command": Steps([0.0], [1.0])})
     with driven.serve(clock=False) as machine, pytest.raises(InputError) as caught:
