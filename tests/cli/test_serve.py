@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import errno
 import io
 import json
+import os
 import signal
 import socket
 import subprocess
@@ -106,6 +108,26 @@ def test_an_interrupt_ends_the_run_with_a_complete_recording(file, tmp_path, nam
     assert times[-1] >= last["time"]
     assert np.allclose(np.diff(times), 0.01)
     assert [path.name for path in tmp_path.iterdir() if path.suffix != ".toml"] == ["run.csv"]
+
+
+def test_a_full_disk_ends_the_run_with_the_rows_until_then(serve, tmp_path, monkeypatch):
+    limit, write = 100_000, os.write
+
+    def write_until_full(file, content):
+        space = limit - os.fstat(file).st_size
+        if space <= 0:
+            raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
+        return write(file, content[:space])
+
+    monkeypatch.setattr("poppet.serve.recorder.os.write", write_until_full)
+    answer = serve("--speed", "inf", "--record", "run.csv")
+    monkeypatch.undo()
+    assert answer.code == 2
+    times = package.Recording.read(tmp_path / "run.csv").time
+    assert (tmp_path / "run.csv").stat().st_size <= limit
+    assert np.allclose(times, 0.01 * np.arange(times.size))
+    assert f"The {times.size} rows until then are complete" in answer.err
+    assert list(tmp_path.glob(".run.csv*")) == []
 
 
 def test_a_port_in_use_keeps_an_earlier_recording(serve):
