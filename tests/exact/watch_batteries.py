@@ -255,6 +255,10 @@ class Bands:
         return self.errors[self.outcome.times > self.outcome.first]
 
 
+BAND_UNITS = {"leak": tank.ONE_PERCENT, "clogged": tank.ONE_PERCENT, "supply_low": 1e5}
+"""Units of the sizes: per cent of the conductance of the valve, and bar."""
+
+
 def bands(
     fault: str, size: float, seeds: range, *, start: float = 120.0, growth: float = 0.0, duration: float = 240.0
 ) -> list[Bands]:
@@ -262,24 +266,34 @@ def bands(
 
     The size is in per cent of the conductance of the valve, or in bar.
     """
-    samples, healthy = round(duration / tank.SAMPLE_TIME), tank.HEALTHY
-    time = tank.SAMPLE_TIME * np.arange(samples)
+    time = tank.SAMPLE_TIME * np.arange(round(duration / tank.SAMPLE_TIME))
     course = np.clip((time - start) / growth, 0.0, 1.0) if growth else (time >= start).astype(float)
-    change = course * size * {"leak": tank.ONE_PERCENT, "clogged": tank.ONE_PERCENT, "supply_low": 1e5}[fault]
+    return faulty_tanks({fault: course * size}, seeds)
+
+
+def successive_faults(
+    sizes: Mapping[str, float], seeds: range, *, starts: Sequence[float] = (120.0, 220.0), duration: float = 400.0
+) -> list[Bands]:
+    """Return the errors of all sizes in runs with several faults that begin at different times [s] and remain."""
+    time = tank.SAMPLE_TIME * np.arange(round(duration / tank.SAMPLE_TIME))
+    cases = zip(sizes.items(), starts, strict=True)
+    return faulty_tanks({fault: (time >= start) * size for (fault, size), start in cases}, seeds)
+
+
+def faulty_tanks(changes: Mapping[str, Array], seeds: range) -> list[Bands]:
+    """Return the errors of all sizes in runs with the changes of some faults, (samples,) each."""
+    healthy, names = tank.HEALTHY, list(BAND_FAULTS)
+    samples = next(iter(changes.values())).size
+    none = np.zeros(samples)
+    change = np.stack([changes.get(name, none) * BAND_UNITS[name] for name in names], axis=1)
+    truth = np.array([healthy.leak, healthy.valve, healthy.supply_pressure]) + change
     commands = tank.random_openings(seeds, samples)
-    openings, pressure, leak = commands.copy(), None, None
-    if fault == "leak":
-        leak = np.tile(healthy.leak + change, (len(seeds), 1))
-    elif fault == "clogged":
-        openings[:, :, 0] *= 1.0 + change / healthy.valve
-    else:
-        pressure = np.tile(healthy.supply_pressure + change, (len(seeds), 1))
-    plan = bands_plan()
-    simulated = tank.simulate(healthy, openings, leak, supply=pressure)
+    openings = commands.copy()
+    openings[:, :, 0] *= 1.0 + change[:, names.index("clogged")] / healthy.valve
+    leak, supply = (np.tile(truth[:, names.index(name)], (len(seeds), 1)) for name in ("leak", "supply_low"))
+    simulated = tank.simulate(healthy, openings, leak, supply=supply)
     shown = tank.readings(healthy, simulated, tank.Sensors(), seeds)
-    truth = np.tile([healthy.leak, healthy.valve, healthy.supply_pressure], (samples, 1))
-    truth[:, list(BAND_FAULTS).index(fault)] += change
-    results = []
+    plan, time, results = bands_plan(), tank.SAMPLE_TIME * np.arange(samples), []
     for run in range(len(seeds)):
         table = np.concatenate([shown[run], commands[run]], axis=1)
         outcome = watched(plan, Baseline.of_circuit(plan), time, table)

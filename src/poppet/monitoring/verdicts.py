@@ -227,6 +227,8 @@ class FaultMonitor:
         self._bounds = (-infinite, infinite) if bounds is None else bounds
         self._indices = {fault.name: k for k, fault in enumerate(self.faults)}
         self._dropped_at = -math.inf  # last time at which no name was to be dropped
+        self._complete_at = -math.inf  # last time at which no name was to be added
+        self._joint_sizes, self._joint_sigmas = np.zeros(f), np.full(f, math.inf)  # if all faults are possible
         self._suspected: Hypothesis = ()  # faults that the last comparison has named
         self._grows = False  # True if the size of the named faults is compared again without a step, as they can grow
         self._is_walking = False  # True if the filter has adopted a growth
@@ -340,6 +342,7 @@ class FaultMonitor:
         if self._is_confirmed:
             if self._fits is not None:
                 self._drop_names()
+                self._add_names()
             is_due = steps is not None and time - max(self._step_since, self._fault_since) >= self.alarm_delay
             if self._fits is None:
                 if is_due:
@@ -381,6 +384,8 @@ class FaultMonitor:
         gains, diagonal = information @ change, information.diagonal()
         self._estimated = StepEvidence(gains / np.sqrt(diagonal * self.temper), gains / (diagonal * self._alarms))
         self._uncertainties = np.sqrt(self.temper / diagonal) / self._alarms
+        self._joint_sizes = change / self._alarms
+        self._joint_sigmas = np.sqrt(self.temper * covariance.diagonal()) / self._alarms
         self._is_estimated = bool((np.abs(self._estimated.roots) > FALL).any())
         self._is_changed = bool(self._evident(self._estimated, 0.0, RISE, RISE_SIZE).any())
         information = self._bank.gram.diagonal(axis1=1, axis2=2)
@@ -407,7 +412,7 @@ class FaultMonitor:
 
         A fault that the filter has adopted is absent only if its estimate is well known and small.
         """
-        sizes = np.where(self._directions == 0, np.abs(self._estimated.sizes), self._directions * self._estimated.sizes)
+        sizes = self._directed(self._estimated.sizes)
         if self._is_confirmed:
             is_present = (sizes >= FALL_SIZE) | (self._uncertainties >= FALL_SIZE)
         else:
@@ -646,16 +651,35 @@ class FaultMonitor:
 
     def _drop_names(self) -> None:
         """Drop the names of faults whose estimate is well known and small, if others remain."""
-        small = (np.abs(self._estimated.sizes) < FALL_SIZE) & (self._uncertainties < FALL_SIZE)
+        directed = self._directed(self._joint_sizes)
+        small = (directed < FALL_SIZE) & (self._joint_sigmas < FALL_SIZE)
         names = tuple(name for name in self.verdict.names if not small[self._indices[name]])
         if self._time - self._dropped_at < self.alarm_delay or not names or names == self.verdict.names:
             self._dropped_at = self._dropped_at if names and names != self.verdict.names else self._time
         elif len(names) > 1:
             self._set_verdict(VerdictKind.SEVERAL, names, faults=names)
-        else:
-            k = self._indices[names[0]]
-            size = float(self._estimated.sizes[k])
-            self._set_fault(k, size)
+        elif directed[k := self._indices[names[0]]] >= FALL_SIZE:
+            self._set_fault(k, float(self._joint_sizes[k]))
+
+    def _add_names(self) -> None:
+        """Add the names of faults that are known to be present besides those of the alarm.
+
+        The comparison of a second fault can have replaced the names of the first one, which the filter has adopted.
+        """
+        sizes, sigmas = self._directed(self._joint_sizes), self._joint_sigmas
+        is_present = (sizes > RISE * sigmas) & (sizes >= RISE_SIZE) & (sigmas < FALL_SIZE)
+        present = [self.faults[k].name for k in np.flatnonzero(is_present).tolist()]
+        further = tuple(name for name in present if name not in self.verdict.names)
+        is_known = self.verdict.kind in (VerdictKind.FAULT, VerdictKind.SEVERAL) and self._misfit <= MISFIT
+        if not further or not is_known or self._step_since < math.inf:
+            self._complete_at = self._time
+        elif self._time - self._complete_at >= self.alarm_delay:
+            names = (*self.verdict.names, *further)
+            self._set_verdict(VerdictKind.SEVERAL, names, faults=names)
+
+    def _directed(self, sizes: Array) -> Array:
+        """Return sizes in the directions of their faults."""
+        return np.where(self._is_two_sided, np.abs(sizes), self._directions * sizes)
 
     def _add_fault(self) -> None:
         """Let the filter adopt a further step during a confirmed alarm, and add its fault to the names."""
