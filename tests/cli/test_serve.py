@@ -10,7 +10,9 @@ import signal
 import socket
 import subprocess
 import sys
+from functools import partial
 from pathlib import Path
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -45,7 +47,9 @@ def process_of(file, *arguments):
     """Start the command in a process of its own."""
     command = [sys.executable, "-m", "poppet", "serve", str(file), *arguments]
     pipe = subprocess.PIPE
-    return subprocess.Popen(command, stdin=pipe, stdout=pipe, stderr=pipe, text=True)
+    # Tests that run under nohup ignore this signal, which their processes inherit.
+    reset = None if sys.platform == "win32" else partial(signal.signal, signal.SIGHUP, signal.SIG_DFL)
+    return subprocess.Popen(command, stdin=pipe, stdout=pipe, stderr=pipe, text=True, preexec_fn=reset)
 
 
 def test_a_recording_equals_the_simulation(serve, file):
@@ -111,17 +115,17 @@ def test_an_interrupt_ends_the_run_with_a_complete_recording(file, tmp_path, nam
 
 
 def test_a_full_disk_ends_the_run_with_the_rows_until_then(serve, tmp_path, monkeypatch):
-    limit, write = 100_000, os.write
+    limit = 100_000
 
     def write_until_full(file, content):
         space = limit - os.fstat(file).st_size
         if space <= 0:
             raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
-        return write(file, content[:space])
+        return os.write(file, content[:space])
 
-    monkeypatch.setattr("poppet.serve.recorder.os.write", write_until_full)
+    system = SimpleNamespace(write=write_until_full, fstat=os.fstat, ftruncate=os.ftruncate)
+    monkeypatch.setattr("poppet.serve.recorder.os", system)
     answer = serve("--speed", "inf", "--record", "run.csv")
-    monkeypatch.undo()
     assert answer.code == 2
     times = package.Recording.read(tmp_path / "run.csv").time
     assert (tmp_path / "run.csv").stat().st_size <= limit
