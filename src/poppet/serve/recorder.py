@@ -60,18 +60,16 @@ class Recorder:
 
     def _write(self, machine: Machine, stream: IO[bytes]) -> None:
         names = zip(machine.row_names, machine.row_units, strict=True)
-        _append(stream, csv_text([[f"{name} [{unit}]" if unit else name for name, unit in names]]).encode())
+        _, self._problem = _append(stream, [csv_text([[f"{name} [{unit}]" if unit else name for name, unit in names]])])
         line = ",".join(["%.17g"] * len(machine.row_names)) + "\n"
         index, is_last = 0, False
-        while True:
+        while self._problem is None:
             first, rows = machine.rows(index)
-            try:
-                _append(stream, "".join([line % tuple(row) for row in rows.tolist()]).encode())
-            except OSError as problem:
-                self._problem = problem
-                return  # with the rows until now
+            n_written, self._problem = _append(stream, [line % tuple(row) for row in rows.tolist()])
             self.n_lost += first - index
-            self.n_rows += len(rows)
+            self.n_rows += n_written
+            if self._problem is not None:
+                break
             index = first + len(rows)
             if is_last and self._is_discarded:
                 raise asyncio.CancelledError  # the temporary file is deleted
@@ -88,16 +86,18 @@ class Recorder:
         return [Note("serve.recorded", path=str(self.path), rows=self.n_rows, lost=self.n_lost or None)]
 
 
-def _append(stream: IO[bytes], rows: bytes) -> None:
-    """Append complete rows to a file; if there is no space for them, the file ends before them."""
-    file, remaining = stream.fileno(), memoryview(rows)
-    end = os.fstat(file).st_size
+def _append(stream: IO[bytes], rows: Sequence[str]) -> tuple[int, OSError | None]:
+    """Append rows to a file; return the number of complete rows in it, and the error if there is no space for all."""
+    file, content = stream.fileno(), "".join(rows).encode()
+    begin, n_bytes = os.fstat(file).st_size, 0
     try:
-        while remaining:
-            remaining = remaining[os.write(file, remaining) :]
-    except OSError:
-        os.ftruncate(file, end)
-        raise
+        while n_bytes < len(content):
+            n_bytes += os.write(file, content[n_bytes:])
+    except OSError as problem:
+        complete = content[: content.rfind(b"\n", 0, n_bytes) + 1]
+        os.ftruncate(file, begin + len(complete))
+        return complete.count(b"\n"), problem
+    return len(rows), None
 
 
 def make_adapter(settings: AdapterSettings) -> Recorder:
