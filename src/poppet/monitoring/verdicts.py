@@ -215,6 +215,7 @@ class FaultMonitor:
         self._squares, self._n_readings = 0.0, 0  # sum of squared innovations, relative to healthy cycles
         self._sums: deque[tuple[float, float, int]] = deque(maxlen=round(1.5 / REVIEW))  # of these, with their times
         self._adopted = np.zeros(f)  # steps that the filter has adopted, in alarm sizes
+        self._is_adopted = np.zeros(f, dtype=bool)  # faults with such a step at some time of the alarm
         self._estimated = StepEvidence(np.zeros(f), np.zeros(f))
         self._is_estimated = False  # True if an evidence of the estimates exceeds 3 standard deviations
         self._is_changed = False  # True if the estimates of the filter are evidence of a fault
@@ -355,6 +356,7 @@ class FaultMonitor:
                 self._judge(is_alarm)
         else:
             self._judged, self._suspected = None, ()
+            self._is_adopted[:] = False
             self._set_verdict(self._kind_without_fault())
         is_open = is_alarm and not self._is_confirmed  # the fault of the alarm is not known yet
         if self.adoption is None and steps is not None and not is_open and time - self._step_since >= self.alarm_delay:
@@ -668,6 +670,8 @@ class FaultMonitor:
         """
         sizes, sigmas = self._directed(self._joint_sizes), self._joint_sigmas
         is_present = (sizes > RISE * sigmas) & (sizes >= RISE_SIZE) & (sigmas < FALL_SIZE)
+        # Other estimates can drift because the model is not accurate.
+        is_present &= self._is_adopted
         present = [self.faults[k].name for k in np.flatnonzero(is_present).tolist()]
         further = tuple(name for name in present if name not in self.verdict.names)
         is_known = self.verdict.kind in (VerdictKind.FAULT, VerdictKind.SEVERAL) and self._misfit <= MISFIT
@@ -802,6 +806,7 @@ class FaultMonitor:
         sizes = np.asarray(sizes, dtype=np.float32).astype(np.float64)
         steps = sizes - self._adopted[indices]
         self._adopted[indices] = sizes
+        self._is_adopted[indices] |= np.abs(sizes) >= FALL_SIZE
         known = onset if is_in_bank and is_informed else -1
         begun = since if since is not None and has_fit else math.nan
         alarms, self._is_walking = self._alarms[indices], growths is not None and bool(growths.any())

@@ -13,9 +13,9 @@ from itertools import pairwise
 
 import numpy as np
 import pytest
-from independent_watch_tank import ONE_PERCENT, SAMPLE_TIME, random_openings, readings, simulate
 
 from c_compiler import COMPILER, STRICT, compile_c
+from exact.independent_watch_tank import ONE_PERCENT, SAMPLE_TIME, random_openings, readings, simulate
 from exported_watch_example import (
     FOLDER,
     bits_of,
